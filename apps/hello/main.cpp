@@ -1,0 +1,26 @@
+/// The least that draws a picture with candela: 256 lights, into hello.png.
+
+#include <candela/candela.h>
+
+#include <iostream>
+
+int main() {
+    try {
+        const candela::PluginRegistry plugins;
+        const candela::Scene scene = candela::importScene(plugins, "plaza:256").scene;
+        const candela::ColorConfig color = candela::ColorConfig::builtIn();
+        const candela::DisplayTransform display = color.displayTransform({});
+
+        const candela::Context context = candela::Context::createHeadless();
+        const candela::GpuScene gpuScene(context, scene, {.workingFromRec709 = color.workingFromRec709()});
+        candela::Renderer renderer(context);
+
+        const candela::View view = candela::cameraView(scene, 0, candela::worldTransforms(scene));
+        renderer.render(gpuScene, {.width = 640, .height = 360, .view = view});
+        candela::writePng("hello.png", 640, 360, renderer.displayPicture(display), display.encoding());
+        std::cout << "hello.png: 256 lights on " << context.renderer() << "\n";
+    } catch (const candela::Error& error) {
+        std::cerr << "hello: " << error.what() << "\n";
+        return 1;
+    }
+}

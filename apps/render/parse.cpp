@@ -1,0 +1,80 @@
+#include "parse.h"
+
+#include "usage_error.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace {
+
+[[noreturn]] void reject(std::string_view option, std::string_view text, const std::string& expected) {
+    throw UsageError(std::string(option) + " \"" + std::string(text) + "\": expected " + expected);
+}
+
+/// The whole text as a number; none when anything else stands in it.
+template <typename Number>
+std::optional<Number> read(std::string_view text) {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::optional<double> readFinite(std::string_view text) {
+    const std::optional<double> value = read<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+/// A bound as a user writes it: without trailing zeros.
+std::string plain(double value) {
+    char text[32];
+    const auto [end, error] = std::to_chars(text, text + sizeof text, value);
+    return {text, error == std::errc{} ? end : text};
+}
+
+}  // namespace
+
+std::vector<std::string> splitAtCommas(std::string_view text) {
+    std::vector<std::string> parts;
+    for (std::size_t comma = text.find(','); comma != text.npos; comma = text.find(',')) {
+        parts.emplace_back(text.substr(0, comma));
+        text.remove_prefix(comma + 1);
+    }
+    parts.emplace_back(text);
+    return parts;
+}
+
+std::int64_t parseInteger(std::string_view option, std::string_view text, std::int64_t least,
+                          std::int64_t most) {
+    const std::optional<std::int64_t> value = read<std::int64_t>(text);
+    if (!value || *value < least || *value > most)
+        reject(option, text, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    return *value;
+}
+
+double parseNumber(std::string_view option, std::string_view text) {
+    const std::optional<double> value = readFinite(text);
+    if (!value) reject(option, text, "a number");
+    return *value;
+}
+
+double parseNumberBetween(std::string_view option, std::string_view text, double least, double most) {
+    const std::optional<double> value = readFinite(text);
+    if (!value || *value <= least || *value >= most)
+        reject(option, text, "a number between " + plain(least) + " and " + plain(most));
+    return *value;
+}
+
+glm::vec3 parsePoint(std::string_view option, std::string_view text) {
+    const std::vector<std::string> parts = splitAtCommas(text);
+    glm::vec3 point{0.0f};
+    if (parts.size() != 3) reject(option, text, "three numbers X,Y,Z");
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::optional<double> value = readFinite(parts[static_cast<std::size_t>(axis)]);
+        if (!value || std::abs(*value) > 1.0e15)
+            reject(option, text, "three numbers X,Y,Z of at most 1e15 metres");
+        point[axis] = static_cast<float>(*value);
+    }
+    return point;
+}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "options.h"
+
+#include <candela/color.h>
+#include <candela/gpu_scene.h>
+#include <candela/renderer.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+/// What one drawing of a frame took.
+struct FrameTiming {
+    double milliseconds = 0.0;  ///< Wall clock, up to the finished picture in memory.
+    std::vector<candela::PassTime> passes;
+};
+
+/// Draws frames and writes them in the format that the options ask for.
+class Painter {
+  public:
+    /// All have to outlive it. `display` is set for a PNG.
+    Painter(candela::Renderer& renderer, candela::GpuScene& scene, const candela::ColorConfig& color,
+            const std::optional<candela::DisplayTransform>& display, const Options& options);
+
+    FrameTiming draw(const candela::View& view);
+    /// Writes the frame drawn last; the file is whole or absent.
+    void write(const std::filesystem::path& path);
+
+  private:
+    void writeRadiance(const std::filesystem::path& path);
+
+    candela::Renderer& renderer_;
+    candela::GpuScene& scene_;
+    const candela::ColorConfig& color_;
+    const std::optional<candela::DisplayTransform>& display_;
+    const Options& options_;
+    std::vector<std::uint8_t> pixels_;
+};

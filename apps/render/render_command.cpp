@@ -1,0 +1,168 @@
+#include "render_command.h"
+
+#include "output_file.h"
+#include "picture.h"
+#include "progress.h"
+#include "scene_box.h"
+#include "stats.h"
+#include "view_choice.h"
+
+#include <candela/context.h>
+#include <candela/error.h>
+#include <candela/import.h>
+#include <candela/plugin_registry.h>
+
+#include <chrono>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace {
+
+constexpr double framesPerSecond = 24.0;
+/// Drawings of a single frame whose times --stats tells.
+constexpr int statsDrawings = 5;
+
+using Clock = std::chrono::steady_clock;
+
+struct Session {
+    const Options& options;
+    Progress progress;
+
+    explicit Session(const Options& chosen)
+        : options(chosen), progress(chosen.quiet ? Talk::quiet : Talk::normal) {}
+
+    void note(const std::string& text) {
+        if (options.quiet) return;
+        progress.clear();
+        std::cerr << "note: " << text << "\n";
+    }
+    FrameRange frames() const { return options.frames.value_or(FrameRange{}); }
+    double timeOf(int frame) const { return options.time + frame / framesPerSecond; }
+    std::filesystem::path pathOf(int frame) const {
+        return options.frames ? framePath(options.output, *options.frames, frame) : options.output;
+    }
+};
+
+void checkOutputs(const Session& session) {
+    checkWritable(session.pathOf(session.frames().first));
+    if (session.options.stats && *session.options.stats != "-") checkWritable(*session.options.stats);
+}
+
+/// The way to the display for a PNG; the names are checked for an EXR too, which takes nothing of it.
+std::optional<candela::DisplayTransform> chooseDisplay(Session& session, const candela::ColorConfig& color) {
+    const candela::DisplayChoice& choice = session.options.display;
+    candela::DisplayTransform transform = color.displayTransform(choice);
+    if (session.options.format == PictureFormat::png) return transform;
+    if (!choice.display.empty() || !choice.view.empty() || !choice.look.empty() || choice.exposure != 0.0)
+        session.note(
+            "an .exr holds scene-linear light: --display, --view, --look and --exposure do not change it");
+    return std::nullopt;
+}
+
+candela::Scene readScene(Session& session) {
+    const candela::PluginRegistry plugins(session.options.pluginFolders);
+    const auto progress = [&](double share) {
+        session.progress.show("reading " + session.options.scene + ": " +
+                              std::to_string(static_cast<int>(std::lround(share * 100.0))) + " %");
+        return true;
+    };
+    candela::ImportedScene imported = candela::importScene(plugins, session.options.scene, progress);
+    for (const std::string& note : imported.report.notes) session.note(note);
+    addScatteredLights(imported.scene, session.options, session.timeOf(session.frames().first));
+    return std::move(imported.scene);
+}
+
+void noteLights(Session& session, const candela::LightReport& report) {
+    if (report.rangesAssigned == 0) return;
+    std::ostringstream text;
+    text << report.rangesAssigned << " lights without a range got one; what lies beyond it is at most "
+         << report.irradianceCut << " lux at any point";
+    session.note(text.str());
+}
+
+/// Draws frame after frame and writes each. Returns what the drawings took.
+std::vector<FrameTiming> drawFrames(Session& session, Painter& painter, candela::GpuScene& gpuScene,
+                                    const candela::Scene& scene, const ViewChoice& views) {
+    const FrameRange frames = session.frames();
+    std::vector<FrameTiming> timings;
+    for (int frame = frames.first; frame <= frames.last; ++frame) {
+        const double time = session.timeOf(frame);
+        const std::string name = session.pathOf(frame).string();
+        session.progress.show("drawing " + name + " (" + std::to_string(frame - frames.first + 1) + " of " +
+                              std::to_string(frames.last - frames.first + 1) + ")");
+        if (!scene.animations.empty()) gpuScene.setTime(time);
+        const candela::View view = views.at(time);
+        if (session.options.stats && frame == frames.first) painter.draw(view);  // compiles and allocates
+        const int drawings = session.options.stats && !session.options.frames ? statsDrawings : 1;
+        for (int i = 0; i < drawings; ++i) timings.push_back(painter.draw(view));
+        session.progress.show("writing " + name);
+        painter.write(session.pathOf(frame));
+    }
+    return timings;
+}
+
+void writeStats(Session& session, const Stats& stats) {
+    const std::string text = statsJson(stats);
+    if (*session.options.stats == "-")
+        std::cout << text;
+    else
+        writeText(*session.options.stats, text);
+}
+
+std::string resultLine(const Session& session, const Stats& stats, double seconds) {
+    const FrameRange frames = session.frames();
+    std::ostringstream text;
+    text << "wrote " << session.pathOf(frames.first).string();
+    if (frames.first != frames.last) text << " to " << session.pathOf(frames.last).filename().string();
+    text << ": " << session.options.scene << ", " << stats.width << "x" << stats.height << ", "
+         << stats.lights << (stats.lights == 1 ? " light" : " lights") << ", "
+         << candela::toString(stats.technique) << " on " << stats.renderer << ", in " << std::fixed
+         << std::setprecision(2) << seconds << " s";
+    return text.str();
+}
+
+}  // namespace
+
+void renderPictures(const Options& options) {
+    const Clock::time_point start = Clock::now();
+    Session session(options);
+    checkOutputs(session);
+    const candela::ColorConfig color = candela::ColorConfig::choose(options.ocio);
+    for (const std::string& note : color.notes()) session.note(note);
+    const std::optional<candela::DisplayTransform> display = chooseDisplay(session, color);
+
+    const candela::Scene scene = readScene(session);
+    const ViewChoice views(scene, options, session.timeOf(session.frames().first));
+
+    session.progress.show("preparing the scene for drawing");
+    const candela::Context context = candela::Context::createHeadless(options.device);
+    candela::GpuSceneOptions upload;
+    upload.workingFromRec709 = color.workingFromRec709();
+    candela::GpuScene gpuScene(context, scene, upload);
+    noteLights(session, gpuScene.lightReport());
+    candela::Renderer renderer(context);
+    Painter painter(renderer, gpuScene, color, display, options);
+
+    Stats stats;
+    stats.timings = drawFrames(session, painter, gpuScene, scene, views);
+    stats.renderer = context.renderer();
+    stats.width = options.width;
+    stats.height = options.height;
+    stats.technique = renderer.technique();
+    stats.brdf = options.brdf;
+    stats.triangles = gpuScene.triangleCount();
+    stats.materials = gpuScene.materialCount();
+    stats.lights = gpuScene.lightReport().lights;
+    if (options.stats) {
+        session.progress.show("counting pairs of pixel and light");
+        stats.pairs = renderer.countPairs(gpuScene);
+        writeStats(session, stats);
+    }
+
+    session.progress.clear();
+    if (options.quiet) return;
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    (options.stats == "-" ? std::cerr : std::cout) << resultLine(session, stats, seconds) << "\n";
+}

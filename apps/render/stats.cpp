@@ -1,0 +1,71 @@
+#include "stats.h"
+
+#include <candela/version.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+/// The median of each pass over all drawings, in the order they run.
+Json passTimes(const std::vector<FrameTiming>& timings) {
+    std::vector<std::string> names;
+    std::vector<std::vector<double>> times;
+    for (const FrameTiming& timing : timings) {
+        for (const candela::PassTime& pass : timing.passes) {
+            const auto found = std::ranges::find(names, pass.name);
+            const auto index = static_cast<std::size_t>(found - names.begin());
+            if (found == names.end()) {
+                names.push_back(pass.name);
+                times.emplace_back();
+            }
+            times[index].push_back(pass.milliseconds);
+        }
+    }
+    Json passes = Json::array();
+    for (std::size_t i = 0; i < names.size(); ++i)
+        passes.push_back({{"name", names[i]}, {"ms", median(times[i])}});
+    return passes;
+}
+
+Json frameTimes(const std::vector<FrameTiming>& timings) {
+    std::vector<double> times;
+    for (const FrameTiming& timing : timings) times.push_back(timing.milliseconds);
+    return {{"median", median(times)},
+            {"min", std::ranges::min(times)},
+            {"max", std::ranges::max(times)},
+            {"count", times.size()}};
+}
+
+}  // namespace
+
+std::string statsJson(const Stats& stats) {
+    const Json json{
+        {"version", CANDELA_VERSION},
+        {"renderer", stats.renderer},
+        {"width", stats.width},
+        {"height", stats.height},
+        {"technique", candela::toString(stats.technique)},
+        {"brdf", candela::toString(stats.brdf)},
+        {"scene", {{"triangles", stats.triangles}, {"materials", stats.materials}, {"lights", stats.lights}}},
+        {"passes", passTimes(stats.timings)},
+        {"frame_ms", frameTimes(stats.timings)},
+        {"counters",
+         {{"lights", stats.lights},
+          {"lights_visible", stats.pairs.lightsVisible},
+          {"pairs_lit", stats.pairs.pairsLit},
+          {"pairs_evaluated", stats.pairs.pairsEvaluated},
+          {"lights_dropped", stats.pairs.lightsDropped}}},
+    };
+    constexpr int indent = 2;
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
+}

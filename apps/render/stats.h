@@ -1,0 +1,24 @@
+#pragma once
+
+#include "picture.h"
+
+#include <candela/renderer.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// What --stats tells.
+struct Stats {
+    std::string renderer;
+    int width = 0, height = 0;
+    candela::Technique technique = candela::Technique::automatic;
+    candela::BrdfModel brdf = candela::BrdfModel::course;
+    std::uint64_t triangles = 0, materials = 0, lights = 0;
+    std::vector<FrameTiming> timings;  ///< One or more.
+    candela::PairCounts pairs;         ///< Of the last frame.
+};
+
+/// The JSON text of `stats`, with a newline at its end. Keys and their order are a contract: docs and other
+/// programs know them.
+std::string statsJson(const Stats& stats);

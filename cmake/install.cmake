@@ -1,0 +1,23 @@
+# `cmake --install`: headers, the shared library, plugins (declared in plugins/), candela-render, and what lets other
+# projects find them: a CMake package and a pkg-config file. The tree can be moved after installation.
+
+# GLM is the vocabulary of the public headers, so whoever links candela needs it too.
+target_link_libraries(candela INTERFACE $<INSTALL_INTERFACE:glm::glm>)
+
+install(TARGETS candela EXPORT candelaTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS candela-render RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/candela ${PROJECT_BINARY_DIR}/include/candela
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+
+set(candela_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/candela)
+install(EXPORT candelaTargets NAMESPACE candela:: DESTINATION ${candela_package_dir})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/candelaConfig.cmake.in ${PROJECT_BINARY_DIR}/candelaConfig.cmake
+  INSTALL_DESTINATION ${candela_package_dir} NO_SET_AND_CHECK_MACRO)
+# Before 1.0 a new minor version may break what was built with an older one.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/candelaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/candelaConfig.cmake ${PROJECT_BINARY_DIR}/candelaConfigVersion.cmake
+  DESTINATION ${candela_package_dir})
+
+file(RELATIVE_PATH candela_prefix_from_pc ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+configure_file(${PROJECT_SOURCE_DIR}/cmake/candela.pc.in ${PROJECT_BINARY_DIR}/candela.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/candela.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+enum class AnimationPath { translation, rotation, scale };
+enum class Interpolation { linear, step, cubicSpline };
+
+/// The values of one property of one node over time.
+struct AnimationChannel {
+    std::uint32_t node = 0;  ///< Index into `Scene::nodes`; the node's transform is a `Trs`.
+    AnimationPath path = AnimationPath::translation;
+    Interpolation interpolation = Interpolation::linear;  ///< Linear is spherical for rotations.
+    std::vector<float> times;                             ///< Seconds, strictly growing, at least one.
+    std::vector<float> values;  ///< 3 numbers a key, 4 (x, y, z, w) for rotations; cubic splines hold
+                                ///< in-tangent, value and out-tangent.
+};
+
+/// Channels that play together. Before its first key a channel holds its first value, after its last key its
+/// last.
+struct Animation {
+    std::string name;
+    std::vector<AnimationChannel> channels;
+};
+
+}  // namespace candela

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <candela/export.h>
+#include <candela/light.h>
+
+#include <glm/vec3.hpp>
+
+namespace candela {
+
+/// The reflection models. Both are f = f_d + f_s with f_s = F G D / (4 (n·l)(n·v)), f_d = (1 - F)(1 -
+/// metallic) colour / pi and F0 = mix(0.04, colour, metallic); see docs/lighting.md.
+enum class BrdfModel {
+    course,  ///< GGX, Schlick-Smith G with k = (roughness + 1)² / 8, Schlick F.
+    gltf,    ///< GGX, height-correlated Smith, Schlick F, with energy compensation after Turquin (2019).
+};
+
+/// The model's name on the command line: "course" or "gltf".
+CANDELA_API const char* toString(BrdfModel model);
+
+/// A point of a surface, in double precision.
+struct SurfacePoint {
+    glm::dvec3 position{0.0};          ///< Metres.
+    glm::dvec3 normal{0.0, 0.0, 1.0};  ///< Unit length.
+    glm::dvec3 baseColor{1.0};         ///< Linear, in the working space.
+    double metallic = 0.0;             ///< 0 to 1.
+    double roughness = 1.0;            ///< Perceptual roughness, 0 to 1.
+};
+
+/// The least alpha (= roughness²) that shading uses, in every implementation: below it, single precision can
+/// not hold the width of the lobe's peak. See docs/lighting.md.
+constexpr double minimumAlpha = 1.0e-3;
+
+/// The least n·v that shading uses (a normal map can turn a normal away from the eye).
+constexpr double minimumNDotV = 1.0e-4;
+
+/// The least distance to a light, in metres, that shading uses: nearer, the inverse square grows no further.
+constexpr double minimumDistance = 1.0e-3;
+
+/// The GGX distribution of half vectors, normalised so that the integral of D (n·h) over the hemisphere is 1.
+/// Source: Walter et al., "Microfacet models for refraction through rough surfaces", 2007, equation 33.
+CANDELA_API double distributionGgx(double nDotH, double alpha);
+
+/// Schlick-Smith shadowing and masking with k = (roughness + 1)² / 8. Sources: Schlick, "An inexpensive BRDF
+/// model for physically-based rendering", 1994; k after Karis, "Real shading in Unreal Engine 4", 2013.
+CANDELA_API double geometrySchlickSmith(double nDotL, double nDotV, double roughness);
+
+/// Height-correlated Smith shadowing and masking for GGX. Source: Heitz, "Understanding the masking-shadowing
+/// function in microfacet-based BRDFs", 2014, equation 99.
+CANDELA_API double geometrySmithCorrelated(double nDotL, double nDotV, double alpha);
+
+/// Schlick's Fresnel term. Source: Schlick, 1994.
+CANDELA_API glm::dvec3 fresnelSchlick(const glm::dvec3& f0, double vDotH);
+
+/// The directional albedo of the `gltf` model's specular lobe for F = 1: the share of light from direction
+/// n·v that leaves the surface. Interpolated in the same table that the shaders read.
+CANDELA_API double directionalAlbedo(double nDotV, double alpha);
+
+/// f(l, v) per channel, in 1/sr; `l` and `v` are unit vectors away from the surface. Zero when l is below the
+/// horizon.
+CANDELA_API glm::dvec3 evaluateBrdf(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& l,
+                                    const glm::dvec3& v);
+
+/// KHR_lights_punctual's window on the inverse square: max(0, 1 - (distance / range)^4); 0 at the range and
+/// beyond it.
+CANDELA_API double rangeWindow(double distance, double range);
+
+/// KHR_lights_punctual's spot factor, squared ramp between the cosines of the outer and the inner angle
+/// (radians).
+CANDELA_API double spotFactor(double cosAngle, double innerConeAngle, double outerConeAngle);
+
+/// The radiance that leaves `surface` towards `eye` by `light`: pi f L_i (n·l) with L_i = intensity / (pi d²)
+/// × window × spot factor; for a directional light, pi f (intensity / pi) (n·l). The light's intensity is
+/// already in the working space, and its range is over 0 (the renderer has set one where none was given).
+CANDELA_API glm::dvec3 reflectedRadiance(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& eye,
+                                         const PlacedLight& light);
+
+}  // namespace candela

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <candela/export.h>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace candela {
+
+/// A perspective camera of a scene. It looks along -Z of its node's frame with +Y up.
+struct Camera {
+    std::string name;
+    float verticalFov = 0.785398f;      ///< Radians, over 0 and under pi; default 45 degrees.
+    float nearPlane = 0.01f;            ///< Metres, over 0. The far plane is at infinity.
+    std::optional<std::uint32_t> node;  ///< Index into `Scene::nodes`; none: the world's frame.
+};
+
+/// Where a picture is taken from: a camera in world space.
+struct View {
+    glm::mat4 worldFromCamera{1.0f};  ///< A rigid transform.
+    float verticalFov = 0.785398f;    ///< Radians, over 0 and under pi.
+    float nearPlane = 0.01f;          ///< Metres, over 0.
+
+    glm::vec3 eye() const { return glm::vec3(worldFromCamera[3]); }
+};
+
+/// A view from `eye` towards `target`, +Y up (+Z up when looking along Y). Throws `Error` (badInput) when the
+/// two coincide, when a number is not finite, or when `verticalFov` (radians) does not lie between 0 and pi.
+CANDELA_API View lookAt(const glm::vec3& eye, const glm::vec3& target, float verticalFov);
+
+/// Clip space from camera space: reversed depth in 0..1 with 1 at the near plane and 0 at infinity. `aspect`
+/// is width over height.
+CANDELA_API glm::mat4 projection(const View& view, float aspect);
+
+}  // namespace candela

@@ -1,0 +1,24 @@
+#pragma once
+
+/// Everything candela offers.
+
+#include <candela/animation.h>
+#include <candela/brdf.h>
+#include <candela/camera.h>
+#include <candela/color.h>
+#include <candela/context.h>
+#include <candela/error.h>
+#include <candela/gbuffer.h>
+#include <candela/gpu_scene.h>
+#include <candela/image.h>
+#include <candela/image_file.h>
+#include <candela/import.h>
+#include <candela/light.h>
+#include <candela/material.h>
+#include <candela/mesh.h>
+#include <candela/node.h>
+#include <candela/plugin.h>
+#include <candela/plugin_registry.h>
+#include <candela/renderer.h>
+#include <candela/scene.h>
+#include <candela/version.h>

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <candela/export.h>
+#include <candela/image_file.h>
+
+#include <glm/mat3x3.hpp>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+class DisplayTransform;
+
+/// What to show a picture through. Empty names mean the config's defaults (no look).
+struct DisplayChoice {
+    std::string display, view, look;
+    double exposure = 0.0;  ///< Stops: radiance is multiplied by 2^exposure before the display transform.
+};
+
+/// An OpenColorIO config: the working space, and the displays and views a picture can be shown through. A
+/// cheap handle; copies share.
+class CANDELA_API ColorConfig {
+  public:
+    /// candela's own config: linear Rec.709 (the working space), ACEScg; sRGB, Rec.1886 and P3 displays;
+    /// un-tone-mapped, ACES 1.x SDR and raw views.
+    static ColorConfig builtIn();
+    /// Reads a config file. Throws `Error` (badInput) with OpenColorIO's reason.
+    static ColorConfig load(const std::string& path);
+    /// The command line's rule: `path` if given, else the file `$OCIO` names, else the built-in config.
+    static ColorConfig choose(const std::optional<std::string>& path);
+
+    /// The path it was read from, or "built-in".
+    const std::string& source() const;
+    std::vector<std::string> displays() const;
+    /// The views of a display. Throws `Error` (badInput) naming the displays there are when there is none of
+    /// that name.
+    std::vector<std::string> views(const std::string& display) const;
+    std::vector<std::string> looks() const;
+    std::string defaultDisplay() const;
+    std::string defaultView(const std::string& display) const;
+
+    /// Name of the space that shading works in: the one with the role `scene_linear`.
+    std::string workingSpace() const;
+    /// Takes linear Rec.709 colours, as files give them, into the working space.
+    glm::dmat3 workingFromRec709() const;
+    /// The working space's primaries and white.
+    Chromaticities chromaticities() const;
+    /// What had to be assumed, a line each: a config may not say what its working space's primaries are.
+    std::vector<std::string> notes() const;
+
+    /// The way from the working space to a display. Throws `Error` (badInput) naming the names there are when
+    /// one of the choice is unknown.
+    DisplayTransform displayTransform(const DisplayChoice& choice) const;
+
+  private:
+    struct State;
+    explicit ColorConfig(std::shared_ptr<const State> state);
+    std::shared_ptr<const State> state_;
+};
+
+/// From the working space, through exposure, look and view, to the code values of a display. A cheap handle;
+/// copies share.
+class CANDELA_API DisplayTransform {
+  public:
+    /// The choice with the defaults filled in.
+    const DisplayChoice& choice() const;
+    /// How the display encodes, for the tags of a picture file.
+    DisplayEncoding encoding() const;
+    /// Applies the transform in place on the CPU, by OpenColorIO's own CPU processor: RGBA, 4 floats a pixel;
+    /// alpha is left alone.
+    void apply(std::span<float> rgba) const;
+
+    struct State;  ///< Private to the library.
+    const State& state() const { return *state_; }
+    explicit DisplayTransform(std::shared_ptr<const State> state);
+
+  private:
+    std::shared_ptr<const State> state_;
+};
+
+}  // namespace candela

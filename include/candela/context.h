@@ -1,0 +1,66 @@
+#pragma once
+
+#include <candela/export.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// An EGL device of this machine.
+struct Device {
+    int index = 0;            ///< What `DeviceChoice::index` takes.
+    std::string description;  ///< Its render node or "software rasteriser".
+    bool software = false;
+};
+
+/// One way to a context that was tried, and what came of it.
+struct ContextAttempt {
+    std::string way;      ///< Such as "EGL device 0 (/dev/dri/renderD128)".
+    std::string outcome;  ///< The renderer's name, or why it failed.
+};
+
+/// Which device a headless context shall run on. By default GPUs first, then the software device, then a
+/// surfaceless display.
+struct DeviceChoice {
+    std::optional<int> index;   ///< This device and no other.
+    bool softwareOnly = false;  ///< Software devices only.
+};
+
+/// The EGL devices of this machine; empty where EGL can not enumerate them.
+CANDELA_API std::vector<Device> listDevices();
+
+/// An OpenGL 4.5 core context. Everything made for a context must be used and destroyed while that context is
+/// current.
+class CANDELA_API Context {
+  public:
+    /// Makes a context without a window and makes it current. Throws `Error` (environment) that lists every
+    /// attempt and its reason.
+    static Context createHeadless(const DeviceChoice& choice = {});
+    /// Takes the context that is current on this thread, of a window or any other host; it stays the host's.
+    /// Throws `Error` (environment) when there is none or it is older than OpenGL 4.5.
+    static Context adoptCurrent();
+
+    Context(Context&&) noexcept;
+    Context& operator=(Context&&) noexcept;
+    ~Context();
+
+    /// Makes a headless context current on this thread; does nothing to an adopted one, whose host does that.
+    void makeCurrent() const;
+
+    /// GL_RENDERER, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
+    const std::string& renderer() const;
+    /// True when the renderer runs on the CPU.
+    bool isSoftware() const;
+    /// What was tried on the way to this context, in order; empty for an adopted one.
+    const std::vector<ContextAttempt>& attempts() const;
+
+  private:
+    struct State;
+    explicit Context(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace candela

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <candela/export.h>
+
+#include <glm/vec2.hpp>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// The CIE 1931 xy coordinates of an RGB space's primaries and white.
+struct Chromaticities {
+    glm::dvec2 red{0.64, 0.33}, green{0.30, 0.60}, blue{0.15, 0.06},
+        white{0.3127, 0.3290};  ///< Default: Rec.709.
+};
+
+/// How a display encodes code values, for the tags of a PNG.
+struct DisplayEncoding {
+    enum class Transfer { srgb, gamma, unknown };
+    Transfer transfer = Transfer::srgb;
+    double gamma = 2.2;  ///< Of Transfer::gamma: display light is code value to this power.
+    std::optional<Chromaticities> chromaticities;  ///< None when unknown.
+};
+
+/// One channel of an EXR file: width × height floats, rows from the top.
+struct ExrChannel {
+    std::string name;
+    std::span<const float> values;
+};
+
+/// Writes 8-bit RGBA, rows from the top, straight (not premultiplied) alpha, as PNG, tagged with `encoding`.
+/// The file is whole or absent: it is written beside its name and moved there. Throws `Error` (environment)
+/// naming the file when the folder is missing, the disk full, and so on.
+CANDELA_API void writePng(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
+                          std::span<const std::uint8_t> rgba, const DisplayEncoding& encoding);
+
+/// Writes 32-bit float channels as one single-part scan-line EXR file (ZIP), with the chromaticities of its
+/// colour channels. Whole or absent, throws as `writePng`.
+CANDELA_API void writeExr(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
+                          std::span<const ExrChannel> channels, const Chromaticities& chromaticities);
+
+}  // namespace candela

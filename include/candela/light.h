@@ -1,0 +1,52 @@
+#pragma once
+
+#include <candela/export.h>
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace candela {
+
+enum class LightType { point, spot, directional };
+
+/// A punctual light of a scene, as in KHR_lights_punctual. It stands in the frame of its node.
+struct Light {
+    std::string name;
+    LightType type = LightType::point;
+    glm::vec3 color{1.0f};   ///< Linear Rec.709, 0 or more.
+    float intensity = 1.0f;  ///< Luminous intensity in candela; for a directional light illuminance in lux.
+    std::optional<float>
+        range;  ///< Metres, over 0. None: the renderer sets one from its irradiance threshold.
+    float innerConeAngle = 0.0f;             ///< Spot: radians, 0 or more, less than `outerConeAngle`.
+    float outerConeAngle = 0.785398f;        ///< Spot: radians, at most pi / 2.
+    glm::vec3 position{0.0f};                ///< In the node's frame.
+    glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< In the node's frame, unit length: where the light goes.
+    std::optional<std::uint32_t> node;       ///< Index into `Scene::nodes`; none: the world's frame.
+};
+
+/// A light in world space, as the renderer takes it (`GpuScene::setLights`). 100,000 of them make one upload.
+struct PlacedLight {
+    LightType type = LightType::point;
+    glm::vec3 position{0.0f};                ///< World, metres. Directional: ignored.
+    float range = 0.0f;                      ///< Metres; 0: none given. Directional: ignored.
+    glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< World, unit length. Point: ignored.
+    glm::vec3 intensity{1.0f};               ///< Colour × candela (directional: × lux), linear Rec.709.
+    float innerConeAngle = 0.0f;             ///< Radians.
+    float outerConeAngle = 0.785398f;        ///< Radians.
+};
+
+/// The luminous intensity, in candela, of a point light that gives `lumen` over the whole sphere: lumen / 4
+/// pi.
+CANDELA_API float candelaFromLumen(float lumen);
+
+/// The luminous intensity, in candela, of a spot light of half angle `outerConeAngle` (radians) whose `lumen`
+/// all fall evenly into its cone: lumen / (2 pi (1 - cos(outerConeAngle))).
+CANDELA_API float candelaFromLumen(float lumen, float outerConeAngle);
+
+/// Lumen from radiant watt at the luminous efficacy of 683 lm/W, which glTF exporters use for "watt".
+CANDELA_API float lumenFromWatt(float watt);
+
+}  // namespace candela

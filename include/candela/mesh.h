@@ -1,0 +1,33 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// A run of a mesh's indices drawn with one material.
+struct Submesh {
+    std::uint32_t firstIndex = 0, indexCount = 0;  ///< Multiples of 3.
+    std::optional<std::uint32_t> material;  ///< Index into `Scene::materials`; none: a default `Material`.
+};
+
+/// Indexed triangles, counter-clockwise from the front. `positions` and `normals` have one element a vertex;
+/// every other array has as many or is empty.
+struct Mesh {
+    std::string name;
+    std::vector<glm::vec3> positions;  ///< Metres.
+    std::vector<glm::vec3> normals;    ///< Unit length.
+    std::vector<glm::vec4> tangents;   ///< Unit direction, and the bitangent's sign (-1 or 1) in w.
+    std::vector<glm::vec2> uv0, uv1;
+    std::vector<glm::vec4> colors;  ///< Linear Rec.709 and alpha: multiplies the base colour.
+    std::vector<std::uint32_t> indices;
+    std::vector<Submesh> submeshes;
+};
+
+}  // namespace candela

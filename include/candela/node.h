@@ -1,0 +1,29 @@
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace candela {
+
+/// A transform that can be animated: translation × rotation × scale.
+struct Trs {
+    glm::vec3 translation{0.0f};
+    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< Unit length.
+    glm::vec3 scale{1.0f};
+};
+
+/// A node of the hierarchy. Parents stand before their children in `Scene::nodes`.
+struct Node {
+    std::string name;
+    std::optional<std::uint32_t> parent;  ///< Index into `Scene::nodes`, less than this node's own.
+    std::variant<Trs, glm::mat4> transform = Trs{};  ///< Local; an affine matrix where the file gives one.
+    std::optional<std::uint32_t> mesh;               ///< Index into `Scene::meshes`.
+};
+
+}  // namespace candela

@@ -1,0 +1,280 @@
+/* The whole of what a candela plugin sees: a C interface, so that a plugin may be built with any compiler.
+ *
+ * A plugin is a shared library that exports one symbol, `candela_plugin_query`. It includes this header and
+ * nothing else of candela, and does not link candela.
+ *
+ * Rules:
+ *  - Version: the major number must match. The minor number grows when a struct that begins with
+ * `struct_size` gains members at its end; who fills a struct sets `struct_size` to its own `sizeof`. A member
+ * that lies beyond the sender's `struct_size` is taken as zero. Structs without `struct_size` never change
+ * within a major version.
+ *  - Memory: whoever allocates frees. The host copies what is pushed before the call returns; what the host
+ * lends (file bytes, strings) is valid until `import_scene` returns.
+ *  - Errors: no C++ exception crosses this border. A host function that returns a negative index or a status
+ * other than CANDELA_OK has recorded its reason; the importer then returns CANDELA_FAILED. The host treats
+ * the import as failed even if the importer goes on.
+ *  - Units and conventions: metres, right-handed, +Y up, a camera or a spot looks along -Z of its node,
+ * angles in radians, matrices column-major, counter-clockwise front faces, colours linear with Rec.709
+ * primaries, texture coordinates with (0, 0) at the first texel of the first row.
+ *  - Strings are UTF-8 and end with a zero. A name may be NULL or empty.
+ */
+#ifndef CANDELA_PLUGIN_H
+#define CANDELA_PLUGIN_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define CANDELA_PLUGIN_MAJOR 1u
+#define CANDELA_PLUGIN_MINOR 0u
+
+typedef enum candela_status { CANDELA_OK = 0, CANDELA_FAILED = 1 } candela_status;
+
+/* ---- What an importer pushes
+ * ------------------------------------------------------------------------------- */
+
+typedef enum candela_pixel_format {
+    CANDELA_PIXELS_RGBA8 = 0,  /* 4 × uint8_t, normalised; sRGB or linear, as the texture's use says */
+    CANDELA_PIXELS_RGBA16 = 1, /* 4 × uint16_t, normalised, host byte order */
+    CANDELA_PIXELS_RGBA32F = 2 /* 4 × float, linear */
+} candela_pixel_format;
+
+typedef struct candela_image {
+    uint32_t struct_size;
+    const char* name;
+    uint32_t width, height; /* 1 to 32768 */
+    candela_pixel_format format;
+    const void* pixels;   /* rows from the top, tightly packed */
+    uint64_t pixels_size; /* bytes: width × height × texel size */
+} candela_image;
+
+typedef enum candela_wrap {
+    CANDELA_WRAP_REPEAT = 0,
+    CANDELA_WRAP_CLAMP_TO_EDGE = 1,
+    CANDELA_WRAP_MIRRORED_REPEAT = 2
+} candela_wrap;
+
+typedef enum candela_filter {
+    CANDELA_FILTER_LINEAR_MIPMAP_LINEAR = 0,
+    CANDELA_FILTER_NEAREST = 1,
+    CANDELA_FILTER_LINEAR = 2,
+    CANDELA_FILTER_NEAREST_MIPMAP_NEAREST = 3,
+    CANDELA_FILTER_LINEAR_MIPMAP_NEAREST = 4,
+    CANDELA_FILTER_NEAREST_MIPMAP_LINEAR = 5
+} candela_filter;
+
+/* A use of an image. The coordinate is uv' = offset + rotate(rotation) × (scale × uv), as
+ * KHR_texture_transform. */
+typedef struct candela_texture {
+    int32_t image;   /* index of a pushed image, -1 for none: the rest is then ignored */
+    uint32_t uv_set; /* 0 or 1 */
+    candela_wrap wrap_s, wrap_t;
+    candela_filter min_filter;
+    candela_filter mag_filter; /* NEAREST or LINEAR; LINEAR_MIPMAP_LINEAR (0) stands for LINEAR */
+    float offset[2];
+    float rotation; /* radians, counter-clockwise */
+    float scale[2];
+} candela_texture;
+
+typedef enum candela_alpha_mode {
+    CANDELA_ALPHA_OPAQUE = 0,
+    CANDELA_ALPHA_MASK = 1 /* a fragment whose alpha is below alpha_cutoff is not drawn */
+} candela_alpha_mode;
+
+/* A metallic-roughness material as in glTF 2.0; each texture multiplies its factor. */
+typedef struct candela_material {
+    uint32_t struct_size;
+    const char* name;
+    float base_color[4];                        /* linear Rec.709 and alpha, 0 to 1 */
+    float metallic;                             /* 0 to 1 */
+    float roughness;                            /* perceptual roughness, 0 to 1 */
+    float emission[3];                          /* radiance, linear Rec.709, 0 or more */
+    candela_texture base_color_texture;         /* RGB sRGB-encoded (linear when 32F), A linear */
+    candela_texture metallic_roughness_texture; /* G roughness, B metallic, linear */
+    candela_texture normal_texture;             /* tangent space, linear */
+    candela_texture occlusion_texture; /* R, linear: kept in the scene; punctual light does not use it */
+    candela_texture emission_texture;  /* RGB sRGB-encoded (linear when 32F) */
+    float normal_scale;                /* multiplies x and y of the normal texture */
+    float occlusion_strength;          /* 0 to 1 */
+    candela_alpha_mode alpha_mode;
+    float alpha_cutoff;
+    uint32_t double_sided; /* 0 or 1 */
+    uint32_t unlit;        /* 1: radiance is the base colour, and no light falls on it */
+} candela_material;
+
+/* A run of a mesh's indices drawn with one material. */
+typedef struct candela_submesh {
+    uint32_t first_index, index_count; /* multiples of 3 */
+    int32_t material; /* index of a pushed material, -1: the default material (white, rough, no metal) */
+} candela_submesh;
+
+/* Triangles. Arrays hold vertex_count elements; a NULL array is absent. Where normals are absent the host
+ * makes flat ones; where a normal texture needs tangents and none are given, the host makes them the
+ * MikkTSpace way. */
+typedef struct candela_mesh {
+    uint32_t struct_size;
+    const char* name;
+    uint32_t vertex_count;
+    const float* positions; /* 3 a vertex, metres */
+    const float* normals;   /* 3 a vertex; the host normalises them */
+    const float* tangents;  /* 4 a vertex: direction, and the bitangent's sign in w */
+    const float* uv0;       /* 2 a vertex */
+    const float* uv1;       /* 2 a vertex */
+    const float* colors;    /* 4 a vertex, linear Rec.709 and alpha: multiplies the base colour */
+    uint32_t index_count;   /* a multiple of 3 */
+    const uint32_t* indices;
+    uint32_t submesh_count;
+    const candela_submesh* submeshes;
+} candela_mesh;
+
+typedef struct candela_camera {
+    uint32_t struct_size;
+    const char* name;
+    float vertical_fov; /* radians, over 0 and under pi */
+    float near_plane;   /* metres, over 0; 0 for the host's default. The far plane is at infinity. */
+    int32_t node;       /* index of a pushed node whose frame the camera stands in, -1: the world's */
+} candela_camera;
+
+typedef enum candela_light_type {
+    CANDELA_LIGHT_POINT = 0,
+    CANDELA_LIGHT_SPOT = 1,
+    CANDELA_LIGHT_DIRECTIONAL = 2
+} candela_light_type;
+
+/* A punctual light as in KHR_lights_punctual. */
+typedef struct candela_light {
+    uint32_t struct_size;
+    const char* name;
+    candela_light_type type;
+    float color[3];  /* linear Rec.709, 0 or more */
+    float intensity; /* candela for point and spot lights, lux for a directional light; 0 or more */
+    float range;     /* metres; 0: none given, so the renderer sets one from its irradiance threshold */
+    float inner_cone_angle; /* spot: radians, 0 or more and less than outer_cone_angle */
+    float outer_cone_angle; /* spot: radians, at most pi / 2 */
+    float position[3];      /* in the node's frame; directional: ignored */
+    float direction[3];     /* in the node's frame, any length but 0: where the light goes; point: ignored */
+    int32_t node;           /* index of a pushed node, -1: the world's frame */
+} candela_light;
+
+/* A node of the hierarchy. Parents are pushed before their children. The local matrix is `matrix` where it is
+ * not NULL, and translation × rotation × scale otherwise. */
+typedef struct candela_node {
+    uint32_t struct_size;
+    const char* name;
+    int32_t parent; /* index of a pushed node, -1 for a root */
+    float translation[3];
+    float rotation[4]; /* unit quaternion x, y, z, w */
+    float scale[3];
+    const float* matrix; /* 16 numbers, column-major, affine */
+    int32_t mesh;        /* index of a pushed mesh, -1 for none */
+} candela_node;
+
+typedef enum candela_animation_path {
+    CANDELA_ANIMATE_TRANSLATION = 0, /* 3 numbers a key */
+    CANDELA_ANIMATE_ROTATION = 1,    /* 4 numbers a key: quaternion x, y, z, w */
+    CANDELA_ANIMATE_SCALE = 2        /* 3 numbers a key */
+} candela_animation_path;
+
+typedef enum candela_interpolation {
+    CANDELA_INTERPOLATE_LINEAR = 0, /* spherical for rotations */
+    CANDELA_INTERPOLATE_STEP = 1,
+    CANDELA_INTERPOLATE_CUBIC_SPLINE = 2 /* three values a key: in-tangent, value, out-tangent */
+} candela_interpolation;
+
+typedef struct candela_animation_channel {
+    int32_t node; /* index of a pushed node without `matrix` */
+    candela_animation_path path;
+    candela_interpolation interpolation;
+    uint32_t key_count;  /* 1 or more */
+    const float* times;  /* seconds, 0 or more, strictly growing */
+    const float* values; /* key_count × numbers a key (× 3 for cubic splines) */
+} candela_animation_channel;
+
+typedef struct candela_animation {
+    uint32_t struct_size;
+    const char* name;
+    uint32_t channel_count;
+    const candela_animation_channel* channels;
+} candela_animation;
+
+/* ---- The host
+ * ---------------------------------------------------------------------------------------------- */
+
+typedef struct candela_bytes {
+    const uint8_t* data;
+    uint64_t size;
+} candela_bytes;
+
+/* What the host does for an importer. Each function takes the `self` of this struct. The add functions return
+ * the index of the element (0, 1, 2, ... for each kind), or -1 when the host refuses it. */
+typedef struct candela_host {
+    uint32_t struct_size;
+    void* self;
+
+    /* Reads a file of the scene's folder, `path` relative to it with '/' between its parts. The host refuses
+     * absolute paths, paths that leave the folder, also by a symbolic link, and everything that is not a
+     * regular file. */
+    candela_status (*read_file)(void* self, const char* path, candela_bytes* out);
+    /* Records why the import fails; `element` names the part at fault, such as "mesh 3 'wheel', primitive 0".
+     */
+    void (*fail)(void* self, const char* element, const char* reason);
+    /* Adds a line to the load report: something of the file that is not drawn or not used. */
+    void (*note)(void* self, const char* text);
+    /* Tells how far the import is, 0 to 1. Anything but CANDELA_OK asks the importer to stop and return
+     * CANDELA_FAILED. */
+    candela_status (*progress)(void* self, double fraction);
+
+    int32_t (*add_image)(void* self, const candela_image* image);
+    int32_t (*add_material)(void* self, const candela_material* material);
+    int32_t (*add_mesh)(void* self, const candela_mesh* mesh);
+    int32_t (*add_node)(void* self, const candela_node* node);
+    int32_t (*add_camera)(void* self, const candela_camera* camera);
+    int32_t (*add_light)(void* self, const candela_light* light);
+    int32_t (*add_animation)(void* self, const candela_animation* animation);
+} candela_host;
+
+/* ---- The plugin
+ * -------------------------------------------------------------------------------------------- */
+
+typedef struct candela_request {
+    uint32_t struct_size;
+    const char* uri;  /* as the user gave it */
+    const char* name; /* a file: its name, to be read with read_file; a made scene: what follows "scheme:" */
+} candela_request;
+
+typedef struct candela_importer {
+    uint32_t struct_size;
+    const char* const* extensions; /* file name endings without the dot, lower case, ended by NULL; or NULL */
+    const char* const* schemes;    /* URI schemes of made scenes, lower case, ended by NULL; or NULL */
+    candela_status (*import_scene)(const candela_host* host, const candela_request* request);
+} candela_importer;
+
+typedef struct candela_plugin {
+    uint32_t struct_size;
+    uint32_t major, minor; /* CANDELA_PLUGIN_MAJOR and CANDELA_PLUGIN_MINOR that it was built with */
+    const char* name;      /* a to z, 0 to 9, '-' and '_' */
+    const char* version;
+    const char* description;          /* one line */
+    const candela_importer* importer; /* NULL when it offers none */
+} candela_plugin;
+
+/* The type of the one exported symbol. Returns a static description, or NULL when the plugin cannot serve
+ * such a host. */
+typedef const candela_plugin* (*candela_plugin_query_function)(uint32_t host_major, uint32_t host_minor);
+
+#if defined(_WIN32)
+#define CANDELA_PLUGIN_EXPORT __declspec(dllexport)
+#else
+#define CANDELA_PLUGIN_EXPORT __attribute__((visibility("default")))
+#endif
+
+CANDELA_PLUGIN_EXPORT const candela_plugin* candela_plugin_query(uint32_t host_major, uint32_t host_minor);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <candela/export.h>
+#include <candela/plugin.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// What became of one file that the registry found.
+enum class PluginState {
+    loaded,
+    notALibrary,     ///< The dynamic loader refuses the file.
+    noEntryPoint,    ///< It does not export `candela_plugin_query`.
+    wrongVersion,    ///< Its major version is not ours.
+    refused,         ///< Its query function returned NULL.
+    badDescription,  ///< Its description breaks a rule of plugin.h.
+    duplicate,       ///< A plugin of that name was loaded before, from an earlier folder.
+};
+
+/// The state's name in words, such as "no entry point".
+CANDELA_API const char* toString(PluginState state);
+
+struct PluginReport {
+    std::filesystem::path file;
+    PluginState state = PluginState::loaded;
+    std::string detail;                            ///< Why, in one line; empty when loaded.
+    std::string name, version, description;        ///< Of the plugin, where its description could be read.
+    std::vector<std::string> extensions, schemes;  ///< What its importer takes.
+};
+
+/// The plugins of this process. Searched in this order, the first plugin of a name wins: the folders given,
+/// those of `CANDELA_PLUGIN_PATH` (colon-separated), `candela-plugins` beside the library's file, the install
+/// folder. Never the working directory. Plugins stay loaded as long as the registry, or any copy of it,
+/// lives.
+class CANDELA_API PluginRegistry {
+  public:
+    /// Searches and loads. A folder named in `folders` or in the environment that does not exist throws
+    /// `Error` (environment).
+    explicit PluginRegistry(const std::vector<std::filesystem::path>& folders = {});
+
+    /// One report for each file found, in search order.
+    const std::vector<PluginReport>& reports() const;
+
+    /// The importer for a file name ending (lower case, no dot), or nullptr.
+    const candela_plugin* importerForExtension(const std::string& extension) const;
+    /// The importer for a URI scheme (lower case), or nullptr.
+    const candela_plugin* importerForScheme(const std::string& scheme) const;
+
+  private:
+    struct State;
+    std::shared_ptr<const State> state_;
+};
+
+}  // namespace candela

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <candela/animation.h>
+#include <candela/camera.h>
+#include <candela/export.h>
+#include <candela/image.h>
+#include <candela/light.h>
+#include <candela/material.h>
+#include <candela/mesh.h>
+#include <candela/node.h>
+
+#include <glm/mat4x4.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace candela {
+
+/// A scene as plain values; elements refer to each other by index. Metres, right-handed, +Y up.
+struct Scene {
+    std::vector<Image> images;
+    std::vector<Material> materials;
+    std::vector<Mesh> meshes;
+    std::vector<Node> nodes;  ///< Parents before children.
+    std::vector<Camera> cameras;
+    std::vector<Light> lights;
+    std::vector<Animation> animations;
+};
+
+/// An axis-aligned box, metres; empty while min > max.
+struct Bounds {
+    glm::vec3 min{1e30f}, max{-1e30f};
+
+    bool empty() const { return min.x > max.x; }
+};
+
+/// World matrices of all nodes, one a node. With animations the nodes stand as at `time` (seconds); every
+/// animation of the scene plays, and where two move the same property of a node, the later one holds.
+/// Interpolation is that of glTF 2.0, appendix C. Throws `Error` (badInput) when `time` is not finite.
+CANDELA_API std::vector<glm::mat4> worldTransforms(const Scene& scene, double time = 0.0);
+
+/// The scene's lights in world space, in the order of `Scene::lights`. `world` comes from `worldTransforms`.
+/// As KHR_lights_punctual says, a node moves and turns its lights, but does not scale range or intensity.
+CANDELA_API std::vector<PlacedLight> placeLights(const Scene& scene, const std::vector<glm::mat4>& world);
+
+/// The world-space box around all meshes as their nodes place them.
+CANDELA_API Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& world);
+
+/// The view of camera `index` of the scene. A camera ignores its node's scale, shear and mirroring.
+CANDELA_API View cameraView(const Scene& scene, std::uint32_t index, const std::vector<glm::mat4>& world);
+
+/// A view in which all of `bounds` is seen, from the front, a little to the right and above, 45 degrees high;
+/// `aspect` is width over height. An empty box gives a view from (0, 0, 5) to the origin.
+CANDELA_API View frameBounds(const Bounds& bounds, float aspect);
+
+/// Lengthens `lights` by `count` point lights strewn over `bounds` by a fixed hash of `seed`, with saturated
+/// colours, `range` in metres and `candela` each. The first lights are the same for every larger count, and
+/// the same on every machine. Throws `Error`: badInput when the box is empty or not finite, the range not
+/// over 0 or the intensity not within 0 to 1e20; limit when memory does not hold the lights.
+CANDELA_API void scatterLights(std::vector<Light>& lights, const Bounds& bounds, std::uint32_t count,
+                               float range, float candela, std::uint32_t seed = 1);
+
+/// Throws `Error` (badInput), naming the element, when the scene breaks a rule its types state: an index out
+/// of range, a number that is not finite or out of its range, arrays of differing length. Lengths of
+/// directions and quaternions may be 1 % off. Further rules:
+///  - a mesh has the texture coordinates that its materials' textures read (glTF 2.0, 5.30.2);
+///  - as the nodes stand at time 0, their world matrices are finite, and meshes, lights and cameras stand
+///    within 1e9 m of the world's origin along each axis (matrices may be singular);
+///  - emission, and a light's intensity times its colour, are at most 1e20;
+///  - the values of animations are at most 1e9.
+/// Every imported scene has passed this.
+CANDELA_API void validate(const Scene& scene);
+
+/// The number of triangles the scene draws: those of every mesh, times the nodes that show it.
+CANDELA_API std::uint64_t triangleCount(const Scene& scene);
+
+}  // namespace candela

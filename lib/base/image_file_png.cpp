@@ -1,0 +1,121 @@
+#include <candela/error.h>
+#include <candela/image_file.h>
+
+#include "base/whole_file.h"
+
+#include <png.h>
+
+#include <array>
+#include <cassert>
+#include <csetjmp>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace candela {
+namespace {
+
+/// The gamma that stands for the sRGB curve in a gAMA chunk. Source: PNG specification, 11.3.2.
+constexpr double gammaOfSrgb = 2.2;
+
+/// What libpng's callbacks reach: the bytes written so far, and why it gave up.
+struct PngOutput {
+    std::vector<std::byte> bytes;
+    std::array<char, 128> failure{};
+};
+
+/// libpng's two structures, which live and die together.
+class PngWriter {
+  public:
+    PngWriter(PngOutput& output, png_error_ptr onError, png_error_ptr onWarning)
+        : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, onError, onWarning)),
+          info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr) {}
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+    ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
+
+    bool isReady() const { return info_ != nullptr; }
+    png_structp png() const { return png_; }
+    png_infop info() const { return info_; }
+
+  private:
+    png_structp png_;
+    png_infop info_;
+};
+
+[[noreturn]] void onError(png_structp png, png_const_charp message) {
+    auto& failure = static_cast<PngOutput*>(png_get_error_ptr(png))->failure;
+    std::snprintf(failure.data(), failure.size(), "%s", message);
+    png_longjmp(png, 1);
+}
+
+void onWarning(png_structp, png_const_charp) {}
+
+void onWrite(png_structp png, png_bytep data, std::size_t size) {
+    auto& output = *static_cast<PngOutput*>(png_get_io_ptr(png));
+    bool enough = true;
+    try {
+        const auto* first = reinterpret_cast<const std::byte*>(data);
+        output.bytes.insert(output.bytes.end(), first, first + size);
+    } catch (const std::exception&) {
+        enough = false;  // No exception may cross libpng, and no jump may leave a handler.
+    }
+    if (!enough) png_error(png, "out of memory");
+}
+
+void onFlush(png_structp) {}
+
+bool isRec709(const Chromaticities& c) {
+    const Chromaticities rec709;
+    return c.red == rec709.red && c.green == rec709.green && c.blue == rec709.blue && c.white == rec709.white;
+}
+
+/// An sRGB chunk where it says all, else gamma and primaries as far as they are known.
+void tag(png_structp png, png_infop info, const DisplayEncoding& encoding) {
+    using Transfer = DisplayEncoding::Transfer;
+    const Chromaticities* primaries = encoding.chromaticities ? &*encoding.chromaticities : nullptr;
+    if (encoding.transfer == Transfer::srgb && primaries != nullptr && isRec709(*primaries)) {
+        png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+        return;
+    }
+    if (encoding.transfer != Transfer::unknown)
+        png_set_gAMA(png, info, 1.0 / (encoding.transfer == Transfer::srgb ? gammaOfSrgb : encoding.gamma));
+    if (primaries != nullptr)
+        png_set_cHRM(png, info, primaries->white.x, primaries->white.y, primaries->red.x, primaries->red.y,
+                     primaries->green.x, primaries->green.y, primaries->blue.x, primaries->blue.y);
+}
+
+/// Runs libpng. It leaves this function by longjmp when it fails, so nothing here has a destructor.
+bool encode(const PngWriter& writer, PngOutput& output, std::uint32_t width, std::uint32_t height,
+            const std::uint8_t* rgba, const DisplayEncoding& encoding) {
+    if (setjmp(png_jmpbuf(writer.png())) != 0) return false;
+    png_set_write_fn(writer.png(), &output, onWrite, onFlush);
+    png_set_user_limits(writer.png(), PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_set_benign_errors(writer.png(), 1);
+    png_set_IHDR(writer.png(), writer.info(), width, height, 8, PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    tag(writer.png(), writer.info(), encoding);
+    png_write_info(writer.png(), writer.info());
+    for (std::uint32_t row = 0; row < height; ++row)
+        png_write_row(writer.png(), rgba + std::size_t{row} * width * 4);
+    png_write_end(writer.png(), writer.info());
+    return true;
+}
+
+}  // namespace
+
+void writePng(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
+              std::span<const std::uint8_t> rgba, const DisplayEncoding& encoding) {
+    assert(width > 0 && height > 0);
+    assert(rgba.size() == std::size_t{width} * height * 4);
+    PngOutput output;
+    const PngWriter writer(output, onError, onWarning);
+    if (!writer.isReady() || !encode(writer, output, width, height, rgba.data(), encoding))
+        throw Error(ErrorKind::environment, path.string(),
+                    "can not be encoded as PNG: " + std::string(output.failure.data()));
+    writeWholeFile(path, output.bytes);
+}
+
+}  // namespace candela

@@ -1,0 +1,175 @@
+#include "base/whole_file.h"
+
+#include <candela/error.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace candela {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As many as the kernel follows.
+constexpr int maximumLinks = 40;
+
+/// How many names for the temporary file are tried, in case another process holds one.
+constexpr int maximumNames = 100;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& text) {
+    throw Error(ErrorKind::environment, path.string(), text);
+}
+
+[[noreturn]] void failWithReason(const fs::path& path, const std::string& text, int reason) {
+    fail(path, text + ": " + std::generic_category().message(reason));
+}
+
+/// An open file descriptor.
+class Descriptor {
+  public:
+    Descriptor() = default;
+    explicit Descriptor(int number) : number_(number) {}
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(number_, other.number_);
+        return *this;
+    }
+    ~Descriptor() {
+        if (isOpen()) ::close(number_);
+    }
+
+    bool isOpen() const { return number_ >= 0; }
+    int number() const { return number_; }
+    /// Closes; false, with errno set, if that failed. File systems may report a full disk only here.
+    bool close() { return ::close(std::exchange(number_, -1)) == 0; }
+
+  private:
+    int number_ = -1;
+};
+
+/// Writes all bytes; false, with errno set, if that failed.
+bool writeAll(int descriptor, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        bytes = bytes.subspan(std::size_t(written));
+    }
+    return true;
+}
+
+/// Moves the bytes to the disk; true too where a file system has nothing of the kind.
+bool synchronise(int descriptor) {
+    return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP || errno == ENOSYS;
+}
+
+/// A file that is deleted at the end of its scope, unless it was moved to its place.
+class TemporaryFile {
+  public:
+    /// Creates the file in `folder`. `target` is what errors name.
+    TemporaryFile(const fs::path& folder, const fs::path& target) : target_(target) {
+        static std::atomic<unsigned> count{0};
+        for (int attempt = 0; attempt < maximumNames; ++attempt) {
+            path_ =
+                folder / (".candela-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp");
+            descriptor_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+            if (descriptor_.isOpen()) return;
+            if (errno != EEXIST) break;
+        }
+        failWithReason(target_, "can not write in the folder '" + folder.string() + "'", errno);
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
+        if (!path_.empty()) ::unlink(path_.c_str());
+    }
+
+    void setPermissions(mode_t mode) {
+        if (::fchmod(descriptor_.number(), mode) != 0)
+            failWithReason(target_, "can not keep its mode", errno);
+    }
+
+    void write(std::span<const std::byte> bytes) {
+        const bool written = writeAll(descriptor_.number(), bytes) && synchronise(descriptor_.number());
+        if (!written || !descriptor_.close()) failWithReason(target_, "can not write the file", errno);
+    }
+
+    void moveTo(const fs::path& place) {
+        if (::rename(path_.c_str(), place.c_str()) != 0)
+            failWithReason(target_, "can not put the written file in its place", errno);
+        path_.clear();
+    }
+
+  private:
+    fs::path target_;
+    fs::path path_;
+    Descriptor descriptor_;
+};
+
+/// Where a path leads. No place: to an open descriptor of a process (/dev/stdout, /dev/fd/3), which has none
+/// that could be replaced.
+std::optional<fs::path> followLinks(const fs::path& path) {
+    fs::path place = path;
+    std::error_code error;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(place, error)); ++links) {
+        if (links == maximumLinks) failWithReason(path, "can not follow the link", ELOOP);
+        const fs::path folder = fs::canonical(place.parent_path().empty() ? "." : place.parent_path(), error);
+        if (folder.string().starts_with("/proc/")) return std::nullopt;
+        const fs::path next = fs::read_symlink(place, error);
+        if (error) failWithReason(path, "can not follow the link", error.value());
+        place = place.parent_path() / next;
+    }
+    return place;
+}
+
+/// Appends, so that a descriptor shared with others (`>> log`) is not overwritten.
+void writeStraight(const fs::path& path, std::span<const std::byte> bytes) {
+    Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_APPEND | O_NOCTTY | O_CLOEXEC));
+    if (!descriptor.isOpen()) failWithReason(path, "can not open the file for writing", errno);
+    if (!writeAll(descriptor.number(), bytes) || !descriptor.close())
+        failWithReason(path, "can not write the file", errno);
+}
+
+/// The folder of `place`, which has to exist.
+fs::path folderOf(const fs::path& path, const fs::path& place) {
+    const fs::path folder = place.parent_path().empty() ? fs::path(".") : place.parent_path();
+    struct stat status {};
+    if (::stat(folder.c_str(), &status) != 0) {
+        if (errno == ENOENT) fail(path, "the folder '" + folder.string() + "' does not exist");
+        failWithReason(path, "can not write in the folder '" + folder.string() + "'", errno);
+    }
+    if (!S_ISDIR(status.st_mode)) fail(path, "'" + folder.string() + "' is not a folder");
+    return folder;
+}
+
+}  // namespace
+
+void writeWholeFile(const fs::path& path, std::span<const std::byte> bytes) {
+    if (path.empty()) fail(path, "a file to write has no name");
+    const std::optional<fs::path> place = followLinks(path);
+    if (!place) return writeStraight(path, bytes);
+
+    struct stat status {};
+    const bool exists = ::stat(place->c_str(), &status) == 0;
+    if (exists && S_ISDIR(status.st_mode)) fail(path, "is a folder, expected a file to write");
+    if (exists && !S_ISREG(status.st_mode)) return writeStraight(*place, bytes);
+    const fs::path folder = folderOf(path, *place);
+    // Renaming would replace a file that is protected against writing.
+    if (exists && ::faccessat(AT_FDCWD, place->c_str(), W_OK, AT_EACCESS) != 0)
+        failWithReason(path, "can not overwrite the file", errno);
+
+    TemporaryFile file(folder, path);
+    if (exists) file.setPermissions(status.st_mode & 0777);
+    file.write(bytes);
+    file.moveTo(*place);
+}
+
+}  // namespace candela

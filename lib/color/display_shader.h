@@ -1,0 +1,36 @@
+#pragma once
+
+#include <candela/color.h>
+
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// A look-up texture that a display transform's shader samples, clamped to its edges.
+struct LookupTexture {
+    enum class Filter { nearest, linear };
+    std::string sampler;  ///< Name of the sampler uniform in the shader's text.
+    int dimensions = 2;   ///< 1, 2 or 3: sampler1D, sampler2D, sampler3D.
+    int width = 1, height = 1, depth = 1;
+    int channels = 3;  ///< 1 (red) or 3 (RGB).
+    Filter filter = Filter::linear;
+    std::vector<float>
+        values;  ///< width × height × depth × channels, x fastest; to be kept in 32-bit floats.
+};
+
+/// A display transform as GLSL (4.0 and later): a function `vec4 displayTransform(vec4 radiance)` that takes
+/// exposed working-space colour to code values 0..1 and leaves alpha alone, with the samplers it needs.
+/// Exposure is not in it: the display pass multiplies by 2^exposure before the call. What it makes of NaN and
+/// infinity is said in color/sanitize.h. Other names in the text begin with `ocio`, `candela` or `sanitized`.
+struct DisplayShader {
+    std::string glsl;
+    std::vector<LookupTexture> textures;
+};
+
+/// The shader of a transform. Made once a transform, on the first call, from any thread; the reference lives
+/// as long as the transform. Throws `Error` (unsupported) when the transform needs what a shader cannot be
+/// given.
+const DisplayShader& displayShader(const DisplayTransform& transform);
+
+}  // namespace candela

@@ -1,0 +1,37 @@
+#include <candela/color.h>
+
+#include "color/display_transform_state.h"
+#include "color/sanitize.h"
+
+#include <cassert>
+#include <utility>
+
+namespace candela {
+
+DisplayTransform::DisplayTransform(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+
+const DisplayChoice& DisplayTransform::choice() const {
+    return state_->choice;
+}
+DisplayEncoding DisplayTransform::encoding() const {
+    return state_->encoding;
+}
+
+void DisplayTransform::apply(std::span<float> rgba) const {
+    assert(rgba.size() % 4 == 0);
+    const auto exposure = float(std::exp2(state_->choice.exposure));
+    // OpenColorIO sees an alpha of 1, as in the shader: a config's matrix may read it.
+    constexpr std::size_t chunk = 4096;
+    std::vector<float> pixels(std::min(rgba.size(), 4 * chunk));
+    for (std::size_t start = 0; start < rgba.size(); start += pixels.size()) {
+        const std::span<float> part = rgba.subspan(start, std::min(pixels.size(), rgba.size() - start));
+        for (std::size_t i = 0; i < part.size(); ++i)
+            pixels[i] = i % 4 == 3 ? 1.0f : sanitizedRadiance(part[i] * exposure);
+        OCIO::PackedImageDesc image(pixels.data(), long(part.size() / 4), 1, 4);
+        state_->cpu->apply(image);
+        for (std::size_t i = 0; i < part.size(); ++i)
+            if (i % 4 != 3) part[i] = sanitizedCode(pixels[i]);
+    }
+}
+
+}  // namespace candela

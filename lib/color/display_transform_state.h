@@ -1,0 +1,22 @@
+#pragma once
+
+#include <candela/color.h>
+
+#include "color/display_shader.h"
+#include "color/ocio.h"
+
+#include <mutex>
+
+namespace candela {
+
+struct DisplayTransform::State {
+    std::string source;  ///< The config's, for messages.
+    DisplayChoice choice;
+    DisplayEncoding encoding;
+    OCIO::ConstProcessorRcPtr processor;
+    OCIO::ConstCPUProcessorRcPtr cpu;
+    mutable std::once_flag shaderOnce;
+    mutable DisplayShader shader;
+};
+
+}  // namespace candela

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace candela {
+
+// The one place that says what becomes of numbers that are no colours, on the CPU and in GLSL:
+// before the transform, NaN becomes 0 and everything else is limited to ±65504, the largest half float, with
+// which every transform is at its end; negative colours (outside the working space's gamut) pass. After it,
+// NaN becomes 0 and everything else is limited to 0..1.
+
+inline constexpr float largestRadiance = 65504.0f;
+
+inline float limited(float value, float least, float most) {
+    return std::isnan(value) ? 0.0f : std::clamp(value, least, most);
+}
+
+inline float sanitizedRadiance(float value) {
+    return limited(value, -largestRadiance, largestRadiance);
+}
+inline float sanitizedCode(float value) {
+    return limited(value, 0.0f, 1.0f);
+}
+
+/// The same rule as the GLSL functions `vec3 sanitizedRadiance(vec3)` and `vec3 sanitizedCode(vec3)`.
+inline std::string sanitizeGlsl() {
+    // A test of the bits: compilers may take `x != x` for false, and what clamp() makes of NaN is undefined.
+    return R"(vec3 candelaLimited(vec3 value, float least, float most) {
+    bvec3 isNan = greaterThan(floatBitsToUint(value) & 0x7fffffffu, uvec3(0x7f800000u));
+    return mix(clamp(value, least, most), vec3(0.0), isNan);
+}
+vec3 sanitizedRadiance(vec3 value) { return candelaLimited(value, -65504.0, 65504.0); }
+vec3 sanitizedCode(vec3 value) { return candelaLimited(value, 0.0, 1.0); }
+)";
+}
+
+}  // namespace candela

@@ -1,0 +1,135 @@
+#include <candela/context.h>
+
+#include "gl/headless_context.h"
+
+#include <candela/error.h>
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace candela {
+
+struct Context::State {
+    std::unique_ptr<gl::HeadlessContext> headless;  ///< Null for an adopted context.
+    std::vector<ContextAttempt> attempts;
+    std::string renderer;
+};
+
+namespace {
+
+/// GL_RENDERER of the current context. Throws where it is older than OpenGL 4.5.
+std::string checkedRenderer() {
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const std::string renderer = name != nullptr ? name : "unknown renderer";
+    GLint major = 0, minor = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    glGetIntegerv(GL_MINOR_VERSION, &minor);
+    if (major * 10 + minor < 45) {
+        throw Error(ErrorKind::environment, "",
+                    "candela needs OpenGL 4.5, and this context (" + renderer + ") offers " +
+                        std::to_string(major) + "." + std::to_string(minor));
+    }
+    return renderer;
+}
+
+bool softwareName(const std::string& renderer) {
+    constexpr std::array names{"llvmpipe", "softpipe", "SwiftShader", "Software Rasterizer"};
+    return std::ranges::any_of(names,
+                               [&](const char* name) { return renderer.find(name) != std::string::npos; });
+}
+
+struct Candidate {
+    std::string way;
+    EGLDeviceEXT handle;
+};
+
+std::string wayOf(const Device& device) {
+    return "EGL device " + std::to_string(device.index) + " (" + device.description + ")";
+}
+
+/// What the choice allows, GPUs first, then software devices, then the surfaceless display.
+std::vector<Candidate> candidates(const DeviceChoice& choice) {
+    std::vector<gl::EglDevice> devices = gl::enumerateEglDevices();
+    if (choice.index) {
+        const auto found =
+            std::ranges::find(devices, *choice.index, [](const gl::EglDevice& d) { return d.device.index; });
+        if (found == devices.end()) {
+            throw Error(ErrorKind::environment, "",
+                        "there is no EGL device " + std::to_string(*choice.index) + "; this machine has " +
+                            std::to_string(devices.size()) + ", counted from 0");
+        }
+        return {{wayOf(found->device), found->handle}};
+    }
+    std::ranges::stable_sort(devices, {}, [](const gl::EglDevice& d) { return d.device.software; });
+    std::vector<Candidate> result;
+    for (const gl::EglDevice& device : devices) {
+        if (choice.softwareOnly && !device.device.software) continue;
+        result.push_back({wayOf(device.device), device.handle});
+    }
+    result.push_back({"EGL surfaceless display", EGL_NO_DEVICE_EXT});
+    return result;
+}
+
+std::string failureText(const std::vector<ContextAttempt>& attempts) {
+    std::string text = "no OpenGL 4.5 context can be made without a window.";
+    for (const ContextAttempt& attempt : attempts) text += " " + attempt.way + ": " + attempt.outcome + ".";
+    return text;
+}
+
+}  // namespace
+
+Context Context::createHeadless(const DeviceChoice& choice) {
+    auto state = std::make_unique<State>();
+    for (const Candidate& candidate : candidates(choice)) {
+        try {
+            auto headless = std::make_unique<gl::HeadlessContext>(gl::EglDisplay::open(candidate.handle));
+            state->renderer = checkedRenderer();
+            if (choice.softwareOnly && !softwareName(state->renderer)) {
+                throw Error(ErrorKind::environment, "",
+                            "it is not a software rasteriser but " + state->renderer);
+            }
+            state->headless = std::move(headless);
+            state->attempts.push_back({candidate.way, state->renderer});
+            return Context(std::move(state));
+        } catch (const Error& error) {
+            state->attempts.push_back({candidate.way, error.what()});
+        }
+    }
+    throw Error(ErrorKind::environment, "", failureText(state->attempts));
+}
+
+Context Context::adoptCurrent() {
+    // libepoxy ends the process when asked for anything while no context is current, except for this string.
+    if (eglGetCurrentContext() == EGL_NO_CONTEXT && glGetString(GL_VERSION) == nullptr) {
+        throw Error(ErrorKind::environment, "", "no OpenGL context is current on this thread");
+    }
+    auto state = std::make_unique<State>();
+    state->renderer = checkedRenderer();
+    return Context(std::move(state));
+}
+
+Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Context::Context(Context&&) noexcept = default;
+Context& Context::operator=(Context&&) noexcept = default;
+Context::~Context() = default;
+
+void Context::makeCurrent() const {
+    if (state_->headless) state_->headless->makeCurrent();
+}
+
+const std::string& Context::renderer() const {
+    return state_->renderer;
+}
+
+bool Context::isSoftware() const {
+    return softwareName(state_->renderer);
+}
+
+const std::vector<ContextAttempt>& Context::attempts() const {
+    return state_->attempts;
+}
+
+}  // namespace candela

@@ -1,0 +1,103 @@
+#include "gl/egl.h"
+
+#include <candela/error.h>
+
+#include <cstring>
+#include <map>
+#include <mutex>
+
+namespace candela::gl {
+
+namespace {
+
+bool clientHas(const char* extension) {
+    const char* all = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    return all != nullptr && std::strstr(all, extension) != nullptr;
+}
+
+EGLDisplay displayHandle(EGLDeviceEXT device) {
+    if (!clientHas("EGL_EXT_platform_base"))
+        throw Error(ErrorKind::environment, "", "EGL offers no platform displays");
+    // The EXT entry: libepoxy can resolve the core one only after a display is current.
+    return device == EGL_NO_DEVICE_EXT
+               ? eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr)
+               : eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+}
+
+EglDevice describe(EGLDeviceEXT handle, int index) {
+    const char* text = eglQueryDeviceStringEXT(handle, EGL_EXTENSIONS);
+    const std::string extensions = text != nullptr ? text : "";
+    EglDevice device{handle, {index, "", extensions.find("EGL_MESA_device_software") != std::string::npos}};
+    if (device.device.software) {
+        device.device.description = "software rasteriser";
+    } else if (extensions.find("EGL_EXT_device_drm") != std::string::npos) {
+        const char* node = eglQueryDeviceStringEXT(handle, EGL_DRM_DEVICE_FILE_EXT);
+        device.device.description = node != nullptr ? node : "GPU";
+    } else {
+        device.device.description = "GPU";
+    }
+    return device;
+}
+
+}  // namespace
+
+std::string eglErrorName() {
+    switch (eglGetError()) {
+        case EGL_SUCCESS:
+            return "no error";
+        case EGL_NOT_INITIALIZED:
+            return "EGL_NOT_INITIALIZED";
+        case EGL_BAD_ACCESS:
+            return "EGL_BAD_ACCESS";
+        case EGL_BAD_ALLOC:
+            return "EGL_BAD_ALLOC";
+        case EGL_BAD_ATTRIBUTE:
+            return "EGL_BAD_ATTRIBUTE";
+        case EGL_BAD_CONFIG:
+            return "EGL_BAD_CONFIG";
+        case EGL_BAD_CONTEXT:
+            return "EGL_BAD_CONTEXT";
+        case EGL_BAD_DISPLAY:
+            return "EGL_BAD_DISPLAY";
+        case EGL_BAD_MATCH:
+            return "EGL_BAD_MATCH";
+        case EGL_BAD_PARAMETER:
+            return "EGL_BAD_PARAMETER";
+        default:
+            return "an unknown EGL error";
+    }
+}
+
+EglDisplay::~EglDisplay() {
+    eglTerminate(handle_);
+}
+
+std::shared_ptr<EglDisplay> EglDisplay::open(EGLDeviceEXT device) {
+    static std::mutex mutex;
+    static std::map<EGLDisplay, std::weak_ptr<EglDisplay>> opened;
+    const std::lock_guard lock(mutex);
+    const EGLDisplay handle = displayHandle(device);
+    if (handle == EGL_NO_DISPLAY)
+        throw Error(ErrorKind::environment, "", "EGL gives no display (" + eglErrorName() + ")");
+    if (auto shared = opened[handle].lock()) return shared;
+    if (eglInitialize(handle, nullptr, nullptr) == EGL_FALSE) {
+        throw Error(ErrorKind::environment, "",
+                    "the EGL display does not initialise (" + eglErrorName() + ")");
+    }
+    std::shared_ptr<EglDisplay> display(new EglDisplay(handle));
+    opened[handle] = display;
+    return display;
+}
+
+std::vector<EglDevice> enumerateEglDevices() {
+    std::vector<EglDevice> devices;
+    if (!clientHas("EGL_EXT_device_enumeration") && !clientHas("EGL_EXT_device_base")) return devices;
+    EGLint count = 0;
+    if (eglQueryDevicesEXT(0, nullptr, &count) == EGL_FALSE || count <= 0) return devices;
+    std::vector<EGLDeviceEXT> handles(static_cast<std::size_t>(count));
+    eglQueryDevicesEXT(count, handles.data(), &count);
+    for (int i = 0; i < count; ++i) devices.push_back(describe(handles[static_cast<std::size_t>(i)], i));
+    return devices;
+}
+
+}  // namespace candela::gl

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "gl/debug_group.h"
+#include "gl/object.h"
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace candela::gl {
+
+void deleteQuery(GLuint name);
+
+/// Times the passes of a frame: on a GPU with timestamp queries, which do not stall it; on a software
+/// rasteriser, whose queries do not cover its worker threads, by the wall clock around a finish.
+class PassTimer {
+  public:
+    enum class Clock { gpuQueries, wallAroundFinish };
+
+    explicit PassTimer(Clock clock);
+
+    /// Forgets the last frame's passes.
+    void beginFrame();
+
+    /// A pass, for as long as the object lives: a debug group and a time.
+    class Scope {
+      public:
+        Scope(PassTimer& timer, const char* name);
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+        ~Scope();
+
+      private:
+        PassTimer& timer_;
+        DebugGroup group_;
+    };
+
+    /// Name and milliseconds of each pass since `beginFrame`, in order. Waits for them to end.
+    std::vector<std::pair<std::string, double>> results();
+
+  private:
+    struct Pass {
+        const char* name;
+        double milliseconds;
+    };
+    void begin(const char* name);
+    void end();
+    GLuint query(std::size_t index);
+
+    Clock clock_;
+    std::vector<Pass> passes_;
+    std::chrono::steady_clock::time_point start_;
+    std::vector<Object<deleteQuery>> queries_;
+};
+
+}  // namespace candela::gl

@@ -1,0 +1,223 @@
+#include "gl/state_guard.h"
+
+namespace candela::gl {
+
+namespace {
+
+constexpr std::array<GLenum, 12> capabilityNames{
+    GL_BLEND,          GL_CULL_FACE,   GL_DEPTH_TEST,        GL_STENCIL_TEST,
+    GL_SCISSOR_TEST,   GL_DEPTH_CLAMP, GL_FRAMEBUFFER_SRGB,  GL_RASTERIZER_DISCARD,
+    GL_COLOR_LOGIC_OP, GL_DITHER,      GL_PRIMITIVE_RESTART, GL_POLYGON_OFFSET_FILL,
+};
+constexpr std::array<GLenum, 6> blendNames{GL_BLEND_SRC_RGB,      GL_BLEND_DST_RGB,
+                                           GL_BLEND_SRC_ALPHA,    GL_BLEND_DST_ALPHA,
+                                           GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA};
+constexpr std::array<GLenum, 7> stencilFrontNames{GL_STENCIL_FUNC,
+                                                  GL_STENCIL_REF,
+                                                  GL_STENCIL_VALUE_MASK,
+                                                  GL_STENCIL_FAIL,
+                                                  GL_STENCIL_PASS_DEPTH_FAIL,
+                                                  GL_STENCIL_PASS_DEPTH_PASS,
+                                                  GL_STENCIL_WRITEMASK};
+constexpr std::array<GLenum, 7> stencilBackNames{GL_STENCIL_BACK_FUNC,
+                                                 GL_STENCIL_BACK_REF,
+                                                 GL_STENCIL_BACK_VALUE_MASK,
+                                                 GL_STENCIL_BACK_FAIL,
+                                                 GL_STENCIL_BACK_PASS_DEPTH_FAIL,
+                                                 GL_STENCIL_BACK_PASS_DEPTH_PASS,
+                                                 GL_STENCIL_BACK_WRITEMASK};
+constexpr std::array<GLenum, 8> packingNames{GL_PACK_ALIGNMENT,   GL_PACK_ROW_LENGTH,   GL_PACK_SKIP_ROWS,
+                                             GL_PACK_SKIP_PIXELS, GL_UNPACK_ALIGNMENT,  GL_UNPACK_ROW_LENGTH,
+                                             GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS};
+/// What candela reads and writes pixels with: tightly packed rows.
+constexpr std::array<GLint, 8> packingDefaults{1, 0, 0, 0, 1, 0, 0, 0};
+
+GLint integer(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+void setEnabled(GLenum capability, GLboolean enabled) {
+    if (enabled == GL_TRUE) {
+        glEnable(capability);
+    } else {
+        glDisable(capability);
+    }
+}
+
+void restoreStencil(GLenum face, const std::array<GLint, 7>& stencil) {
+    glStencilFuncSeparate(face, stencil[0], stencil[1], stencil[2]);
+    glStencilOpSeparate(face, stencil[3], stencil[4], stencil[5]);
+    glStencilMaskSeparate(face, stencil[6]);
+}
+
+template <typename Indexed>
+void keepIndexed(Indexed& kept, GLenum binding, GLenum start, GLenum size, GLuint index) {
+    glGetIntegeri_v(binding, index, &kept.buffer);
+    glGetInteger64i_v(start, index, &kept.start);
+    glGetInteger64i_v(size, index, &kept.size);
+}
+
+template <typename Indexed>
+void restoreIndexed(const Indexed& kept, GLenum target, GLuint index) {
+    if (kept.size > 0) {
+        glBindBufferRange(target, index, kept.buffer, kept.start, kept.size);
+    } else {
+        glBindBufferBase(target, index, kept.buffer);
+    }
+}
+
+}  // namespace
+
+StateGuard::StateGuard() {
+    keepCapabilities();
+    keepBindings();
+    keepFixedFunction();
+    for (const GLenum capability : capabilityNames) glDisable(capability);
+    for (std::size_t i = 0; i < packingNames.size(); ++i) glPixelStorei(packingNames[i], packingDefaults[i]);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    glBindProgramPipeline(0);
+    glBindSamplers(0, textureUnits, nullptr);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glStencilMask(0xff);
+    glFrontFace(GL_CCW);
+    glCullFace(GL_BACK);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glDepthRangef(0.0f, 1.0f);
+    glBlendEquation(GL_FUNC_ADD);
+    // Depth from 0 to 1: the reversed depth of DESIGN.md needs the float format's precision near 0.
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+}
+
+StateGuard::~StateGuard() {
+    restoreCapabilities();
+    restoreBindings();
+    restoreFixedFunction();
+}
+
+void StateGuard::keepCapabilities() {
+    for (std::size_t i = 0; i < capabilityNames.size(); ++i)
+        capabilities_[i] = glIsEnabled(capabilityNames[i]);
+}
+
+void StateGuard::restoreCapabilities() const {
+    for (std::size_t i = 0; i < capabilityNames.size(); ++i) setEnabled(capabilityNames[i], capabilities_[i]);
+}
+
+void StateGuard::keepBindings() {
+    program_ = integer(GL_CURRENT_PROGRAM);
+    pipeline_ = integer(GL_PROGRAM_PIPELINE_BINDING);
+    vertexArray_ = integer(GL_VERTEX_ARRAY_BINDING);
+    drawFramebuffer_ = integer(GL_DRAW_FRAMEBUFFER_BINDING);
+    readFramebuffer_ = integer(GL_READ_FRAMEBUFFER_BINDING);
+    arrayBuffer_ = integer(GL_ARRAY_BUFFER_BINDING);
+    indirectBuffer_ = integer(GL_DRAW_INDIRECT_BUFFER_BINDING);
+    dispatchBuffer_ = integer(GL_DISPATCH_INDIRECT_BUFFER_BINDING);
+    packBuffer_ = integer(GL_PIXEL_PACK_BUFFER_BINDING);
+    unpackBuffer_ = integer(GL_PIXEL_UNPACK_BUFFER_BINDING);
+    activeTexture_ = integer(GL_ACTIVE_TEXTURE);
+    for (int i = 0; i < textureUnits; ++i) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+        units_[static_cast<std::size_t>(i)] = {
+            integer(GL_TEXTURE_BINDING_1D),       integer(GL_TEXTURE_BINDING_2D),
+            integer(GL_TEXTURE_BINDING_3D),       integer(GL_TEXTURE_BINDING_BUFFER),
+            integer(GL_TEXTURE_BINDING_2D_ARRAY), integer(GL_SAMPLER_BINDING)};
+    }
+    glActiveTexture(static_cast<GLenum>(activeTexture_));
+    uniformBuffer_ = integer(GL_UNIFORM_BUFFER_BINDING);
+    storageBuffer_ = integer(GL_SHADER_STORAGE_BUFFER_BINDING);
+    for (GLuint i = 0; i < uniformBindings; ++i) {
+        keepIndexed(uniforms_[i], GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE,
+                    i);
+    }
+    for (GLuint i = 0; i < storageBindings; ++i) {
+        keepIndexed(storage_[i], GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START,
+                    GL_SHADER_STORAGE_BUFFER_SIZE, i);
+    }
+    for (GLuint i = 0; i < imageUnits; ++i) {
+        glGetIntegeri_v(GL_IMAGE_BINDING_NAME, i, &images_[i].name);
+        glGetIntegeri_v(GL_IMAGE_BINDING_LEVEL, i, &images_[i].level);
+        glGetIntegeri_v(GL_IMAGE_BINDING_LAYERED, i, &images_[i].layered);
+        glGetIntegeri_v(GL_IMAGE_BINDING_LAYER, i, &images_[i].layer);
+        glGetIntegeri_v(GL_IMAGE_BINDING_ACCESS, i, &images_[i].access);
+        glGetIntegeri_v(GL_IMAGE_BINDING_FORMAT, i, &images_[i].format);
+    }
+}
+
+void StateGuard::restoreBindings() const {
+    glUseProgram(program_);
+    glBindProgramPipeline(pipeline_);
+    glBindVertexArray(vertexArray_);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, drawFramebuffer_);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, readFramebuffer_);
+    glBindBuffer(GL_ARRAY_BUFFER, arrayBuffer_);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, indirectBuffer_);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, dispatchBuffer_);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, packBuffer_);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, unpackBuffer_);
+    for (int i = 0; i < textureUnits; ++i) {
+        const TextureUnit& unit = units_[static_cast<std::size_t>(i)];
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+        glBindTexture(GL_TEXTURE_1D, unit.texture1d);
+        glBindTexture(GL_TEXTURE_2D, unit.texture2d);
+        glBindTexture(GL_TEXTURE_3D, unit.texture3d);
+        glBindTexture(GL_TEXTURE_BUFFER, unit.textureBuffer);
+        glBindTexture(GL_TEXTURE_2D_ARRAY, unit.texture2dArray);
+        glBindSampler(i, unit.sampler);
+    }
+    glActiveTexture(static_cast<GLenum>(activeTexture_));
+    for (GLuint i = 0; i < uniformBindings; ++i) restoreIndexed(uniforms_[i], GL_UNIFORM_BUFFER, i);
+    for (GLuint i = 0; i < storageBindings; ++i) restoreIndexed(storage_[i], GL_SHADER_STORAGE_BUFFER, i);
+    glBindBuffer(GL_UNIFORM_BUFFER, uniformBuffer_);
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, storageBuffer_);
+    for (GLuint i = 0; i < imageUnits; ++i) {
+        const ImageUnit& image = images_[i];
+        glBindImageTexture(i, image.name, image.level, image.layered != 0 ? GL_TRUE : GL_FALSE, image.layer,
+                           static_cast<GLenum>(image.access), static_cast<GLenum>(image.format));
+    }
+}
+
+void StateGuard::keepFixedFunction() {
+    glGetIntegerv(GL_VIEWPORT, viewport_.data());
+    glGetFloatv(GL_DEPTH_RANGE, depthRange_.data());
+    glGetBooleanv(GL_COLOR_WRITEMASK, colorMask_.data());
+    glGetFloatv(GL_COLOR_CLEAR_VALUE, clearColor_.data());
+    for (std::size_t i = 0; i < blendNames.size(); ++i) blend_[i] = integer(blendNames[i]);
+    for (std::size_t i = 0; i < stencilFront_.size(); ++i) {
+        stencilFront_[i] = integer(stencilFrontNames[i]);
+        stencilBack_[i] = integer(stencilBackNames[i]);
+    }
+    for (std::size_t i = 0; i < packing_.size(); ++i) packing_[i] = integer(packingNames[i]);
+    clipControl_ = {integer(GL_CLIP_ORIGIN), integer(GL_CLIP_DEPTH_MODE)};
+    depthFunction_ = integer(GL_DEPTH_FUNC);
+    cullFace_ = integer(GL_CULL_FACE_MODE);
+    frontFace_ = integer(GL_FRONT_FACE);
+    // Some drivers still write one value for each face, as older versions of GL did.
+    std::array<GLint, 2> polygonMode{};
+    glGetIntegerv(GL_POLYGON_MODE, polygonMode.data());
+    polygonMode_ = polygonMode[0];
+    glGetBooleanv(GL_DEPTH_WRITEMASK, &depthMask_);
+}
+
+void StateGuard::restoreFixedFunction() const {
+    glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+    glDepthRangef(depthRange_[0], depthRange_[1]);
+    glColorMask(colorMask_[0], colorMask_[1], colorMask_[2], colorMask_[3]);
+    glClearColor(clearColor_[0], clearColor_[1], clearColor_[2], clearColor_[3]);
+    glBlendFuncSeparate(blend_[0], blend_[1], blend_[2], blend_[3]);
+    glBlendEquationSeparate(blend_[4], blend_[5]);
+    restoreStencil(GL_FRONT, stencilFront_);
+    restoreStencil(GL_BACK, stencilBack_);
+    for (std::size_t i = 0; i < packingNames.size(); ++i) glPixelStorei(packingNames[i], packing_[i]);
+    glClipControl(clipControl_[0], clipControl_[1]);
+    glDepthFunc(depthFunction_);
+    glCullFace(cullFace_);
+    glFrontFace(frontFace_);
+    glPolygonMode(GL_FRONT_AND_BACK, polygonMode_);
+    glDepthMask(depthMask_);
+}
+
+}  // namespace candela::gl

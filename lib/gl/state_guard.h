@@ -1,0 +1,65 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <array>
+
+namespace candela::gl {
+
+/// How many units, bindings and draw buffers candela's passes use; what the guard keeps is of these and no
+/// more.
+constexpr int textureUnits = 16;
+constexpr int uniformBindings = 2;
+constexpr int storageBindings = 8;
+constexpr int imageUnits = 4;
+
+/// Keeps the state of the current context that candela's passes change, sets what they rely on, and puts the
+/// host's state back at the end of the scope.
+class StateGuard {
+  public:
+    StateGuard();
+    StateGuard(const StateGuard&) = delete;
+    StateGuard& operator=(const StateGuard&) = delete;
+    ~StateGuard();
+
+  private:
+    struct TextureUnit {
+        GLint texture1d, texture2d, texture3d, textureBuffer, texture2dArray, sampler;
+    };
+    struct IndexedBuffer {
+        GLint buffer;
+        GLint64 start, size;
+    };
+    struct ImageUnit {
+        GLint name, level, layered, layer, access, format;
+    };
+
+    void keepCapabilities();
+    void keepBindings();
+    void keepFixedFunction();
+    void restoreCapabilities() const;
+    void restoreBindings() const;
+    void restoreFixedFunction() const;
+
+    std::array<GLboolean, 12> capabilities_{};
+    GLint program_ = 0, pipeline_ = 0, vertexArray_ = 0, drawFramebuffer_ = 0, readFramebuffer_ = 0,
+          activeTexture_ = 0;
+    GLint arrayBuffer_ = 0, indirectBuffer_ = 0, dispatchBuffer_ = 0, packBuffer_ = 0, unpackBuffer_ = 0;
+    GLint uniformBuffer_ = 0, storageBuffer_ = 0;
+    std::array<TextureUnit, textureUnits> units_{};
+    std::array<IndexedBuffer, uniformBindings> uniforms_{};
+    std::array<IndexedBuffer, storageBindings> storage_{};
+    std::array<ImageUnit, imageUnits> images_{};
+    std::array<GLint, 4> viewport_{};
+    std::array<GLfloat, 2> depthRange_{};
+    std::array<GLboolean, 4> colorMask_{};
+    std::array<GLfloat, 4> clearColor_{};
+    std::array<GLint, 6> blend_{};
+    std::array<GLint, 7> stencilFront_{}, stencilBack_{};
+    std::array<GLint, 2> clipControl_{};
+    std::array<GLint, 8> packing_{};
+    GLint depthFunction_ = 0, cullFace_ = 0, frontFace_ = 0, polygonMode_ = 0;
+    GLboolean depthMask_ = GL_TRUE;
+};
+
+}  // namespace candela::gl

@@ -1,0 +1,127 @@
+#include "import/file_access.h"
+
+#include "import/text.h"
+
+#include <candela/error.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <sstream>
+#include <system_error>
+
+namespace candela {
+namespace fs = std::filesystem;
+namespace {
+
+// glTF's binary container ends at 4 GiB. The limit keeps a sparse file of petabytes from taking all memory.
+constexpr std::int64_t maxFileBytes = std::int64_t{16} << 30;
+
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0) ::close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int number() const { return number_; }
+
+  private:
+    int number_;
+};
+
+std::string systemMessage(int error) {
+    return std::generic_category().message(error);
+}
+
+[[noreturn]] void refuse(ErrorKind kind, const std::string& path, const std::string& text) {
+    throw Error(kind, "", joined("file '", oneLine(path), "': ", text));
+}
+
+// A first look at the letters of the path alone, for the clearest message. Links are judged on the opened
+// file.
+void checkLetters(const std::string& path) {
+    if (path.empty()) refuse(ErrorKind::badInput, path, "the path is empty");
+    if (path.front() == '/')
+        refuse(ErrorKind::badInput, path,
+               "absolute paths are refused; it must be relative to the scene's folder");
+    int depth = 0;
+    std::istringstream parts(path);
+    for (std::string part; std::getline(parts, part, '/');) {
+        if (part.empty() || part == ".") continue;
+        depth += part == ".." ? -1 : 1;
+        if (depth < 0) refuse(ErrorKind::badInput, path, "it leads out of the scene's folder");
+    }
+}
+
+std::string openedPath(int descriptor) {
+    return fs::read_symlink(joined("/proc/self/fd/", descriptor)).string();
+}
+
+bool liesWithin(const std::string& file, std::string folder) {
+    if (folder.back() != '/') folder += '/';
+    return file.compare(0, folder.size(), folder) == 0;
+}
+
+FileAccess::Bytes readAll(int descriptor, std::size_t size, const std::string& path) {
+    FileAccess::Bytes bytes{std::make_unique_for_overwrite<std::byte[]>(size), size};
+    std::size_t done = 0;
+    while (done < size) {
+        const ssize_t count = ::read(descriptor, bytes.data.get() + done, size - done);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) refuse(ErrorKind::environment, path, "reading failed: " + systemMessage(errno));
+        if (count == 0) refuse(ErrorKind::environment, path, "it became shorter while it was read");
+        done += static_cast<std::size_t>(count);
+    }
+    return bytes;
+}
+
+// The file is opened only by name at first (O_PATH), which touches no device and waits for no pipe. What was
+// opened is judged by where it lies and what it is, and that same file is then opened for reading: nobody can
+// put another in its place in between.
+FileAccess::Bytes readWithin(int folder, const std::string& path) {
+    const Descriptor named(::openat(folder, path.c_str(), O_PATH | O_CLOEXEC));
+    if (named.number() < 0) refuse(ErrorKind::environment, path, systemMessage(errno));
+    if (!liesWithin(openedPath(named.number()), openedPath(folder)))
+        refuse(ErrorKind::badInput, path, "a symbolic link leads out of the scene's folder");
+    struct stat status {};
+    if (::fstat(named.number(), &status) != 0) refuse(ErrorKind::environment, path, systemMessage(errno));
+    if (S_ISDIR(status.st_mode)) refuse(ErrorKind::badInput, path, "it is a folder, but a file was expected");
+    if (!S_ISREG(status.st_mode)) refuse(ErrorKind::badInput, path, "it is not a regular file");
+    if (status.st_size > maxFileBytes)
+        refuse(ErrorKind::limit, path,
+               joined("it has ", status.st_size, " bytes, more than the 16 GiB allowed"));
+    const std::string again = joined("/proc/self/fd/", named.number());
+    const Descriptor opened(::open(again.c_str(), O_RDONLY | O_CLOEXEC));
+    if (opened.number() < 0) refuse(ErrorKind::environment, path, systemMessage(errno));
+    return readAll(opened.number(), static_cast<std::size_t>(status.st_size), path);
+}
+
+}  // namespace
+
+FileAccess::FileAccess(const fs::path& folder)
+    : folder_(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)) {
+    if (folder_ < 0)
+        throw Error(ErrorKind::environment, folder.string(),
+                    "the folder can not be opened: " + systemMessage(errno));
+}
+
+FileAccess::~FileAccess() {
+    ::close(folder_);
+}
+
+std::span<const std::byte> FileAccess::read(const std::string& path) {
+    auto file = files_.find(path);
+    if (file == files_.end()) {
+        checkLetters(path);
+        file = files_.emplace(path, readWithin(folder_, path)).first;
+    }
+    return {file->second.data.get(), file->second.size};
+}
+
+}  // namespace candela

@@ -1,0 +1,214 @@
+#include "import/host.h"
+
+#include "import/pushed_elements.h"
+#include "import/text.h"
+
+#include <candela/error.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+namespace candela {
+namespace {
+
+constexpr std::size_t maxNotes = 1000;
+
+std::string textOr(const char* text, const char* otherwise) {
+    return text && *text ? oneLine(text) : std::string(otherwise);
+}
+
+// The failure that is in flight, as the caller is to see it: with the URI, and never a bare standard
+// exception.
+std::exception_ptr currentFailure(const std::string& uri, const char* what) noexcept {
+    try {
+        try {
+            throw;
+        } catch (const Error& error) {
+            if (!error.path().empty()) throw;
+            throw Error(error.kind(), uri, error.what());
+        } catch (const std::bad_alloc&) {
+            throw Error(ErrorKind::limit, uri, joined(what, ": there is not enough memory"));
+        } catch (const std::length_error&) {
+            throw Error(ErrorKind::limit, uri, joined(what, ": there is not enough memory"));
+        } catch (const std::exception& error) {
+            throw Error(ErrorKind::environment, uri, joined(what, ": ", oneLine(error.what())));
+        }
+    } catch (...) {
+        return std::current_exception();
+    }
+}
+
+}  // namespace
+
+void ImportHost::rethrowFailure() const {
+    if (failure_) std::rethrow_exception(failure_);
+}
+
+std::vector<std::string> ImportHost::takeNotes() {
+    if (notesLeftOut_ > 0) notes_.push_back(joined("and ", notesLeftOut_, " more notes"));
+    return std::move(notes_);
+}
+
+void ImportHost::record(std::exception_ptr failure) noexcept {
+    if (!failure_) failure_ = std::move(failure);
+}
+
+// Runs an action on behalf of the plugin. After the first failure nothing runs any more.
+template <class Action>
+bool ImportHost::guarded(const char* what, Action action) noexcept {
+    if (failure_) return false;
+    try {
+        action();
+        return true;
+    } catch (...) {
+        record(currentFailure(uri_, what));
+        return false;
+    }
+}
+
+template <class Pushed, class Element, class Convert>
+std::int32_t ImportHost::add(const char* kind, const Pushed* pushed, std::vector<Element>& elements,
+                             Convert convert) noexcept {
+    const std::size_t index = elements.size();
+    const bool added = guarded(kind, [&] {
+        if (index >= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+            throw Error(ErrorKind::limit, uri_,
+                        joined("there are more than ", index, " elements of the kind ", kind));
+        if (!pushed) PushedElement(kind, index, nullptr).refuse("the pushed struct is NULL");
+        const auto copy = copyOf(pushed);
+        if (!copy)
+            PushedElement(kind, index, nullptr)
+                .refuse(joined("struct_size is ", structSizeOf(pushed), ", but version 1.0 has ",
+                               firstSizeOf<Pushed>, " bytes"));
+        elements.push_back(convert(*copy, PushedElement(kind, index, copy->name)));
+    });
+    return added ? static_cast<std::int32_t>(index) : -1;
+}
+
+candela_status ImportHost::readFile(const char* path, candela_bytes* out) noexcept {
+    const bool done = guarded("reading a file", [&] {
+        if (!path || !out)
+            throw Error(ErrorKind::badInput, uri_, "read_file: its path or its result is NULL");
+        *out = {};
+        if (!files_)
+            throw Error(ErrorKind::badInput, uri_,
+                        joined("file '", oneLine(path), "': a made scene has no folder to read files from"));
+        const auto bytes = files_->read(path);
+        *out = {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+    });
+    return done ? CANDELA_OK : CANDELA_FAILED;
+}
+
+// True to go on. What the caller's own callback throws is handed on to the caller as it is.
+bool ImportHost::askedToGoOn(double fraction) noexcept {
+    try {
+        return !progress_ || progress_(fraction);
+    } catch (...) {
+        record(std::current_exception());
+        return false;
+    }
+}
+
+candela_status ImportHost::progress(double fraction) noexcept {
+    const bool goOn = guarded("the progress of the import", [&] {
+        if (!(fraction >= 0.0 && fraction <= 1.0))
+            throw Error(ErrorKind::badInput, uri_,
+                        joined("progress: ", fraction, " was told, but 0 to 1 was expected"));
+        if (!askedToGoOn(fraction)) throw Error(ErrorKind::cancelled, uri_, "the import was cancelled");
+    });
+    return goOn ? CANDELA_OK : CANDELA_FAILED;
+}
+
+void ImportHost::fail(const char* element, const char* reason) noexcept {
+    guarded("a failed import", [&] {
+        const std::string at = element && *element ? oneLine(element) + ": " : std::string();
+        throw Error(ErrorKind::badInput, uri_, at + textOr(reason, "the plugin gives no reason"));
+    });
+}
+
+void ImportHost::note(const std::string& text) {
+    if (notes_.size() < maxNotes)
+        notes_.push_back(text);
+    else
+        ++notesLeftOut_;
+}
+
+// The C functions of the table. Each turns `self` back into the object.
+struct ImportHost::Functions {
+    static ImportHost& from(void* self) { return *static_cast<ImportHost*>(self); }
+
+    // A conversion that checks its indices against what was pushed so far.
+    template <class Element, class Pushed>
+    static auto inScene(void* self, Element (*convert)(const Pushed&, const PushedElement&, const Scene&)) {
+        return [self, convert](const Pushed& pushed, const PushedElement& element) {
+            return convert(pushed, element, from(self).scene_);
+        };
+    }
+
+    static candela_status readFile(void* self, const char* path, candela_bytes* out) {
+        return from(self).readFile(path, out);
+    }
+    static void fail(void* self, const char* element, const char* reason) {
+        from(self).fail(element, reason);
+    }
+    static void note(void* self, const char* text) {
+        from(self).guarded("a note", [&] { from(self).note(textOr(text, "(an empty note)")); });
+    }
+    static candela_status progress(void* self, double fraction) { return from(self).progress(fraction); }
+
+    static std::int32_t addImage(void* self, const candela_image* image) {
+        return from(self).add("image", image, from(self).scene_.images, imageFrom);
+    }
+    static std::int32_t addMaterial(void* self, const candela_material* material) {
+        return from(self).add("material", material, from(self).scene_.materials, inScene(self, materialFrom));
+    }
+    static std::int32_t addMesh(void* self, const candela_mesh* mesh) {
+        const auto convert = [&](const candela_mesh& pushed, const PushedElement& element) {
+            return meshFrom(pushed, element, from(self).scene_,
+                            [&](const std::string& text) { from(self).note(text); });
+        };
+        return from(self).add("mesh", mesh, from(self).scene_.meshes, convert);
+    }
+    static std::int32_t addNode(void* self, const candela_node* node) {
+        return from(self).add("node", node, from(self).scene_.nodes, inScene(self, nodeFrom));
+    }
+    static std::int32_t addCamera(void* self, const candela_camera* camera) {
+        return from(self).add("camera", camera, from(self).scene_.cameras, inScene(self, cameraFrom));
+    }
+    static std::int32_t addLight(void* self, const candela_light* light) {
+        return from(self).add("light", light, from(self).scene_.lights, inScene(self, lightFrom));
+    }
+    static std::int32_t addAnimation(void* self, const candela_animation* animation) {
+        return from(self).add("animation", animation, from(self).scene_.animations,
+                              inScene(self, animationFrom));
+    }
+
+    static candela_host table(ImportHost* self) {
+        candela_host host{};
+        host.struct_size = sizeof host;
+        host.self = self;
+        host.read_file = readFile;
+        host.fail = fail;
+        host.note = note;
+        host.progress = progress;
+        host.add_image = addImage;
+        host.add_material = addMaterial;
+        host.add_mesh = addMesh;
+        host.add_node = addNode;
+        host.add_camera = addCamera;
+        host.add_light = addLight;
+        host.add_animation = addAnimation;
+        return host;
+    }
+};
+
+ImportHost::ImportHost(std::string uri, std::unique_ptr<FileAccess> files, ImportProgress progress)
+    : uri_(std::move(uri)), files_(std::move(files)), progress_(std::move(progress)) {
+    interface_ = Functions::table(this);
+}
+
+}  // namespace candela

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "import/file_access.h"
+
+#include <candela/import.h>
+#include <candela/plugin.h>
+#include <candela/scene.h>
+
+#include <exception>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace candela {
+
+/// What stands behind `candela_host` for one import. It checks and copies what the plugin pushes, and keeps
+/// the first thing that goes wrong; from then on it refuses everything. No exception leaves the functions of
+/// `interface()`.
+class ImportHost {
+  public:
+    /// `files` is null for a made scene, which has no folder. `uri` is what errors name as the file at fault.
+    ImportHost(std::string uri, std::unique_ptr<FileAccess> files, ImportProgress progress);
+    ImportHost(const ImportHost&) = delete;
+    ImportHost& operator=(const ImportHost&) = delete;
+
+    const candela_host& interface() const { return interface_; }
+
+    /// Throws what went wrong first: an `Error` that names the URI, or what the caller's own progress
+    /// callback threw. Does nothing when all went well.
+    void rethrowFailure() const;
+
+    Scene takeScene() { return std::move(scene_); }
+    std::vector<std::string> takeNotes();
+
+  private:
+    struct Functions;
+
+    template <class Action>
+    bool guarded(const char* what, Action action) noexcept;
+    template <class Pushed, class Element, class Convert>
+    std::int32_t add(const char* kind, const Pushed* pushed, std::vector<Element>& elements,
+                     Convert convert) noexcept;
+
+    candela_status readFile(const char* path, candela_bytes* out) noexcept;
+    bool askedToGoOn(double fraction) noexcept;
+    candela_status progress(double fraction) noexcept;
+    void fail(const char* element, const char* reason) noexcept;
+    void note(const std::string& text);
+    void record(std::exception_ptr failure) noexcept;
+
+    std::string uri_;
+    std::unique_ptr<FileAccess> files_;
+    ImportProgress progress_;
+    Scene scene_;
+    std::vector<std::string> notes_;
+    std::size_t notesLeftOut_ = 0;
+    std::exception_ptr failure_;
+    candela_host interface_{};
+};
+
+}  // namespace candela

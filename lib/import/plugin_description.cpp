@@ -1,0 +1,144 @@
+#include "import/plugin_description.h"
+
+#include "import/plugin_file.h"
+#include "import/plugin_struct.h"
+#include "import/text.h"
+
+#include <cstring>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela {
+namespace {
+
+constexpr std::size_t maxNameBytes = 64;
+constexpr std::size_t maxLineBytes = 256;
+constexpr std::size_t maxListEntries = 64;
+
+struct BrokenRule {
+    std::string text;
+};
+
+bool isLetter(char c) {
+    return c >= 'a' && c <= 'z';
+}
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool isOneOf(char c, const char* set) {
+    return c != '\0' && std::strchr(set, c) != nullptr;
+}
+
+// Reads at most one byte more than is allowed, so that a string without its end does not lead far.
+std::string boundedString(const char* text, std::size_t maxBytes, const std::string& what) {
+    if (!text) throw BrokenRule{what + " is NULL"};
+    const std::size_t length = ::strnlen(text, maxBytes + 1);
+    if (length > maxBytes) throw BrokenRule{joined(what, " is longer than ", maxBytes, " bytes")};
+    return std::string(text, length);
+}
+
+std::string checkedName(const char* text) {
+    const std::string name = boundedString(text, maxNameBytes, "its name");
+    bool legal = !name.empty();
+    for (const char c : name) legal = legal && (isLetter(c) || isDigit(c) || isOneOf(c, "-_"));
+    if (!legal)
+        throw BrokenRule{
+            joined("its name '", oneLine(name), "' is not made of a to z, 0 to 9, '-' and '_' alone")};
+    return name;
+}
+
+std::string checkedLine(const char* text, const std::string& what) {
+    const std::string line = boundedString(text, maxLineBytes, what);
+    if (oneLine(line) != line) throw BrokenRule{what + " is not one line of UTF-8"};
+    return line;
+}
+
+std::string checkedExtension(const char* text) {
+    const std::string extension = boundedString(text, maxNameBytes, "a file name ending");
+    bool legal = !extension.empty();
+    for (const char c : extension) legal = legal && (isLetter(c) || isDigit(c) || isOneOf(c, "-_+"));
+    if (!legal)
+        throw BrokenRule{joined("the file name ending '", oneLine(extension),
+                                "' is not made of a to z, 0 to 9, '-', '_' and '+' alone")};
+    return extension;
+}
+
+std::string checkedScheme(const char* text) {
+    const std::string scheme = boundedString(text, maxNameBytes, "a scheme");
+    bool legal = scheme.size() >= 2 && isLetter(scheme[0]);
+    for (const char c : scheme) legal = legal && (isLetter(c) || isDigit(c) || isOneOf(c, "-+."));
+    if (!legal)
+        throw BrokenRule{joined("the scheme '", oneLine(scheme),
+                                "' is not a letter and one or more of a to z, 0 to 9, '-', '+' and '.'")};
+    return scheme;
+}
+
+template <class Check>
+std::vector<std::string> checkedList(const char* const* list, const char* what, Check check) {
+    std::vector<std::string> entries;
+    if (!list) return entries;
+    for (std::size_t i = 0; list[i]; ++i) {
+        if (i == maxListEntries)
+            throw BrokenRule{
+                joined("it lists more than ", maxListEntries, " ", what, ", or the list has no end")};
+        entries.push_back(check(list[i]));
+    }
+    return entries;
+}
+
+template <class T>
+T checkedCopy(const T* pushed, const char* what) {
+    const std::optional<T> copy = copyOf(pushed);
+    if (!copy)
+        throw BrokenRule{joined("struct_size of its ", what, " is ", structSizeOf(pushed),
+                                ", but version 1.0 has ", firstSizeOf<T>, " bytes")};
+    return *copy;
+}
+
+// The members that say the version stand first in every version, so they may be read before all else.
+std::uint32_t majorOf(const candela_plugin* description) {
+    constexpr std::size_t end = offsetof(candela_plugin, minor) + sizeof(description->minor);
+    if (structSizeOf(description) < end)
+        throw BrokenRule{joined("struct_size of its candela_plugin is ", structSizeOf(description),
+                                ", which does not even hold the version")};
+    return description->major;
+}
+
+void checkImporter(const candela_plugin& plugin, LoadedPlugin& loaded, PluginReport& report) {
+    if (!plugin.importer) throw BrokenRule{"it offers no service: importer is NULL"};
+    loaded.importer = checkedCopy(plugin.importer, "candela_importer");
+    report.extensions = checkedList(loaded.importer.extensions, "file name endings", checkedExtension);
+    report.schemes = checkedList(loaded.importer.schemes, "schemes", checkedScheme);
+    if (!loaded.importer.import_scene) throw BrokenRule{"import_scene of its importer is NULL"};
+    if (report.extensions.empty() && report.schemes.empty())
+        throw BrokenRule{"its importer takes no file name ending and no scheme"};
+}
+
+}  // namespace
+
+void checkDescription(const candela_plugin* description, LoadedPlugin& loaded, PluginReport& report) {
+    try {
+        const std::uint32_t major = majorOf(description);
+        if (major != CANDELA_PLUGIN_MAJOR) {
+            report.state = PluginState::wrongVersion;
+            report.detail = joined("it was built for version ", major,
+                                   " of the plugin interface; this is version ", CANDELA_PLUGIN_MAJOR);
+            return;
+        }
+        loaded.plugin = checkedCopy(description, "candela_plugin");
+        report.name = checkedName(loaded.plugin.name);
+        report.version = checkedLine(loaded.plugin.version, "its version");
+        report.description = checkedLine(loaded.plugin.description, "its description");
+        checkImporter(loaded.plugin, loaded, report);
+        loaded.plugin.struct_size = sizeof(candela_plugin);
+        loaded.importer.struct_size = sizeof(candela_importer);
+        loaded.plugin.importer = &loaded.importer;
+        report.state = PluginState::loaded;
+    } catch (const BrokenRule& broken) {
+        report.state = PluginState::badDescription;
+        report.detail = broken.text;
+    }
+}
+
+}  // namespace candela

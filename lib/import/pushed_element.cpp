@@ -1,0 +1,65 @@
+#include "import/pushed_element.h"
+
+#include <candela/error.h>
+
+#include <cmath>
+
+namespace candela {
+namespace {
+
+constexpr std::size_t longestNameShown = 80;
+
+std::string labelOf(const char* kind, std::size_t index, const std::string& name) {
+    if (name.empty()) return joined(kind, " ", index);
+    return joined(kind, " ", index, " '", oneLine(name, longestNameShown), "'");
+}
+
+}  // namespace
+
+PushedElement::PushedElement(const char* kind, std::size_t index, const char* name)
+    : name_(validUtf8(name)), label_(labelOf(kind, index, name_)) {}
+
+void PushedElement::refuse(const std::string& text) const {
+    throw Error(ErrorKind::badInput, "", label_ + ": " + text);
+}
+
+float PushedElement::finite(const char* member, float value) const {
+    if (!std::isfinite(value)) refuse(joined(member, " is ", value, ", but a finite number was expected"));
+    return value;
+}
+
+float PushedElement::within(const char* member, float value, float low, float high) const {
+    finite(member, value);
+    if (value < low || value > high)
+        refuse(joined(member, " is ", value, ", but ", low, " to ", high, " was expected"));
+    return value;
+}
+
+float PushedElement::zeroOrMore(const char* member, float value) const {
+    finite(member, value);
+    if (value < 0.0f) refuse(joined(member, " is ", value, ", but 0 or more was expected"));
+    return value;
+}
+
+bool PushedElement::flag(const char* member, std::uint32_t value) const {
+    if (value > 1) refuse(joined(member, " is ", value, ", but 0 or 1 was expected"));
+    return value == 1;
+}
+
+std::optional<std::uint32_t> PushedElement::reference(const char* member, std::int32_t index,
+                                                      std::size_t count) const {
+    if (index == -1) return std::nullopt;
+    if (index < 0 || static_cast<std::size_t>(index) >= count)
+        refuse(joined(member, " is ", index, ", but ", count, " were pushed so far and -1 is none"));
+    return static_cast<std::uint32_t>(index);
+}
+
+void PushedElement::requireFinite(const char* member, const float* numbers, std::size_t count,
+                                  std::size_t components) const {
+    for (std::size_t i = 0; i < count * components; ++i)
+        if (!std::isfinite(numbers[i]))
+            refuse(joined(member, " ", i / components, " has the component ", numbers[i],
+                          ", but finite numbers were expected"));
+}
+
+}  // namespace candela

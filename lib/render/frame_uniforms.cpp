@@ -1,0 +1,37 @@
+#include "render/frame_uniforms.h"
+
+#include <cmath>
+
+namespace candela {
+
+layout::FrameUniforms frameUniforms(const View& view, int width, int height,
+                                    const glm::dmat3& workingFromRec709, const LightCounts& lights) {
+    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    const glm::dmat4 frameOfCamera(view.worldFromCamera);
+    const glm::dvec3 right(frameOfCamera[0]), up(frameOfCamera[1]), forward(-frameOfCamera[2]);
+    const double halfHeight = std::tan(0.5 * static_cast<double>(view.verticalFov));
+    const double step = 2.0 * halfHeight / height;
+    const glm::dvec3 corner =
+        forward + right * (step * (0.5 - 0.5 * width)) + up * (step * (0.5 - 0.5 * height));
+
+    layout::FrameUniforms frame{};
+    frame.clipFromWorld = projection(view, aspect) * glm::inverse(view.worldFromCamera);
+    frame.eye = glm::vec4(view.eye(), view.nearPlane);
+    frame.rayCorner = glm::vec4(corner, 0.0);
+    frame.rayStepX = glm::vec4(right * step, 0.0);
+    frame.rayStepY = glm::vec4(up * step, 0.0);
+    frame.workingFromRed = glm::vec4(workingFromRec709[0], 0.0);
+    frame.workingFromGreen = glm::vec4(workingFromRec709[1], 0.0);
+    frame.workingFromBlue = glm::vec4(workingFromRec709[2], 0.0);
+    frame.size = {width, height, 0, 0};
+    frame.lightCounts = {lights.points, lights.spots, lights.directionals, 0};
+    return frame;
+}
+
+glm::vec3 worldPosition(const layout::FrameUniforms& frame, int x, int y, float depth) {
+    const glm::vec3 ray = glm::vec3(frame.rayCorner) + static_cast<float>(x) * glm::vec3(frame.rayStepX) +
+                          static_cast<float>(y) * glm::vec3(frame.rayStepY);
+    return glm::vec3(frame.eye) + ray * (frame.eye.w / depth);
+}
+
+}  // namespace candela

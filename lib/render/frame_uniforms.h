@@ -1,0 +1,24 @@
+#pragma once
+
+#include "render/layout.h"
+
+#include <candela/camera.h>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+namespace candela {
+
+struct LightCounts {
+    int points = 0, spots = 0, directionals = 0;
+};
+
+/// The uniform block of a frame of `width` × `height` pixels.
+layout::FrameUniforms frameUniforms(const View& view, int width, int height,
+                                    const glm::dmat3& workingFromRec709, const LightCounts& lights);
+
+/// World position of a pixel's surface (y up), as shaders/lib/frame.glsl computes it; `depth` is the reversed
+/// depth, over 0.
+glm::vec3 worldPosition(const layout::FrameUniforms& frame, int x, int y, float depth);
+
+}  // namespace candela

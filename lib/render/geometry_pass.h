@@ -1,0 +1,26 @@
+#pragma once
+
+#include "gl/program.h"
+#include "render/gbuffer_targets.h"
+#include "render/gpu_scene_state.h"
+
+namespace candela {
+
+/// Draws the surfaces in view into the G-buffer and their emission into the radiance target.
+class GeometryPass {
+  public:
+    GeometryPass();
+
+    struct Inputs {
+        const GpuScene::State& scene;  ///< After `select`.
+        const GBufferTargets& targets;
+    };
+    void render(const Inputs& inputs) const;
+
+  private:
+    void draw(const DrawBatch& batch) const;
+
+    gl::Program plain_, textured_;
+};
+
+}  // namespace candela

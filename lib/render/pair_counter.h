@@ -1,0 +1,39 @@
+#pragma once
+
+#include "gl/program.h"
+#include "render/light_volumes.h"
+#include "render/lighting_technique.h"
+#include "render/stencilled_depth.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace candela {
+
+/// Counts pairs of a pixel with a point or spot light by drawing light volumes that add up ones. Slow; never
+/// part of a timed frame.
+class PairCounter {
+  public:
+    PairCounter();
+
+    /// How many lights hold each pixel within their range: rows from the bottom.
+    std::vector<float> litPerPixel(const LightingInputs& inputs);
+    /// The point and spot lights in view.
+    std::uint32_t lightsInView(const LightingInputs& inputs);
+    /// The fragments that `LightVolumes::drawInside` shades.
+    std::uint64_t countInside(const LightingInputs& inputs);
+
+  private:
+    enum class Channel { lit = 0, evaluated = 1 };
+    const gl::Texture& target(const LightingInputs& inputs);
+    std::vector<float> read(const LightingInputs& inputs, Channel channel) const;
+
+    gl::Program program_;
+    LightVolumes volumes_;
+    StencilledDepth depth_;
+    std::optional<gl::Texture> counts_;
+    int width_ = 0, height_ = 0;
+};
+
+}  // namespace candela

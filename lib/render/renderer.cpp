@@ -1,0 +1,262 @@
+#include <candela/renderer.h>
+
+#include "gl/pass_timer.h"
+#include "gl/state_guard.h"
+#include "render/aovs.h"
+#include "render/display_pass.h"
+#include "render/frame_uniforms.h"
+#include "render/frustum.h"
+#include "render/fullscreen_technique.h"
+#include "render/geometry_pass.h"
+#include "render/gpu_scene_state.h"
+#include "render/lighting_bindings.h"
+#include "render/pair_counter.h"
+#include "render/readback.h"
+#include "render/volumes_technique.h"
+
+#include <candela/error.h>
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+#include <optional>
+
+namespace candela {
+
+namespace {
+
+/// A frame that was drawn, for what is read or counted of it later.
+struct DrawnFrame {
+    FrameInputs inputs;
+    Technique technique;
+    layout::FrameUniforms uniforms;
+    Frustum frustum;
+};
+
+struct DisplayTarget {
+    gl::Texture texture;
+    gl::Framebuffer framebuffer;
+};
+
+void checkInputs(const FrameInputs& inputs) {
+    if (inputs.width >= 1 && inputs.height >= 1) return;
+    throw Error(ErrorKind::badInput, "",
+                "a picture of " + std::to_string(inputs.width) + "x" + std::to_string(inputs.height) +
+                    " pixels is asked for; width and height have to be 1 or more");
+}
+
+template <typename T>
+void flipRows(std::vector<T>& pixels, int width, int height) {
+    const auto row = static_cast<std::ptrdiff_t>(width) * 4;
+    for (std::ptrdiff_t y = 0; y < height / 2; ++y) {
+        std::swap_ranges(pixels.begin() + y * row, pixels.begin() + (y + 1) * row,
+                         pixels.begin() + (height - 1 - y) * row);
+    }
+}
+
+}  // namespace
+
+struct Renderer::State {
+    explicit State(const Context& context)
+        : timer(context.isSoftware() ? gl::PassTimer::Clock::wallAroundFinish
+                                     : gl::PassTimer::Clock::gpuQueries),
+          albedo(makeAlbedoTexture()),
+          frameBuffer("frame uniforms") {}
+
+    void resize(int width, int height);
+    LightingTechnique& techniqueFor(Technique technique);
+    LightingInputs lightingInputs(const GpuScene& scene) const;
+    void bindFrame(const layout::FrameUniforms& uniforms);
+    void drawGeometry(const GpuScene& scene, const GBufferTargets& into);
+    PairCounter& pairCounter();
+    const DrawnFrame& drawnFrame() const;
+
+    gl::PassTimer timer;
+    GeometryPass geometry;
+    FullscreenPass fullscreen;
+    DisplayPass display;
+    gl::Texture albedo;
+    gl::Buffer frameBuffer;
+    std::unique_ptr<LightingTechnique> volumesTechnique, fullscreenTechnique;
+    std::unique_ptr<PairCounter> counter;
+    std::optional<GBufferTargets> targets;
+    std::optional<DisplayTarget> displayTarget;
+    std::optional<DrawnFrame> frame;
+};
+
+void Renderer::State::resize(int width, int height) {
+    if (targets && targets->width == width && targets->height == height) return;
+    frame.reset();
+    displayTarget.reset();
+    targets.reset();
+    targets.emplace(width, height);
+}
+
+LightingTechnique& Renderer::State::techniqueFor(Technique technique) {
+    if (technique == Technique::fullscreen) {
+        if (!fullscreenTechnique) fullscreenTechnique = std::make_unique<FullscreenTechnique>(fullscreen);
+        return *fullscreenTechnique;
+    }
+    if (!volumesTechnique) volumesTechnique = std::make_unique<VolumesTechnique>(fullscreen);
+    return *volumesTechnique;
+}
+
+LightingInputs Renderer::State::lightingInputs(const GpuScene& scene) const {
+    return {*targets, scene.state().lights, frame->frustum, frame->inputs.brdf};
+}
+
+void Renderer::State::bindFrame(const layout::FrameUniforms& uniforms) {
+    frameBuffer.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
+    glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, frameBuffer.name());
+}
+
+void Renderer::State::drawGeometry(const GpuScene& scene, const GBufferTargets& into) {
+    scene.state().select(frame->frustum);
+    geometry.render({scene.state(), into});
+}
+
+PairCounter& Renderer::State::pairCounter() {
+    if (!counter) counter = std::make_unique<PairCounter>();
+    return *counter;
+}
+
+const DrawnFrame& Renderer::State::drawnFrame() const {
+    assert(frame && "render has to be called first");
+    return *frame;
+}
+
+Renderer::Renderer(const Context& context) {
+    context.makeCurrent();
+    const gl::StateGuard guard;
+    state_ = std::make_unique<State>(context);
+}
+
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+void Renderer::render(const GpuScene& scene, const FrameInputs& inputs) {
+    checkInputs(inputs);
+    const gl::StateGuard guard;
+    State& state = *state_;
+    state.resize(inputs.width, inputs.height);
+    scene.state().update();
+    const GpuLights& lights = scene.state().lights;
+    const Technique technique =
+        inputs.technique == Technique::automatic ? Technique::volumes : inputs.technique;
+    state.frame.emplace(DrawnFrame{
+        inputs, technique,
+        frameUniforms(inputs.view, inputs.width, inputs.height, scene.state().options.workingFromRec709,
+                      lights.counts()),
+        Frustum(inputs.view, static_cast<float>(inputs.width) / static_cast<float>(inputs.height))});
+    state.timer.beginFrame();
+    state.bindFrame(state.frame->uniforms);
+    {
+        const gl::PassTimer::Scope pass(state.timer, "geometry");
+        state.drawGeometry(scene, *state.targets);
+    }
+    bindForLighting(*state.targets, lights, state.albedo);
+    state.techniqueFor(technique).render(state.lightingInputs(scene), state.timer);
+}
+
+void Renderer::display(const DisplayTransform& transform, const FrameTarget& target) {
+    const DrawnFrame& frame = state_->drawnFrame();
+    const gl::StateGuard guard;
+    const gl::PassTimer::Scope pass(state_->timer, "display");
+    state_->display.render(
+        {state_->targets->radiance, frame.inputs.width, frame.inputs.height, transform, target});
+}
+
+std::vector<std::uint8_t> Renderer::displayPicture(const DisplayTransform& transform) {
+    const FrameInputs& inputs = state_->drawnFrame().inputs;
+    if (!state_->displayTarget) {
+        gl::Texture texture = gl::Texture::target2d(GL_RGBA8, inputs.width, inputs.height, "display");
+        gl::Framebuffer framebuffer({&texture}, nullptr, "display");
+        state_->displayTarget = DisplayTarget{std::move(texture), std::move(framebuffer)};
+    }
+    display(transform, {.framebuffer = state_->displayTarget->framebuffer.name()});
+    const gl::StateGuard guard;
+    std::vector<std::uint8_t> pixels = readBytes(state_->displayTarget->texture, inputs.width, inputs.height);
+    flipRows(pixels, inputs.width, inputs.height);
+    return pixels;
+}
+
+RadiancePicture Renderer::radiance() {
+    const gl::StateGuard guard;
+    const GBufferTargets& targets = *state_->targets;
+    RadiancePicture picture{targets.width, targets.height,
+                            readColor(targets.radiance, targets.width, targets.height)};
+    const std::vector<float> depth = readDepth(targets);
+    for (std::size_t i = 0; i < depth.size(); ++i) picture.rgba[4 * i + 3] = depth[i] > 0.0f ? 1.0f : 0.0f;
+    flipRows(picture.rgba, targets.width, targets.height);
+    return picture;
+}
+
+std::vector<Aov> Renderer::aovs(const GpuScene& scene, const std::vector<std::string>& names) {
+    checkAovNames(names);
+    const DrawnFrame& frame = state_->drawnFrame();
+    const gl::StateGuard guard;
+    const GBufferTargets& targets = *state_->targets;
+    const auto wants = [&](const char* name) { return std::ranges::find(names, name) != names.end(); };
+    state_->bindFrame(frame.uniforms);
+    std::vector<float> emission, lightCount;
+    if (wants("emission")) {
+        // The frame's own radiance target holds light by now: the emission is drawn once more.
+        const GBufferTargets unlit(targets.width, targets.height);
+        state_->drawGeometry(scene, unlit);
+        emission = readColor(unlit.radiance, targets.width, targets.height);
+    }
+    if (wants("light_count")) {
+        bindForLighting(targets, scene.state().lights, state_->albedo);
+        lightCount = state_->pairCounter().litPerPixel(state_->lightingInputs(scene));
+    }
+    const std::vector<GBufferTexel> surfaces = readSurfaces(targets);
+    const std::vector<float> depth = readDepth(targets);
+    const AovSources sources{targets.width, targets.height, frame.uniforms, surfaces,
+                             depth,         emission,       lightCount};
+    std::vector<Aov> result;
+    for (const std::string& name : names) result.push_back(makeAov(name, sources));
+    return result;
+}
+
+PairCounts Renderer::countPairs(const GpuScene& scene) {
+    const DrawnFrame& frame = state_->drawnFrame();
+    const gl::StateGuard guard;
+    state_->bindFrame(frame.uniforms);
+    bindForLighting(*state_->targets, scene.state().lights, state_->albedo);
+    const LightingInputs inputs = state_->lightingInputs(scene);
+    PairCounter& counter = state_->pairCounter();
+    const auto directionals = static_cast<std::uint64_t>(inputs.lights.counts().directionals);
+    const std::uint64_t directionalPairs = directionals * countLitSurfaces(*state_->targets);
+    const std::vector<float> lit = counter.litPerPixel(inputs);
+    PairCounts counts;
+    counts.lightsVisible = counter.lightsInView(inputs) + directionals;
+    counts.pairsLit =
+        static_cast<std::uint64_t>(std::accumulate(lit.begin(), lit.end(), 0.0)) + directionalPairs;
+    counts.pairsEvaluated =
+        state_->techniqueFor(frame.technique).countEvaluated(inputs, counter) + directionalPairs;
+    return counts;
+}
+
+std::vector<PassTime> Renderer::passTimes() {
+    std::vector<PassTime> times;
+    for (const auto& [name, milliseconds] : state_->timer.results()) times.push_back({name, milliseconds});
+    return times;
+}
+
+Technique Renderer::technique() const {
+    return state_->drawnFrame().technique;
+}
+
+const char* toString(Technique technique) {
+    switch (technique) {
+        case Technique::volumes:
+            return "volumes";
+        case Technique::fullscreen:
+            return "fullscreen";
+        default:
+            return "auto";
+    }
+}
+
+}  // namespace candela

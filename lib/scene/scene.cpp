@@ -1,0 +1,75 @@
+#include <candela/scene.h>
+
+#include "scene/animation.h"
+
+#include <candela/error.h>
+
+#include <glm/common.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <cassert>
+#include <cmath>
+
+namespace candela {
+
+namespace {
+
+glm::mat4 matrixOf(const Trs& trs) {
+    const float length = glm::length(trs.rotation);
+    // Files round quaternions; a rotation of another length would scale and shear.
+    const glm::quat rotation = length > 0.0f ? trs.rotation / length : glm::quat(1.0f, 0.0f, 0.0f, 0.0f);
+    glm::mat4 matrix = glm::mat4_cast(rotation);
+    for (int axis = 0; axis < 3; ++axis) matrix[axis] *= trs.scale[axis];
+    matrix[3] = glm::vec4(trs.translation, 1.0f);
+    return matrix;
+}
+
+glm::mat4 localMatrix(const std::variant<Trs, glm::mat4>& transform) {
+    if (const Trs* trs = std::get_if<Trs>(&transform)) return matrixOf(*trs);
+    return std::get<glm::mat4>(transform);
+}
+
+}  // namespace
+
+std::vector<glm::mat4> worldTransforms(const Scene& scene, double time) {
+    if (!std::isfinite(time)) throw Error(ErrorKind::badInput, {}, "the time must be a finite number");
+    const std::vector<PosedNode> posed = poseAnimatedNodes(scene, time);
+    std::vector<glm::mat4> world(scene.nodes.size());
+    auto pose = posed.begin();
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        const bool animated = pose != posed.end() && pose->node == i;
+        const glm::mat4 local = animated ? matrixOf((pose++)->trs) : localMatrix(node.transform);
+        assert(!node.parent || *node.parent < i);
+        world[i] = node.parent ? world[*node.parent] * local : local;
+    }
+    return world;
+}
+
+Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& world) {
+    assert(world.size() == scene.nodes.size());
+    Bounds bounds;
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        if (!scene.nodes[i].mesh) continue;
+        for (const glm::vec3& position : scene.meshes[*scene.nodes[i].mesh].positions) {
+            const glm::vec3 placed(world[i] * glm::vec4(position, 1.0f));
+            bounds.min = glm::min(bounds.min, placed);
+            bounds.max = glm::max(bounds.max, placed);
+        }
+    }
+    return bounds;
+}
+
+std::uint64_t triangleCount(const Scene& scene) {
+    std::vector<std::uint64_t> ofMesh(scene.meshes.size());
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+        for (const Submesh& submesh : scene.meshes[i].submeshes) ofMesh[i] += submesh.indexCount / 3;
+    }
+    std::uint64_t count = 0;
+    for (const Node& node : scene.nodes) {
+        if (node.mesh) count += ofMesh[*node.mesh];
+    }
+    return count;
+}
+
+}  // namespace candela

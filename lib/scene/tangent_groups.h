@@ -1,0 +1,32 @@
+#pragma once
+
+#include <candela/mesh.h>
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace candela {
+
+constexpr std::uint32_t noCorner = 0xffffffffu;
+
+/// What a triangle can say about tangents.
+enum class TriangleKind : std::uint8_t {
+    whole,
+    withoutUvArea,  ///< Has no direction of its own, and takes the orientation of a neighbour.
+    degenerate,     ///< Two of its positions coincide: no part of the surface.
+};
+
+/// Which triangle corners share a tangent. A corner is a place in `Mesh::indices`.
+struct TangentGroups {
+    std::vector<std::uint32_t> vertexOfCorner;  ///< Equal for vertices of equal position, normal and uv.
+    std::vector<std::uint32_t> groupOfCorner;   ///< A corner that stands for the group.
+    std::vector<TriangleKind> kinds;            ///< One a triangle.
+    std::vector<bool> mirrored;                 ///< One a triangle: u × v turns against the front face.
+};
+
+/// Sorts the corners of `mesh` into groups by the rules of scene/tangents.h; `uv` has one element a vertex.
+TangentGroups tangentGroups(const Mesh& mesh, const std::vector<glm::vec2>& uv);
+
+}  // namespace candela

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <candela/mesh.h>
+
+#include <cstdint>
+
+namespace candela {
+
+/// Makes `Mesh::tangents` from set `uvSet` (0 or 1) of texture coordinates, the MikkTSpace way, as glTF 2.0
+/// asks where a file gives none. Bitangents are cross(normal, tangent) × w and point against growing v: v
+/// grows down the image, and a normal map's +Y is up.
+///
+/// These rules of MikkTSpace hold (after Mikkelsen, "Simulation of wrinkled surfaces revisited", 2008, and
+/// the behaviour of his reference implementation):
+///  - Tangents are made per triangle corner. Vertices of equal position, normal and texture coordinate count
+///    as one, however the mesh is indexed.
+///  - Corners at such a vertex share a tangent when a chain of triangles around it joins them, each sharing
+///  an
+///    edge with the next, in opposite direction, and all having the same orientation of texture coordinates:
+///    mirrored halves split.
+///  - A corner adds its triangle's direction of growing u, projected into the plane of the vertex normal and
+///    brought to unit length, weighted by the corner's angle in that plane.
+///  - A triangle whose texture coordinates span no area (at most 2^-126) adds nothing. It takes the
+///    orientation of the first neighbour, breadth first, that has one, and that neighbour's tangents.
+///  - A triangle of which two positions coincide adds nothing and joins nothing. Its corners take the tangent
+///    of another triangle at the same vertex.
+/// Where these give nothing, the tangent is any perpendicular to the normal, with w = 1.
+///
+/// Not followed bit for bit: the order in which the reference implementation grows its groups, which matters
+/// only where a triangle without texture area touches both orientations; and its angular threshold, which by
+/// default never splits.
+///
+/// A vertex whose corners need different tangents is split: the first keeps its place, others are appended.
+/// Throws `Error`: badInput when an index is out of range or an array does not have one element a vertex;
+/// limit when splitting leaves more vertices than 32 bits count. Takes O(n log n).
+void makeTangents(Mesh& mesh, std::uint32_t uvSet);
+
+}  // namespace candela

@@ -1,0 +1,105 @@
+#include "scene/finite.h"
+#include "scene/limits.h"
+#include "scene/mesh_indices.h"
+#include "scene/validate_parts.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <limits>
+
+namespace candela {
+
+namespace {
+
+constexpr std::size_t greatestCount = std::numeric_limits<std::uint32_t>::max();
+
+enum class Absence { allowed, forbidden };
+
+template <typename Value, typename Rule>
+void requireEach(const std::vector<Value>& values, const char* what, const char* rule, const Element& element,
+                 Rule holds) {
+    const auto broken = std::find_if_not(values.begin(), values.end(), holds);
+    if (broken == values.end()) return;
+    element.refuse(what + (" " + std::to_string(broken - values.begin())) + " " + rule);
+}
+
+template <typename Value>
+void requireCount(const std::vector<Value>& values, const char* what, Absence absence, const Mesh& mesh,
+                  const Element& element) {
+    if (values.size() == mesh.positions.size() || (values.empty() && absence == Absence::allowed)) return;
+    element.refuse("has " + std::to_string(values.size()) + " " + what + " for " +
+                   std::to_string(mesh.positions.size()) + " vertices");
+}
+
+template <typename Value>
+void requireFinite(const std::vector<Value>& values, const char* what, const Element& element) {
+    requireEach(values, what, "is not a finite number", element,
+                [](const Value& value) { return allFinite(value); });
+}
+
+void validateArrays(const Mesh& mesh, const Element& element) {
+    requireCount(mesh.normals, "normals", Absence::forbidden, mesh, element);
+    requireCount(mesh.tangents, "tangents", Absence::allowed, mesh, element);
+    requireCount(mesh.uv0, "texture coordinates 0", Absence::allowed, mesh, element);
+    requireCount(mesh.uv1, "texture coordinates 1", Absence::allowed, mesh, element);
+    requireCount(mesh.colors, "colours", Absence::allowed, mesh, element);
+    requireFinite(mesh.positions, "position", element);
+    requireFinite(mesh.uv0, "texture coordinate 0 of vertex", element);
+    requireFinite(mesh.uv1, "texture coordinate 1 of vertex", element);
+    requireFinite(mesh.colors, "colour", element);
+    requireEach(mesh.normals, "normal", "does not have unit length", element, isUnit);
+    requireEach(mesh.tangents, "tangent", "must have unit length and -1 or 1 in w", element,
+                [](const glm::vec4& tangent) {
+                    return isUnit(glm::vec3(tangent)) && (tangent.w == 1.0f || tangent.w == -1.0f);
+                });
+}
+
+// glTF 2.0, 5.30.2: a mesh must have the texture coordinates that its material's textures name.
+void requireTextureCoordinates(const Mesh& mesh, const Material& material, const Element& materialElement,
+                               const Element& element) {
+    for (const auto* texture :
+         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+          &material.occlusionTexture, &material.emissionTexture}) {
+        if (!*texture || mesh.positions.empty()) continue;
+        const std::uint32_t set = (*texture)->uvSet;
+        if (!(set == 0 ? mesh.uv0 : mesh.uv1).empty()) continue;
+        element.refuse("has no texture coordinates " + std::to_string(set) + ", which a texture of " +
+                       materialElement.label() + " reads");
+    }
+}
+
+void validateSubmesh(const Submesh& submesh, const Mesh& mesh, const Scene& scene, const Element& element) {
+    element.require(submesh.firstIndex % 3 == 0 && submesh.indexCount % 3 == 0,
+                    "a submesh's first index and index count must be multiples of 3");
+    const std::uint64_t end = std::uint64_t{submesh.firstIndex} + submesh.indexCount;
+    if (end > mesh.indices.size()) {
+        element.refuse("a submesh ends at index " + std::to_string(end) + ", but there are " +
+                       std::to_string(mesh.indices.size()));
+    }
+    element.requireIndex("material", submesh.material, scene.materials.size());
+    if (!submesh.material || submesh.indexCount == 0) return;
+    const Material& material = scene.materials[*submesh.material];
+    requireTextureCoordinates(mesh, material, Element("material", *submesh.material, material.name), element);
+}
+
+}  // namespace
+
+void requireIndices(const Mesh& mesh, const Element& element) {
+    element.require(mesh.positions.size() <= greatestCount && mesh.indices.size() <= greatestCount,
+                    "has more vertices or indices than 32 bits can count");
+    element.require(mesh.indices.size() % 3 == 0, "the number of its indices must be a multiple of 3");
+    const std::size_t vertices = mesh.positions.size();
+    const auto beyond = std::find_if(mesh.indices.begin(), mesh.indices.end(),
+                                     [vertices](std::uint32_t index) { return index >= vertices; });
+    if (beyond == mesh.indices.end()) return;
+    element.refuse("index " + std::to_string(beyond - mesh.indices.begin()) + " names vertex " +
+                   std::to_string(*beyond) + ", but there are " + std::to_string(vertices));
+}
+
+void validateMesh(const Mesh& mesh, const Scene& scene, const Element& element) {
+    requireIndices(mesh, element);
+    validateArrays(mesh, element);
+    for (const Submesh& submesh : mesh.submeshes) validateSubmesh(submesh, mesh, scene, element);
+}
+
+}  // namespace candela

@@ -1,0 +1,249 @@
+#include "accessor.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "buffers.h"
+
+namespace candela_gltf {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "glTF buffers are read as they lie in memory");
+
+// Without a bufferView an accessor takes memory that the file does not pay for, so its size is limited.
+constexpr std::uint64_t mostElementsWithoutView = std::uint64_t(1) << 24;
+
+constexpr Encoding indexEncodings[] = {uint8, uint16, uint32};
+
+bool contains(Encodings encodings, const Encoding& encoding) {
+    return std::find(encodings.begin(), encodings.end(), encoding) != encodings.end();
+}
+
+std::uint64_t componentSize(int componentType) {
+    switch (componentType) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return 1;
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return 2;
+        default:
+            return 4;
+    }
+}
+
+std::string encodingName(const Encoding& encoding) {
+    std::string name = encoding.normalized ? "normalised " : "";
+    switch (encoding.componentType) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return name + "BYTE";
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return name + "UNSIGNED_BYTE";
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return name + "SHORT";
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return name + "UNSIGNED_SHORT";
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return name + "UNSIGNED_INT";
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return name + "FLOAT";
+        default:
+            return name + "component type " + std::to_string(encoding.componentType);
+    }
+}
+
+std::string typeName(int components) {
+    return components == 1 ? "SCALAR" : components <= 4 ? "VEC" + std::to_string(components) : "a matrix";
+}
+
+std::string expectation(int components, Encodings allowed) {
+    std::string text = typeName(components) + " of ";
+    std::size_t left = allowed.size();
+    for (const Encoding& encoding : allowed) {
+        text += encodingName(encoding);
+        --left;
+        if (left > 0) text += left == 1 ? " or " : ", ";
+    }
+    return text;
+}
+
+/// An accessor of checked type, and what messages call it.
+struct Checked {
+    const tinygltf::Accessor& accessor;
+    std::string element;  ///< What the accessor is read for.
+    std::string name;     ///< "accessor 7"
+    std::uint64_t elementSize;
+
+    [[noreturn]] void fail(const std::string& reason) const { throw Failure{element, name + " " + reason}; }
+};
+
+Checked check(const Document& document, int index, int components, Encodings allowed,
+              const std::string& element) {
+    const tinygltf::Accessor& accessor = document.model.accessors.at(static_cast<std::size_t>(index));
+    const Encoding encoding{accessor.componentType, accessor.normalized};
+    const int found = componentCount(accessor);
+    Checked checked{accessor, element, "accessor " + std::to_string(index),
+                    componentSize(accessor.componentType) * static_cast<std::uint64_t>(components)};
+    const bool isMatrix = accessor.type >= TINYGLTF_TYPE_MAT2 && accessor.type <= TINYGLTF_TYPE_MAT4;
+    if (isMatrix || found != components || !contains(allowed, encoding)) {
+        checked.fail("is " + (isMatrix ? "a matrix" : typeName(found)) + " of " + encodingName(encoding) +
+                     ", expected " + expectation(components, allowed));
+    }
+    return checked;
+}
+
+/// Checks that `count` elements fit behind `offset`, and returns their first byte.
+const std::uint8_t* elementsAt(const Bytes& view, std::uint64_t offset, std::uint64_t stride,
+                               std::uint64_t size, std::uint64_t count, const Checked& checked,
+                               const char* what) {
+    const std::uint64_t end = offset + stride * (count - 1) + size;
+    if (end > view.size) {
+        checked.fail(std::string(what) + " end at byte " + std::to_string(end) + " of a bufferView of " +
+                     std::to_string(view.size));
+    }
+    return view.data + offset;
+}
+
+std::uint64_t strideOf(const tinygltf::BufferView& view, const Checked& checked) {
+    if (view.byteStride == 0) return checked.elementSize;
+    if (view.byteStride % 4 != 0 || view.byteStride < checked.elementSize) {
+        checked.fail("has elements of " + std::to_string(checked.elementSize) + " bytes at a byteStride of " +
+                     std::to_string(view.byteStride) + ", expected a multiple of 4 that holds an element");
+    }
+    return view.byteStride;
+}
+
+std::vector<std::uint8_t> denseElements(const Document& document, const Checked& checked) {
+    const tinygltf::Accessor& accessor = checked.accessor;
+    const std::uint64_t size = checked.elementSize, count = accessor.count;
+    if (accessor.bufferView < 0) {
+        if (count > mostElementsWithoutView) {
+            checked.fail("has no bufferView and " + std::to_string(count) + " elements, expected at most " +
+                         std::to_string(mostElementsWithoutView));
+        }
+        return std::vector<std::uint8_t>(size * count);
+    }
+    const auto viewIndex = static_cast<std::size_t>(accessor.bufferView);
+    const Bytes view = viewBytes(document, viewIndex, checked.element);
+    const std::uint64_t stride = strideOf(document.model.bufferViews[viewIndex], checked);
+    const std::uint8_t* from =
+        elementsAt(view, accessor.byteOffset, stride, size, count, checked, "has elements that");
+    std::vector<std::uint8_t> packed(size * count);
+    if (stride == size) {
+        std::memcpy(packed.data(), from, packed.size());
+        return packed;
+    }
+    for (std::uint64_t i = 0; i < count; ++i) {
+        std::memcpy(packed.data() + i * size, from + i * stride, size);
+    }
+    return packed;
+}
+
+std::uint32_t unsignedAt(const std::uint8_t* bytes, std::uint64_t index, std::uint64_t size) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, bytes + index * size, size);
+    return value;
+}
+
+void applySparse(const Document& document, const Checked& checked, std::vector<std::uint8_t>& packed) {
+    const auto& sparse = checked.accessor.sparse;
+    const auto count = static_cast<std::uint64_t>(sparse.count);
+    const Encoding encoding{sparse.indices.componentType, false};
+    if (!contains(indexEncodings, encoding)) {
+        checked.fail("has sparse indices of " + encodingName(encoding) + ", expected " +
+                     expectation(1, indexEncodings));
+    }
+    const std::uint64_t indexSize = componentSize(encoding.componentType), size = checked.elementSize;
+    const Bytes indexView =
+        viewBytes(document, static_cast<std::size_t>(sparse.indices.bufferView), checked.element);
+    const Bytes valueView =
+        viewBytes(document, static_cast<std::size_t>(sparse.values.bufferView), checked.element);
+    const std::uint8_t* indices = elementsAt(indexView, static_cast<std::uint64_t>(sparse.indices.byteOffset),
+                                             indexSize, indexSize, count, checked, "has sparse indices that");
+    const std::uint8_t* values = elementsAt(valueView, static_cast<std::uint64_t>(sparse.values.byteOffset),
+                                            size, size, count, checked, "has sparse values that");
+    std::uint64_t least = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const std::uint64_t index = unsignedAt(indices, i, indexSize);
+        if (index < least || index >= checked.accessor.count) {
+            checked.fail("has the sparse index " + std::to_string(index) + " at position " +
+                         std::to_string(i) + ", expected indices that grow and lie below " +
+                         std::to_string(checked.accessor.count));
+        }
+        std::memcpy(packed.data() + index * size, values + i * size, size);
+        least = index + 1;
+    }
+}
+
+std::vector<std::uint8_t> packedElements(const Document& document, const Checked& checked) {
+    std::vector<std::uint8_t> packed = denseElements(document, checked);
+    if (checked.accessor.sparse.isSparse) applySparse(document, checked, packed);
+    return packed;
+}
+
+template <typename Stored>
+void toFloats(const std::vector<std::uint8_t>& packed, bool normalized, std::vector<float>& out) {
+    const float scale = normalized ? 1.0f / static_cast<float>(std::numeric_limits<Stored>::max()) : 1.0f;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        Stored stored;
+        std::memcpy(&stored, packed.data() + i * sizeof(Stored), sizeof(Stored));
+        const float value = static_cast<float>(stored) * scale;
+        // The most negative integer has no positive counterpart and stands for -1 as well.
+        out[i] = normalized ? std::max(value, -1.0f) : value;
+    }
+}
+
+void requireFinite(const std::vector<float>& numbers, int components, const Checked& checked) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (std::isfinite(numbers[i])) continue;
+        checked.fail("has a number in element " + std::to_string(i / static_cast<std::size_t>(components)) +
+                     " that is not finite");
+    }
+}
+
+}  // namespace
+
+int componentCount(const tinygltf::Accessor& accessor) {
+    return tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
+}
+
+std::vector<float> readFloats(const Document& document, int accessor, int components, Encodings allowed,
+                              const std::string& element) {
+    const Checked checked = check(document, accessor, components, allowed, element);
+    const std::vector<std::uint8_t> packed = packedElements(document, checked);
+    const bool normalized = checked.accessor.normalized;
+    std::vector<float> numbers(checked.accessor.count * static_cast<std::size_t>(components));
+    switch (checked.accessor.componentType) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            toFloats<std::int8_t>(packed, normalized, numbers);
+            break;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            toFloats<std::uint8_t>(packed, normalized, numbers);
+            break;
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            toFloats<std::int16_t>(packed, normalized, numbers);
+            break;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            toFloats<std::uint16_t>(packed, normalized, numbers);
+            break;
+        default:
+            std::memcpy(numbers.data(), packed.data(), packed.size());
+            break;
+    }
+    requireFinite(numbers, components, checked);
+    return numbers;
+}
+
+std::vector<std::uint32_t> readIndices(const Document& document, int accessor, const std::string& element) {
+    const Checked checked = check(document, accessor, 1, indexEncodings, element);
+    const std::vector<std::uint8_t> packed = packedElements(document, checked);
+    std::vector<std::uint32_t> indices(checked.accessor.count);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        indices[i] = unsignedAt(packed.data(), i, checked.elementSize);
+    }
+    return indices;
+}
+
+}  // namespace candela_gltf

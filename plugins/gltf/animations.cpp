@@ -1,0 +1,137 @@
+#include "animations.h"
+
+#include "accessor.h"
+
+namespace candela_gltf {
+namespace {
+
+constexpr Encoding onlyFloat[] = {float32};
+// glTF 2.0, 3.11: rotations may be normalised integers.
+constexpr Encoding rotationEncodings[] = {float32, int8Normalized, uint8Normalized, int16Normalized,
+                                          uint16Normalized};
+
+struct Keys {
+    std::vector<float> times, values;
+};
+
+candela_animation_path pathOf(const std::string& path, const std::string& element) {
+    if (path == "translation") return CANDELA_ANIMATE_TRANSLATION;
+    if (path == "rotation") return CANDELA_ANIMATE_ROTATION;
+    if (path == "scale") return CANDELA_ANIMATE_SCALE;
+    throw Failure{element, "path '" + readable(path) + "', expected translation, rotation, scale or weights"};
+}
+
+candela_interpolation interpolationOf(const std::string& name, const std::string& element) {
+    if (name == "LINEAR") return CANDELA_INTERPOLATE_LINEAR;
+    if (name == "STEP") return CANDELA_INTERPOLATE_STEP;
+    if (name == "CUBICSPLINE") return CANDELA_INTERPOLATE_CUBIC_SPLINE;
+    throw Failure{element, "interpolation '" + readable(name) + "', expected LINEAR, STEP or CUBICSPLINE"};
+}
+
+std::vector<float> readTimes(const Document& document, int accessor, const std::string& element) {
+    std::vector<float> times = readFloats(document, accessor, 1, onlyFloat, element + ", input");
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const bool grows = i == 0 ? times[i] >= 0.0f : times[i] > times[i - 1];
+        if (grows) continue;
+        throw Failure{element + ", input", "accessor " + std::to_string(accessor) + ": time " +
+                                               std::to_string(i) + " is " + std::to_string(times[i]) +
+                                               ", expected times from 0 on that grow"};
+    }
+    return times;
+}
+
+std::vector<float> readValues(const Document& document, int accessor, candela_animation_path path,
+                              std::size_t expected, const std::string& element) {
+    const std::string where = element + ", output";
+    const std::size_t count = document.model.accessors.at(static_cast<std::size_t>(accessor)).count;
+    if (count != expected) {
+        throw Failure{where, "accessor " + std::to_string(accessor) + " has " + std::to_string(count) +
+                                 " elements, expected " + std::to_string(expected)};
+    }
+    if (path == CANDELA_ANIMATE_ROTATION) return readFloats(document, accessor, 4, rotationEncodings, where);
+    return readFloats(document, accessor, 3, onlyFloat, where);
+}
+
+class AnimationReader {
+  public:
+    AnimationReader(const Document& document, const std::vector<std::int32_t>& nodes,
+                    const tinygltf::Animation& source, std::string element)
+        : document_(document), nodes_(nodes), source_(source), element_(std::move(element)) {}
+
+    void push(const Host& host) {
+        for (std::size_t i = 0; i < source_.channels.size(); ++i) readChannel(i);
+        if (weights_ > 0) {
+            host.note(element_ + ": morph weights are not applied: drawn in the bind pose");
+        }
+        if (channels_.empty()) return;
+        candela_animation animation{};
+        animation.struct_size = sizeof animation;
+        animation.name = source_.name.c_str();
+        animation.channel_count = static_cast<std::uint32_t>(channels_.size());
+        animation.channels = channels_.data();
+        host.add(animation);
+    }
+
+  private:
+    void readChannel(std::size_t index) {
+        const tinygltf::AnimationChannel& source = source_.channels[index];
+        const std::string element = element_ + ", channel " + std::to_string(index);
+        if (source.target_path == "weights") {
+            ++weights_;
+            return;
+        }
+        const auto node = static_cast<std::size_t>(source.target_node);
+        if (nodes_.at(node) < 0) return;
+        if (!document_.model.nodes[node].matrix.empty()) {
+            throw Failure{element, elementName("node", node, document_.model.nodes[node].name) +
+                                       " has a matrix and cannot be animated"};
+        }
+        candela_animation_channel channel{};
+        channel.node = nodes_[node];
+        channel.path = pathOf(source.target_path, element);
+        readKeys(samplerOf(source, element), element, channel);
+        channels_.push_back(channel);
+    }
+
+    const tinygltf::AnimationSampler& samplerOf(const tinygltf::AnimationChannel& channel,
+                                                const std::string& element) const {
+        const auto index = static_cast<std::size_t>(channel.sampler);
+        if (index < source_.samplers.size()) return source_.samplers[index];
+        throw Failure{element, "sampler " + std::to_string(index) + " does not exist: the animation has " +
+                                   std::to_string(source_.samplers.size())};
+    }
+
+    void readKeys(const tinygltf::AnimationSampler& sampler, const std::string& element,
+                  candela_animation_channel& channel) {
+        channel.interpolation = interpolationOf(sampler.interpolation, element);
+        Keys keys;
+        keys.times = readTimes(document_, sampler.input, element);
+        const std::size_t perKey = channel.interpolation == CANDELA_INTERPOLATE_CUBIC_SPLINE ? 3 : 1;
+        keys.values =
+            readValues(document_, sampler.output, channel.path, keys.times.size() * perKey, element);
+        channel.key_count = static_cast<std::uint32_t>(keys.times.size());
+        // Moving the vectors on leaves their contents where they are.
+        channel.times = keys.times.data();
+        channel.values = keys.values.data();
+        keys_.push_back(std::move(keys));
+    }
+
+    const Document& document_;
+    const std::vector<std::int32_t>& nodes_;
+    const tinygltf::Animation& source_;
+    std::string element_;
+    std::vector<candela_animation_channel> channels_;
+    std::vector<Keys> keys_;
+    std::size_t weights_ = 0;
+};
+
+}  // namespace
+
+void pushAnimations(const Document& document, const std::vector<std::int32_t>& nodes, const Host& host) {
+    for (std::size_t i = 0; i < document.model.animations.size(); ++i) {
+        const tinygltf::Animation& source = document.model.animations[i];
+        AnimationReader(document, nodes, source, elementName("animation", i, source.name)).push(host);
+    }
+}
+
+}  // namespace candela_gltf

@@ -1,0 +1,37 @@
+#pragma once
+
+// candela's rule: tinygltf is a shared library, so its implementation macros are never defined.
+#include <tiny_gltf.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "failure.h"
+#include "host.h"
+
+namespace candela_gltf {
+
+/// Where the bytes of a buffer or an image are. tinygltf never sees these: it would open files by itself.
+struct Source {
+    std::string name;
+    std::optional<std::string> uri;
+    std::optional<std::size_t> bufferView;
+    std::uint64_t byteLength = 0;  ///< Buffers only.
+};
+
+/// A document whose JSON has been checked: every index is in range, every number finite in single precision.
+struct Document {
+    tinygltf::Model model;  ///< Without buffers and images.
+    std::vector<Source> bufferSources, imageSources;
+    std::vector<Bytes> buffers;  ///< Filled by `loadBuffers`.
+    bool quantized = false;      ///< KHR_mesh_quantization is in use.
+};
+
+/// The attribute name under which `readDocument` keeps a primitive's index accessor.
+inline constexpr const char* indicesAttribute = "_INDICES";
+
+/// Reads the JSON text. Throws `Failure`; notes what the plugin leaves out.
+Document readDocument(const Bytes& json, const Host& host);
+
+}  // namespace candela_gltf

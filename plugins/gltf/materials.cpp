@@ -1,0 +1,182 @@
+#include "materials.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace candela_gltf {
+namespace {
+
+const tinygltf::Value* findExtension(const tinygltf::ExtensionMap& extensions, const char* name) {
+    const auto found = extensions.find(name);
+    return found == extensions.end() ? nullptr : &found->second;
+}
+
+float numberOr(const tinygltf::Value& object, const char* name, float fallback) {
+    return object.Has(name) ? static_cast<float>(object.Get(name).GetNumberAsDouble()) : fallback;
+}
+
+void readPair(const tinygltf::Value& object, const char* name, float (&pair)[2]) {
+    if (!object.Has(name)) return;
+    for (int i = 0; i < 2; ++i) pair[i] = static_cast<float>(object.Get(name).Get(i).GetNumberAsDouble());
+}
+
+candela_wrap wrapOf(int value, const std::string& element) {
+    switch (value) {
+        case TINYGLTF_TEXTURE_WRAP_REPEAT:
+            return CANDELA_WRAP_REPEAT;
+        case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+            return CANDELA_WRAP_CLAMP_TO_EDGE;
+        case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+            return CANDELA_WRAP_MIRRORED_REPEAT;
+        default:
+            throw Failure{element, "wrap mode " + std::to_string(value) + ", expected 10497, 33071 or 33648"};
+    }
+}
+
+candela_filter minFilterOf(int value, const std::string& element) {
+    switch (value) {
+        case -1:  // none given
+        case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR:
+            return CANDELA_FILTER_LINEAR_MIPMAP_LINEAR;
+        case TINYGLTF_TEXTURE_FILTER_NEAREST:
+            return CANDELA_FILTER_NEAREST;
+        case TINYGLTF_TEXTURE_FILTER_LINEAR:
+            return CANDELA_FILTER_LINEAR;
+        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+            return CANDELA_FILTER_NEAREST_MIPMAP_NEAREST;
+        case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
+            return CANDELA_FILTER_LINEAR_MIPMAP_NEAREST;
+        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
+            return CANDELA_FILTER_NEAREST_MIPMAP_LINEAR;
+        default:
+            throw Failure{element,
+                          "minFilter " + std::to_string(value) + ", expected 9728, 9729 or 9984 to 9987"};
+    }
+}
+
+candela_filter magFilterOf(int value, const std::string& element) {
+    if (value == -1 || value == TINYGLTF_TEXTURE_FILTER_LINEAR) return CANDELA_FILTER_LINEAR;
+    if (value == TINYGLTF_TEXTURE_FILTER_NEAREST) return CANDELA_FILTER_NEAREST;
+    throw Failure{element, "magFilter " + std::to_string(value) + ", expected 9728 or 9729"};
+}
+
+candela_texture noTexture() {
+    candela_texture texture{};
+    texture.image = -1;
+    texture.scale[0] = texture.scale[1] = 1.0f;
+    return texture;
+}
+
+void applySampler(const Document& document, int index, candela_texture& texture) {
+    if (index < 0) {
+        texture.mag_filter = CANDELA_FILTER_LINEAR;
+        return;
+    }
+    const tinygltf::Sampler& sampler = document.model.samplers.at(static_cast<std::size_t>(index));
+    const std::string element = elementName("sampler", static_cast<std::size_t>(index), sampler.name);
+    texture.wrap_s = wrapOf(sampler.wrapS, element);
+    texture.wrap_t = wrapOf(sampler.wrapT, element);
+    texture.min_filter = minFilterOf(sampler.minFilter, element);
+    texture.mag_filter = magFilterOf(sampler.magFilter, element);
+}
+
+/// Returns the texture's set of coordinates.
+int applyTransform(const tinygltf::ExtensionMap& extensions, int texCoord, candela_texture& texture) {
+    const tinygltf::Value* transform = findExtension(extensions, "KHR_texture_transform");
+    if (!transform) return texCoord;
+    readPair(*transform, "offset", texture.offset);
+    readPair(*transform, "scale", texture.scale);
+    texture.rotation = numberOr(*transform, "rotation", 0.0f);
+    return transform->Has("texCoord") ? transform->Get("texCoord").GetNumberAsInt() : texCoord;
+}
+
+class MaterialReader {
+  public:
+    MaterialReader(const Document& document, const std::vector<std::int32_t>& images, const Host& host,
+                   std::string element)
+        : document_(document), images_(images), host_(host), element_(std::move(element)) {}
+
+    template <typename TextureInfo>
+    candela_texture texture(const TextureInfo& info, const char* use) const {
+        candela_texture texture = noTexture();
+        if (info.index < 0) return texture;
+        const auto index = static_cast<std::size_t>(info.index);
+        const tinygltf::Texture& source = document_.model.textures.at(index);
+        if (source.source < 0) {
+            host_.note(element_ + ", " + use + ": texture " + std::to_string(index) +
+                       " has no PNG or JPEG image: left out");
+            return texture;
+        }
+        applySampler(document_, source.sampler, texture);
+        const int uvSet = applyTransform(info.extensions, info.texCoord, texture);
+        if (uvSet > 1) {
+            host_.note(element_ + ", " + use + ": the texture coordinates TEXCOORD_" + std::to_string(uvSet) +
+                       " are not supported: left out");
+            return noTexture();
+        }
+        texture.uv_set = static_cast<std::uint32_t>(uvSet);
+        texture.image = images_.at(static_cast<std::size_t>(source.source));
+        return texture;
+    }
+
+    void readAlpha(const tinygltf::Material& source, candela_material& material) const {
+        material.alpha_cutoff = 0.5f;
+        if (source.alphaMode == "OPAQUE") return;
+        if (source.alphaMode != "MASK" && source.alphaMode != "BLEND") {
+            throw Failure{element_,
+                          "alphaMode '" + readable(source.alphaMode) + "', expected OPAQUE, MASK or BLEND"};
+        }
+        material.alpha_mode = CANDELA_ALPHA_MASK;
+        if (source.alphaMode == "MASK") {
+            material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
+            return;
+        }
+        host_.note(element_ + ": alphaMode BLEND is drawn as MASK with a cutoff of 0.5");
+    }
+
+  private:
+    const Document& document_;
+    const std::vector<std::int32_t>& images_;
+    const Host& host_;
+    std::string element_;
+};
+
+void readFactors(const tinygltf::Material& source, candela_material& material) {
+    const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+    std::transform(pbr.baseColorFactor.begin(), pbr.baseColorFactor.end(), material.base_color,
+                   [](double v) { return static_cast<float>(v); });
+    material.metallic = static_cast<float>(pbr.metallicFactor);
+    material.roughness = static_cast<float>(pbr.roughnessFactor);
+    material.normal_scale = static_cast<float>(source.normalTexture.scale);
+    material.occlusion_strength = static_cast<float>(source.occlusionTexture.strength);
+    const tinygltf::Value* strength = findExtension(source.extensions, "KHR_materials_emissive_strength");
+    const float factor = strength ? numberOr(*strength, "emissiveStrength", 1.0f) : 1.0f;
+    std::transform(source.emissiveFactor.begin(), source.emissiveFactor.end(), material.emission,
+                   [&](double v) { return static_cast<float>(v) * factor; });
+    material.double_sided = source.doubleSided ? 1 : 0;
+    material.unlit = findExtension(source.extensions, "KHR_materials_unlit") ? 1 : 0;
+}
+
+}  // namespace
+
+void pushMaterials(const Document& document, const std::vector<std::int32_t>& images, const Host& host) {
+    for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
+        const tinygltf::Material& source = document.model.materials[i];
+        const MaterialReader reader(document, images, host, elementName("material", i, source.name));
+        candela_material material{};
+        material.struct_size = sizeof material;
+        material.name = source.name.c_str();
+        readFactors(source, material);
+        reader.readAlpha(source, material);
+        const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+        material.base_color_texture = reader.texture(pbr.baseColorTexture, "baseColorTexture");
+        material.metallic_roughness_texture =
+            reader.texture(pbr.metallicRoughnessTexture, "metallicRoughnessTexture");
+        material.normal_texture = reader.texture(source.normalTexture, "normalTexture");
+        material.occlusion_texture = reader.texture(source.occlusionTexture, "occlusionTexture");
+        material.emission_texture = reader.texture(source.emissiveTexture, "emissiveTexture");
+        host.add(material);
+    }
+}
+
+}  // namespace candela_gltf

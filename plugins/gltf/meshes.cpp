@@ -1,0 +1,242 @@
+#include "meshes.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "accessor.h"
+#include "topology.h"
+
+namespace candela_gltf {
+namespace {
+
+constexpr Encoding onlyFloat[] = {float32};
+constexpr Encoding fractions[] = {float32, uint8Normalized, uint16Normalized};
+// KHR_mesh_quantization, "Extending Mesh Attributes".
+constexpr Encoding quantizedVectors[] = {float32, int8Normalized, int16Normalized};
+constexpr Encoding quantizedNumbers[] = {
+    float32, int8, int8Normalized, uint8, uint8Normalized, int16, int16Normalized, uint16, uint16Normalized};
+
+struct Stream {
+    const char* attribute;
+    std::size_t components;
+    Encodings plain, quantized;
+};
+
+enum StreamIndex : std::size_t { position, normal, tangent, uv0, uv1, color, streamCount };
+
+constexpr std::array<Stream, streamCount> streams{{{"POSITION", 3, onlyFloat, quantizedNumbers},
+                                                   {"NORMAL", 3, onlyFloat, quantizedVectors},
+                                                   {"TANGENT", 4, onlyFloat, quantizedVectors},
+                                                   {"TEXCOORD_0", 2, fractions, quantizedNumbers},
+                                                   {"TEXCOORD_1", 2, fractions, quantizedNumbers},
+                                                   {"COLOR_0", 4, fractions, fractions}}};
+
+/// The accessor of each stream, -1 where a primitive has none.
+using Accessors = std::array<int, streamCount>;
+
+Accessors accessorsOf(const tinygltf::Primitive& primitive) {
+    Accessors accessors;
+    for (std::size_t s = 0; s < streamCount; ++s) {
+        const auto found = primitive.attributes.find(streams[s].attribute);
+        accessors[s] = found == primitive.attributes.end() ? -1 : found->second;
+    }
+    // Tangents without normals are to be ignored (glTF 2.0, 3.7.2.1).
+    if (accessors[normal] < 0) accessors[tangent] = -1;
+    return accessors;
+}
+
+std::vector<float> withAlpha(const std::vector<float>& rgb) {
+    std::vector<float> rgba(rgb.size() / 3 * 4, 1.0f);
+    for (std::size_t i = 0; i < rgb.size() / 3; ++i) std::copy_n(&rgb[i * 3], 3, &rgba[i * 4]);
+    return rgba;
+}
+
+std::vector<float> readStream(const Document& document, std::size_t stream, int accessor,
+                              const std::string& element) {
+    const Stream& s = streams[stream];
+    const Encodings allowed = document.quantized ? s.quantized : s.plain;
+    const bool rgb = stream == color &&
+                     componentCount(document.model.accessors.at(static_cast<std::size_t>(accessor))) == 3;
+    if (rgb) return withAlpha(readFloats(document, accessor, 3, allowed, element));
+    return readFloats(document, accessor, static_cast<int>(s.components), allowed, element);
+}
+
+/// The vertices that primitives with the same accessors share.
+struct VertexRange {
+    std::uint32_t first = 0, count = 0;
+};
+
+/// Primitives of one mesh that have the same attributes, as one mesh of the host.
+class Part {
+  public:
+    void add(const Document& document, const tinygltf::Primitive& primitive, const std::string& element) {
+        const VertexRange range = rangeOf(document, accessorsOf(primitive), element);
+        std::vector<std::uint32_t> corners = cornersOf(document, primitive, range, element);
+        const std::vector<std::uint32_t> triangles = triangulate(primitive.mode, std::move(corners), element);
+        const std::size_t first = indices_.size();
+        if (first + triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
+            throw Failure{element, "makes more than 4294967295 indices"};
+        }
+        for (const std::uint32_t corner : triangles) indices_.push_back(range.first + corner);
+        submeshes_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(triangles.size()),
+                              primitive.material});
+    }
+
+    std::int32_t push(const std::string& name, const Host& host) const {
+        candela_mesh mesh{};
+        mesh.struct_size = sizeof mesh;
+        mesh.name = name.c_str();
+        mesh.vertex_count = vertexCount_;
+        mesh.positions = dataOf(position);
+        mesh.normals = dataOf(normal);
+        mesh.tangents = dataOf(tangent);
+        mesh.uv0 = dataOf(uv0);
+        mesh.uv1 = dataOf(uv1);
+        mesh.colors = dataOf(color);
+        mesh.index_count = static_cast<std::uint32_t>(indices_.size());
+        mesh.indices = indices_.data();
+        mesh.submesh_count = static_cast<std::uint32_t>(submeshes_.size());
+        mesh.submeshes = submeshes_.data();
+        return host.add(mesh);
+    }
+
+  private:
+    const float* dataOf(std::size_t stream) const {
+        return streams_[stream].empty() ? nullptr : streams_[stream].data();
+    }
+
+    VertexRange rangeOf(const Document& document, const Accessors& accessors, const std::string& element) {
+        const auto known = ranges_.find(accessors);
+        if (known != ranges_.end()) return known->second;
+        const auto& positions = document.model.accessors.at(static_cast<std::size_t>(accessors[position]));
+        if (positions.count > std::numeric_limits<std::uint32_t>::max() - vertexCount_) {
+            throw Failure{element, "makes more than 4294967295 vertices"};
+        }
+        for (std::size_t s = 0; s < streamCount; ++s) {
+            if (accessors[s] >= 0) append(document, s, accessors[s], positions.count, element);
+        }
+        const VertexRange range{vertexCount_, static_cast<std::uint32_t>(positions.count)};
+        vertexCount_ += range.count;
+        ranges_.emplace(accessors, range);
+        return range;
+    }
+
+    void append(const Document& document, std::size_t stream, int accessor, std::size_t vertices,
+                const std::string& primitive) {
+        const std::string element = primitive + ", attribute " + streams[stream].attribute;
+        const std::size_t count = document.model.accessors.at(static_cast<std::size_t>(accessor)).count;
+        if (count != vertices) {
+            throw Failure{element, "accessor " + std::to_string(accessor) + " has " + std::to_string(count) +
+                                       " elements, expected " + std::to_string(vertices)};
+        }
+        std::vector<float> numbers = readStream(document, stream, accessor, element);
+        std::vector<float>& all = streams_[stream];
+        if (all.empty()) {
+            all = std::move(numbers);
+        } else {
+            all.insert(all.end(), numbers.begin(), numbers.end());
+        }
+    }
+
+    static std::vector<std::uint32_t> cornersOf(const Document& document,
+                                                const tinygltf::Primitive& primitive,
+                                                const VertexRange& range, const std::string& element) {
+        const auto accessor = primitive.attributes.find(indicesAttribute);
+        if (accessor == primitive.attributes.end()) {
+            std::vector<std::uint32_t> corners(range.count);
+            std::iota(corners.begin(), corners.end(), 0u);
+            return corners;
+        }
+        const std::string where = element + ", indices";
+        std::vector<std::uint32_t> corners = readIndices(document, accessor->second, where);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            if (corners[i] < range.count) continue;
+            throw Failure{where, "index " + std::to_string(corners[i]) + " at position " + std::to_string(i) +
+                                     ", but the primitive has " + std::to_string(range.count) + " vertices"};
+        }
+        return corners;
+    }
+
+    std::array<std::vector<float>, streamCount> streams_;
+    std::uint32_t vertexCount_ = 0;
+    std::vector<std::uint32_t> indices_;
+    std::vector<candela_submesh> submeshes_;
+    std::map<Accessors, VertexRange> ranges_;
+};
+
+using Presence = std::array<bool, streamCount>;
+
+Presence presenceOf(const tinygltf::Primitive& primitive) {
+    Presence presence;
+    const Accessors accessors = accessorsOf(primitive);
+    std::transform(accessors.begin(), accessors.end(), presence.begin(), [](int a) { return a >= 0; });
+    return presence;
+}
+
+class MeshPusher {
+  public:
+    MeshPusher(const Document& document, const Host& host) : document_(document), host_(host) {}
+
+    std::vector<std::int32_t> push(std::size_t index) {
+        const tinygltf::Mesh& mesh = document_.model.meshes[index];
+        const std::string element = elementName("mesh", index, mesh.name);
+        std::vector<Part> parts;
+        std::map<Presence, std::size_t> partOf;
+        for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+            const tinygltf::Primitive& primitive = mesh.primitives[i];
+            const std::string where = element + ", primitive " + std::to_string(i);
+            if (!isDrawn(primitive, where)) continue;
+            const auto [entry, isNew] = partOf.try_emplace(presenceOf(primitive), parts.size());
+            if (isNew) parts.emplace_back();
+            parts[entry->second].add(document_, primitive, where);
+        }
+        std::vector<std::int32_t> indices;
+        for (const Part& part : parts) indices.push_back(part.push(mesh.name, host_));
+        return indices;
+    }
+
+    void noteUndrawn() const {
+        noteUndrawn(points_, "points");
+        noteUndrawn(lines_, "lines");
+    }
+
+  private:
+    bool isDrawn(const tinygltf::Primitive& primitive, const std::string& element) {
+        if (!hasTriangles(primitive.mode)) {
+            ++(primitive.mode == TINYGLTF_MODE_POINTS ? points_ : lines_);
+            return false;
+        }
+        if (primitive.attributes.contains(streams[position].attribute)) return true;
+        host_.note(element + ": not drawn, for it has no POSITION");
+        return false;
+    }
+
+    void noteUndrawn(std::size_t count, const char* what) const {
+        if (count == 0) return;
+        host_.note(std::to_string(count) + (count == 1 ? " primitive of " : " primitives of ") + what +
+                   (count == 1 ? " is" : " are") + " not drawn");
+    }
+
+    const Document& document_;
+    const Host& host_;
+    std::size_t points_ = 0, lines_ = 0;
+};
+
+}  // namespace
+
+MeshParts pushMeshes(const Document& document, const std::vector<bool>& used, const Host& host, double from,
+                     double to) {
+    MeshPusher pusher(document, host);
+    MeshParts parts(used.size());
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        host.progress(from + (to - from) * static_cast<double>(i) / static_cast<double>(used.size()));
+        if (used[i]) parts[i] = pusher.push(i);
+    }
+    pusher.noteUndrawn();
+    return parts;
+}
+
+}  // namespace candela_gltf

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "document.h"
+#include "host.h"
+
+namespace candela_gltf {
+
+/// The host's meshes for each mesh of the file. A mesh becomes one, or several where its primitives differ in
+/// the attributes they have; none when it is not used or draws no triangles.
+using MeshParts = std::vector<std::vector<std::int32_t>>;
+
+/// Pushes the meshes marked in `used`, and notes what is not drawn of them. Materials have been pushed with
+/// the file's indices. Progress goes from `from` to `to`.
+MeshParts pushMeshes(const Document& document, const std::vector<bool>& used, const Host& host, double from,
+                     double to);
+
+}  // namespace candela_gltf

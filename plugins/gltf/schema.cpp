@@ -1,0 +1,220 @@
+#include "schema.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "failure.h"
+
+namespace candela_gltf {
+namespace {
+
+using Json = nlohmann::json;
+
+struct TargetArray {
+    const char* pointer;
+    const char* noun;
+};
+
+constexpr TargetArray targetArrays[] = {
+    {"/accessors", "accessor"}, {"/buffers", "buffer"}, {"/bufferViews", "bufferView"},
+    {"/cameras", "camera"},     {"/images", "image"},   {"/extensions/KHR_lights_punctual/lights", "light"},
+    {"/materials", "material"}, {"/meshes", "mesh"},    {"/nodes", "node"},
+    {"/samplers", "sampler"},   {"/scenes", "scene"},   {"/textures", "texture"},
+};
+
+/// Where the check stands. The text is made only when a message needs it.
+struct Place {
+    const Place* parent = nullptr;
+    const char* noun = "";
+    std::ptrdiff_t index = -1;
+    const Json* value = nullptr;
+
+    std::string text() const {
+        const std::string above = parent ? parent->text() : std::string();
+        if (!*noun) return above;
+        return above.empty() ? own() : above + ", " + own();
+    }
+
+  private:
+    std::string own() const {
+        if (index < 0) return noun;
+        const bool named = value->is_object() && value->contains("name") && (*value)["name"].is_string();
+        const std::string name = named ? (*value)["name"].get<std::string>() : std::string();
+        return elementName(noun, static_cast<std::size_t>(index), name);
+    }
+};
+
+std::string shown(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", number);
+    return text;
+}
+
+std::string rangeText(const Property& p) {
+    const bool below = p.least > -FLT_MAX, above = p.most < FLT_MAX;
+    const bool excluded = p.leastBound == Bound::excluded;
+    if (below && above) return shown(p.least) + " to " + shown(p.most);
+    if (below) return excluded ? "more than " + shown(p.least) : shown(p.least) + " or more";
+    return above ? shown(p.most) + " or less" : "a number that single precision can hold";
+}
+
+class Checker {
+  public:
+    explicit Checker(const Json& document) {
+        for (std::size_t i = 0; i < std::size(targetArrays); ++i) {
+            const Json::json_pointer pointer(targetArrays[i].pointer);
+            const bool present = document.contains(pointer) && document[pointer].is_array();
+            targetSizes_[i] = present ? document[pointer].size() : 0;
+        }
+    }
+
+    void checkObject(Json& object, const Shape& shape, const Place& place) const {
+        if (!object.is_object()) fail(place, "is not an object");
+        removeUnknown(object, shape);
+        for (const Property& property : shape.properties) {
+            const auto found = object.find(property.name);
+            if (found != object.end()) {
+                checkValue(*found, property, place);
+            } else if (property.need == Need::required) {
+                fail(place, std::string("\"") + property.name + "\" is missing");
+            }
+        }
+    }
+
+  private:
+    [[noreturn]] static void fail(const Place& place, const std::string& reason) {
+        throw Failure{place.text(), reason};
+    }
+
+    static void removeUnknown(Json& object, const Shape& shape) {
+        for (auto member = object.begin(); member != object.end();) {
+            const bool known = std::any_of(shape.properties.begin(), shape.properties.end(),
+                                           [&](const Property& p) { return member.key() == p.name; });
+            member = known ? std::next(member) : object.erase(member);
+        }
+    }
+
+    void checkValue(Json& value, const Property& property, const Place& parent) const {
+        const Place place{&parent, property.name, -1, &value};
+        switch (property.kind) {
+            case Kind::number:
+                return checkNumber(value, property, place);
+            case Kind::numbers:
+                return checkNumbers(value, property, place);
+            case Kind::integer:
+                return checkInteger(value, property, place);
+            case Kind::flag:
+                return require(value.is_boolean(), place, "expected true or false");
+            case Kind::text:
+                return require(value.is_string(), place, "expected a string");
+            case Kind::texts:
+                return checkTexts(value, place);
+            case Kind::index:
+                return checkIndex(value, property.target, place);
+            case Kind::indices:
+                return checkIndices(value, property.target, place);
+            case Kind::indexMap:
+                return checkIndexMap(value, property, parent);
+            case Kind::object: {
+                const Place object{&parent, property.shape->noun, -1, &value};
+                return checkObject(value, *property.shape, object);
+            }
+            case Kind::list:
+                return checkList(value, property, parent);
+        }
+    }
+
+    static void require(bool fulfilled, const Place& place, const char* expectation) {
+        if (!fulfilled) fail(place, expectation);
+    }
+
+    static void checkNumber(Json& value, const Property& property, const Place& place) {
+        require(value.is_number(), place, "expected a number");
+        const double number = value.get<double>();
+        const bool above =
+            property.leastBound == Bound::excluded ? number > property.least : number >= property.least;
+        if (!above || number > property.most) {
+            fail(place, "is " + shown(number) + ", expected " + rangeText(property));
+        }
+        value = number;
+    }
+
+    static void checkNumbers(Json& value, const Property& property, const Place& place) {
+        require(value.is_array(), place, "expected an array of numbers");
+        if (value.size() != property.length) {
+            fail(place, "has " + std::to_string(value.size()) + " numbers, expected " +
+                            std::to_string(property.length));
+        }
+        for (Json& number : value) checkNumber(number, property, place);
+    }
+
+    static void checkInteger(Json& value, const Property& property, const Place& place) {
+        require(value.is_number(), place, "expected an integer");
+        const double number = value.get<double>();
+        if (number != std::floor(number)) fail(place, "is " + shown(number) + ", expected an integer");
+        if (number < property.least || number > property.most) {
+            fail(place, "is " + shown(number) + ", expected " + rangeText(property));
+        }
+        if (number < 0) {
+            value = static_cast<std::int64_t>(number);
+        } else {
+            value = static_cast<std::uint64_t>(number);
+        }
+    }
+
+    static void checkTexts(Json& value, const Place& place) {
+        require(value.is_array(), place, "expected an array of strings");
+        for (const Json& text : value) require(text.is_string(), place, "expected an array of strings");
+    }
+
+    void checkIndex(Json& value, Target target, const Place& place) const {
+        const TargetArray& array = targetArrays[static_cast<std::size_t>(target)];
+        const std::size_t size = targetSizes_[static_cast<std::size_t>(target)];
+        if (!value.is_number() || value.get<double>() != std::floor(value.get<double>())) {
+            fail(place, std::string("expected the index of a ") + array.noun);
+        }
+        const double index = value.get<double>();
+        if (index < 0 || index >= static_cast<double>(size)) {
+            fail(place, std::string(array.noun) + " " + shown(index) + " does not exist: the file has " +
+                            std::to_string(size));
+        }
+        value = static_cast<std::uint64_t>(index);
+    }
+
+    void checkIndices(Json& value, Target target, const Place& place) const {
+        require(value.is_array(), place, "expected an array of indices");
+        for (Json& index : value) checkIndex(index, target, place);
+    }
+
+    void checkIndexMap(Json& value, const Property& property, const Place& parent) const {
+        require(value.is_object(), Place{&parent, property.name, -1, &value}, "is not an object");
+        removeUnknown(value, *property.shape);
+        for (auto member = value.begin(); member != value.end(); ++member) {
+            const std::string noun = std::string(property.shape->noun) + " " + member.key();
+            checkIndex(*member, property.target, Place{&parent, noun.c_str(), -1, &*member});
+        }
+    }
+
+    void checkList(Json& value, const Property& property, const Place& parent) const {
+        require(value.is_array(), Place{&parent, property.name, -1, &value}, "expected an array");
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            const Place place{&parent, property.shape->noun, static_cast<std::ptrdiff_t>(i), &value[i]};
+            checkObject(value[i], *property.shape, place);
+        }
+    }
+
+    std::array<std::size_t, std::size(targetArrays)> targetSizes_{};
+};
+
+}  // namespace
+
+void conform(nlohmann::json& document, const Shape& shape) {
+    Checker(document).checkObject(document, shape, Place{nullptr, shape.noun, -1, &document});
+}
+
+}  // namespace candela_gltf

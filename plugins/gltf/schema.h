@@ -1,0 +1,69 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cfloat>
+#include <cstddef>
+#include <vector>
+
+namespace candela_gltf {
+
+enum class Kind {
+    number,    ///< Within `least` and `most`.
+    numbers,   ///< An array of exactly `length` numbers, each within `least` and `most`.
+    integer,   ///< Within `least` and `most`.
+    flag,      ///< true or false.
+    text,      ///< A string.
+    texts,     ///< An array of strings.
+    index,     ///< An index into the array `target`.
+    indices,   ///< An array of indices into `target`.
+    indexMap,  ///< An object whose members are indices into `target`; `shape` lists the names that are kept.
+    object,    ///< An object of form `shape`.
+    list,      ///< An array of objects of form `shape`.
+};
+
+/// The arrays of a document that its indices point into.
+enum class Target {
+    accessors,
+    buffers,
+    bufferViews,
+    cameras,
+    images,
+    lights,
+    materials,
+    meshes,
+    nodes,
+    samplers,
+    scenes,
+    textures,
+};
+
+enum class Need { optional, required };
+enum class Bound { included, excluded };
+
+struct Shape;
+
+struct Property {
+    const char* name = "";
+    Kind kind = Kind::object;
+    Need need = Need::optional;
+    double least = -FLT_MAX, most = FLT_MAX;
+    Bound leastBound = Bound::included;
+    std::size_t length = 0;
+    Target target = Target::accessors;
+    const Shape* shape = nullptr;
+};
+
+/// The form of a JSON object.
+struct Shape {
+    const char* noun;  ///< What a message calls the object; empty: the message leaves it out.
+    std::vector<Property> properties;
+};
+
+/// Checks `document` against `shape` and throws `Failure` naming the element at fault. Members that have no
+/// place in the shape are taken out, whole numbers written as 3.0 become integers where integers are meant,
+/// and numbers become floating-point where numbers are meant. So the reader behind it sees only what has been
+/// checked: tinygltf drops values of the wrong type without a word and cuts large integers.
+void conform(nlohmann::json& document, const Shape& shape);
+
+}  // namespace candela_gltf

@@ -1,0 +1,76 @@
+// The plugin of made scenes. A further one is a scheme and a generator in the table, in files of its own.
+
+#include "generator.h"
+#include "plaza.h"
+
+#include <candela/plugin.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <string>
+
+namespace plaza {
+namespace {
+
+struct MadeScene {
+    const char* scheme;
+    Generator generate;
+};
+
+constexpr std::array madeScenes{MadeScene{"plaza", makePlaza}};
+
+constexpr auto schemes = [] {
+    std::array<const char*, madeScenes.size() + 1> names{};
+    for (std::size_t i = 0; i < madeScenes.size(); ++i) names[i] = madeScenes[i].scheme;
+    return names;
+}();
+
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::string schemeOf(const std::string& uri) {
+    std::string scheme = uri.substr(0, uri.find(':'));
+    std::transform(scheme.begin(), scheme.end(), scheme.begin(), lower);
+    return scheme;
+}
+
+void generate(const candela_host& host, const candela_request& request) {
+    const std::string scheme = schemeOf(request.uri);
+    for (const MadeScene& scene : madeScenes)
+        if (scheme == scene.scheme) return scene.generate(host, request.name);
+    throw BadRequest("scheme", "'" + scheme + "' is not one of this plugin's");
+}
+
+candela_status importScene(const candela_host* host, const candela_request* request) {
+    try {
+        generate(*host, *request);
+        return CANDELA_OK;
+    } catch (const HostRefused&) {
+        return CANDELA_FAILED;
+    } catch (const BadRequest& bad) {
+        host->fail(host->self, bad.element.c_str(), bad.what());
+    } catch (const std::exception& error) {
+        host->fail(host->self, nullptr, error.what());
+    }
+    return CANDELA_FAILED;
+}
+
+constexpr candela_importer importer{sizeof(candela_importer), nullptr, schemes.data(), importScene};
+
+constexpr candela_plugin plugin{
+    sizeof(candela_plugin),
+    CANDELA_PLUGIN_MAJOR,
+    CANDELA_PLUGIN_MINOR,
+    "plaza",
+    "0.1.0",
+    "made scenes: plaza:N is a square of 100 m with 256 spheres under N point lights",
+    &importer};
+
+}  // namespace
+}  // namespace plaza
+
+const candela_plugin* candela_plugin_query(uint32_t hostMajor, uint32_t) {
+    return hostMajor == CANDELA_PLUGIN_MAJOR ? &plaza::plugin : nullptr;
+}

@@ -1,0 +1,84 @@
+#include "shapes.h"
+
+#include <cmath>
+
+namespace plaza {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+// Mathematical libraries differ in the last bit of a sine. On a grid of 2^-20 they agree, and zeros are
+// zeros.
+double onGrid(double value) {
+    return std::floor(value * 1048576.0 + 0.5) / 1048576.0;
+}
+
+double gridSine(double angle) {
+    return onGrid(std::sin(angle));
+}
+double gridCosine(double angle) {
+    return onGrid(std::cos(angle));
+}
+
+void addVertex(Shape& sphere, double x, double y, double z, double radius) {
+    sphere.normals.push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
+    sphere.positions.push_back(
+        {static_cast<float>(x * radius), static_cast<float>(y * radius), static_cast<float>(z * radius)});
+}
+
+void addTriangle(Shape& shape, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    shape.indices.insert(shape.indices.end(), {a, b, c});
+}
+
+}  // namespace
+
+Shape makeGround(float side, std::uint32_t quads) {
+    Shape ground;
+    const auto at = [&](std::uint32_t i) {
+        return static_cast<float>(static_cast<double>(side) * (static_cast<double>(i) / quads - 0.5));
+    };
+    for (std::uint32_t row = 0; row <= quads; ++row)
+        for (std::uint32_t column = 0; column <= quads; ++column) {
+            ground.positions.push_back({at(column), 0.0f, at(row)});
+            ground.normals.push_back({0.0f, 1.0f, 0.0f});
+        }
+    for (std::uint32_t row = 0; row < quads; ++row)
+        for (std::uint32_t column = 0; column < quads; ++column) {
+            const std::uint32_t corner = row * (quads + 1) + column, below = corner + quads + 1;
+            addTriangle(ground, corner, below, below + 1);
+            addTriangle(ground, corner, below + 1, corner + 1);
+        }
+    return ground;
+}
+
+// Vertex 0 is the upper pole, then come the rings from above, each from +Z towards +X, and last the lower
+// pole.
+Shape makeSphere(float radius, std::uint32_t around, std::uint32_t down) {
+    Shape sphere;
+    addVertex(sphere, 0.0, 1.0, 0.0, radius);
+    for (std::uint32_t ring = 1; ring < down; ++ring)
+        for (std::uint32_t segment = 0; segment < around; ++segment) {
+            const double polar = pi * ring / down, azimuth = 2.0 * pi * segment / around;
+            addVertex(sphere, onGrid(gridSine(polar) * gridSine(azimuth)), gridCosine(polar),
+                      onGrid(gridSine(polar) * gridCosine(azimuth)), radius);
+        }
+    addVertex(sphere, 0.0, -1.0, 0.0, radius);
+
+    const auto vertex = [&](std::uint32_t ring, std::uint32_t segment) {
+        return 1 + (ring - 1) * around + segment % around;
+    };
+    const auto lowerPole = static_cast<std::uint32_t>(sphere.positions.size() - 1);
+    for (std::uint32_t segment = 0; segment < around; ++segment) {
+        addTriangle(sphere, 0, vertex(1, segment), vertex(1, segment + 1));
+        for (std::uint32_t ring = 1; ring + 1 < down; ++ring) {
+            addTriangle(sphere, vertex(ring, segment), vertex(ring + 1, segment),
+                        vertex(ring + 1, segment + 1));
+            addTriangle(sphere, vertex(ring, segment), vertex(ring + 1, segment + 1),
+                        vertex(ring, segment + 1));
+        }
+        addTriangle(sphere, vertex(down - 1, segment), lowerPole, vertex(down - 1, segment + 1));
+    }
+    return sphere;
+}
+
+}  // namespace plaza

@@ -1,0 +1,3 @@
+// Nothing: marking a volume writes only the stencil.
+
+void main() {}

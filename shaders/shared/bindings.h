@@ -1,0 +1,44 @@
+// Binding points and uniform locations: read by C++ and GLSL both.
+
+// Uniform blocks.
+const int FRAME_BINDING = 0;
+
+// Texture units of the geometry pass.
+const int INSTANCES_UNIT = 0;           // RGBA32F buffer: INSTANCE_TEXELS an instance
+const int MATERIALS_UNIT = 1;           // RGBA32UI buffer: MATERIAL_TEXELS a material
+const int BASE_COLOR_UNIT = 2;
+const int METALLIC_ROUGHNESS_UNIT = 3;
+const int NORMAL_UNIT = 4;
+const int EMISSION_UNIT = 5;
+
+// Texture units of the lighting passes.
+const int SURFACE_UNIT = 0;             // RG32UI: the G-buffer's two words
+const int DEPTH_UNIT = 1;               // reversed depth
+const int LIGHTS_UNIT = 2;              // RGBA32F buffer: LIGHT_TEXELS a light: points, then spots, then directional lights
+const int CONES_UNIT = 3;               // RGBA32F buffer: one texel a spot
+const int ALBEDO_UNIT = 4;              // R32F: directional albedo table of the gltf model
+
+// Texture units of the display pass; look-up textures of the display transform follow.
+const int RADIANCE_UNIT = 0;
+const int LOOKUP_UNIT = 1;
+
+// Uniform locations.
+const int LIGHT_RANGES_LOCATION = 0;    // fullscreen: first and end of points and spots; then those of directional lights
+const int DIRECTIONALS_LOCATION = 1;
+const int EXPOSURE_LOCATION = 0;        // display: factor before the transform
+const int ORIGIN_LOCATION = 1;          // display: lower left corner of the picture in the target
+
+// Vertex attributes.
+const int POSITION_ATTRIBUTE = 0;
+const int NORMAL_ATTRIBUTE = 1;
+const int DRAW_ATTRIBUTE = 2;           // uvec2 a draw: instance, material
+const int TANGENT_ATTRIBUTE = 3;
+const int UV0_ATTRIBUTE = 4;
+const int UV1_ATTRIBUTE = 5;
+const int COLOR_ATTRIBUTE = 6;
+const int LIGHT_ATTRIBUTE = 1;          // uint an instance of a light volume: light
+
+// Texels a record.
+const int INSTANCE_TEXELS = 6;          // rows of the world matrix, then of its cofactor matrix
+const int MATERIAL_TEXELS = 12;
+const int LIGHT_TEXELS = 2;

@@ -1,0 +1,14 @@
+// What every pass of a frame knows: std140, read by C++ and GLSL both. Only 16-byte members, so that both lay it out alike.
+
+struct FrameUniforms {
+    mat4 clipFromWorld;
+    vec4 eye;                // w: distance of the near plane
+    vec4 rayCorner;          // world direction, one metre deep, through the centre of pixel (0, 0)
+    vec4 rayStepX;           // added for each pixel to the right
+    vec4 rayStepY;           // added for each pixel up
+    vec4 workingFromRed;     // columns of the matrix from linear Rec.709 to the working space
+    vec4 workingFromGreen;
+    vec4 workingFromBlue;
+    ivec4 size;              // width, height
+    ivec4 lightCounts;       // points, spots, directional lights
+};

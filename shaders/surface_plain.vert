@@ -1,0 +1,20 @@
+// Surfaces whose material has no texture, no vertex colours and no emission: all but the normal is constant along a draw.
+
+#include "lib/frame.glsl"
+#include "lib/instance.glsl"
+#include "lib/material.glsl"
+
+layout(location = POSITION_ATTRIBUTE) in vec3 position;
+layout(location = NORMAL_ATTRIBUTE) in vec3 normal;
+layout(location = DRAW_ATTRIBUTE) in uvec2 draw;
+
+layout(location = 0) out vec3 worldNormal;
+layout(location = 1) flat out uint packedBaseColor;
+layout(location = 2) flat out float roughness;
+
+void main() {
+    gl_Position = frame.clipFromWorld * vec4(instancePosition(draw.x, position), 1.0);
+    worldNormal = normalize(instanceNormal(draw.x, normal));
+    packedBaseColor = materialWords(draw.y, 3).x;
+    roughness = materialTexel(draw.y, 1).y;
+}

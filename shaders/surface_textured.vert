@@ -1,0 +1,30 @@
+// Surfaces with textures, vertex colours, a mask or emission.
+
+#include "lib/frame.glsl"
+#include "lib/instance.glsl"
+
+layout(location = POSITION_ATTRIBUTE) in vec3 position;
+layout(location = NORMAL_ATTRIBUTE) in vec3 normal;
+layout(location = DRAW_ATTRIBUTE) in uvec2 draw;
+layout(location = TANGENT_ATTRIBUTE) in vec4 tangent;
+layout(location = UV0_ATTRIBUTE) in vec2 uv0;
+layout(location = UV1_ATTRIBUTE) in vec2 uv1;
+layout(location = COLOR_ATTRIBUTE) in vec4 color;
+
+layout(location = 0) out vec3 worldNormal;
+layout(location = 1) out vec4 worldTangent;
+layout(location = 2) out vec4 uvs;
+layout(location = 3) out vec4 vertexColor;
+layout(location = 4) flat out uint material;
+
+void main() {
+    gl_Position = frame.clipFromWorld * vec4(instancePosition(draw.x, position), 1.0);
+    worldNormal = instanceNormal(draw.x, normal);
+    worldTangent = vec4(instanceDirection(draw.x, tangent.xyz), tangent.w);
+    // The unnormalised vectors interpolate as MikkTSpace wants them: unit length at the vertex, then linear.
+    worldNormal = normalize(worldNormal);
+    worldTangent.xyz = dot(worldTangent.xyz, worldTangent.xyz) > 0.0 ? normalize(worldTangent.xyz) : vec3(0.0);
+    uvs = vec4(uv0, uv1);
+    vertexColor = color;
+    material = draw.y;
+}

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// How a child process ended and what it said.
+struct CommandResult {
+    int exitCode = -1;  ///< -1 when a signal ended it.
+    int signal = 0;     ///< 0 when it ended by itself.
+    std::string out, err;
+};
+
+struct CommandSetting {
+    std::filesystem::path folder = ".";                  ///< Where it runs.
+    std::vector<std::string> environment{};              ///< NAME=VALUE, besides ours.
+    std::function<void()> beforeStart = [] {};           ///< Runs in the child.
+    std::function<void(int)> whileRunning = [](int) {};  ///< Runs here, with the child's process id.
+};
+
+/// Runs candela-render with `arguments`, its output going into pipes. Of our environment it gets neither
+/// $OCIO nor $CANDELA_PLUGIN_PATH.
+CommandResult runCommand(const std::vector<std::string>& arguments, const CommandSetting& setting = {});
+
+/// Runs it on a terminal of its own; `out` is what appeared there, standard output and error together.
+CommandResult runOnTerminal(const std::vector<std::string>& arguments, const CommandSetting& setting = {});
+
+/// Expects exit code 1 and exactly one line on standard error, "candela-render: FILE: ...", that contains
+/// `reason`; nothing on standard output.
+void expectFault(const CommandResult& result, const std::string& file, const std::string& reason);
+
+/// Expects exit code 2 and exactly one line on standard error that contains `reason`.
+void expectUsageError(const CommandResult& result, const std::string& reason);
+
+/// Expects exit code 0.
+void expectDone(const CommandResult& result);

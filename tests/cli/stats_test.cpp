@@ -1,0 +1,103 @@
+// --stats: the JSON that other programs read.
+
+#include "command.h"
+#include "sample_scene.h"
+#include "temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Names = std::vector<std::string>;
+
+Names keys(const Json& object) {
+    Names names;
+    for (const auto& item : object.items()) names.push_back(item.key());
+    return names;
+}
+
+Json statsOf(std::vector<std::string> arguments) {
+    const TemporaryFolder folder;
+    folder.write("square.gltf", sampleScene());
+    arguments.insert(arguments.end(), {"--stats", "-", "--quiet"});
+    const CommandResult result = runCommand(arguments, {.folder = folder.path()});
+    expectDone(result);
+    return Json::parse(result.out);
+}
+
+TEST(Stats, KeysAreThoseOfTheContract) {
+    const Json stats = statsOf({"plaza:16", "--size", "64x36"});
+    EXPECT_EQ(keys(stats), (Names{"version", "renderer", "width", "height", "technique", "brdf", "scene",
+                                  "passes", "frame_ms", "counters"}));
+    EXPECT_EQ(keys(stats["scene"]), (Names{"triangles", "materials", "lights"}));
+    EXPECT_EQ(keys(stats["frame_ms"]), (Names{"median", "min", "max", "count"}));
+    EXPECT_EQ(keys(stats["counters"]),
+              (Names{"lights", "lights_visible", "pairs_lit", "pairs_evaluated", "lights_dropped"}));
+    ASSERT_FALSE(stats["passes"].empty());
+    for (const Json& pass : stats["passes"]) {
+        EXPECT_EQ(keys(pass), (Names{"name", "ms"}));
+        EXPECT_FALSE(pass["name"].get<std::string>().empty());
+        EXPECT_GE(pass["ms"].get<double>(), 0.0);
+    }
+}
+
+TEST(Stats, ValuesAreThoseOfTheDrawing) {
+    const Json stats = statsOf({"plaza:16", "--size", "64x36", "--technique", "volumes", "--brdf", "gltf"});
+    EXPECT_EQ(stats["version"], CANDELA_VERSION);
+    EXPECT_FALSE(stats["renderer"].get<std::string>().empty());
+    EXPECT_EQ(stats["width"], 64);
+    EXPECT_EQ(stats["height"], 36);
+    EXPECT_EQ(stats["technique"], "volumes");
+    EXPECT_EQ(stats["brdf"], "gltf");
+    EXPECT_EQ(stats["scene"]["lights"], 16);
+    EXPECT_EQ(stats["counters"]["lights"], 16);
+    EXPECT_EQ(stats["counters"]["lights_dropped"], 0);
+    // The ground's 64 × 64 quads are 8192 triangles, and 256 spheres of some 900 come on top.
+    EXPECT_GT(stats["scene"]["triangles"].get<int>(), 200'000);
+    EXPECT_GE(stats["scene"]["materials"].get<int>(), 256);
+}
+
+TEST(Stats, AutoNamesTheTechniqueUsed) {
+    EXPECT_NE(statsOf({"square.gltf", "--size", "16x16"})["technique"], "auto");
+}
+
+TEST(Stats, ASingleFrameIsDrawnFiveTimes) {
+    const Json times = statsOf({"square.gltf", "--size", "16x16"})["frame_ms"];
+    EXPECT_EQ(times["count"], 5);
+    EXPECT_GT(times["min"].get<double>(), 0.0);
+    EXPECT_LE(times["min"].get<double>(), times["median"].get<double>());
+    EXPECT_LE(times["median"].get<double>(), times["max"].get<double>());
+}
+
+TEST(Stats, EveryFrameOfARangeCounts) {
+    EXPECT_EQ(statsOf({"square.gltf", "--size", "16x16", "--frames", "0-2"})["frame_ms"]["count"], 3);
+}
+
+TEST(Stats, PairsAreCounted) {
+    // The square covers a middle of 32/3 pixels a side, all within the light's range.
+    const Json counters =
+        statsOf({"square.gltf", "--size", "32x32", "--technique", "fullscreen"})["counters"];
+    EXPECT_EQ(counters["lights_visible"], 1);
+    EXPECT_GE(counters["pairs_lit"].get<int>(), 10 * 10);
+    EXPECT_LE(counters["pairs_lit"].get<int>(), 12 * 12);
+    EXPECT_GE(counters["pairs_evaluated"].get<int>(), counters["pairs_lit"].get<int>());
+}
+
+TEST(Stats, ScatteredLightsCount) {
+    EXPECT_EQ(statsOf({"square.gltf", "--size", "16x16", "--scatter-lights", "63"})["scene"]["lights"], 64);
+}
+
+TEST(Stats, FileAndStandardOutputSayTheSameThings) {
+    const TemporaryFolder folder;
+    expectDone(
+        runCommand({"plaza:1", "--size", "16x16", "--stats", "stats.json"}, {.folder = folder.path()}));
+    EXPECT_EQ(folder.names(), (Names{"candela.png", "stats.json"}));
+    std::ifstream file(folder / "stats.json");
+    EXPECT_EQ(keys(Json::parse(file)), keys(statsOf({"plaza:1", "--size", "16x16"})));
+}
+
+}  // namespace

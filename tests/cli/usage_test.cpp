@@ -1,0 +1,94 @@
+// What the command line itself gets wrong: exit code 2, one line. And the answers to --help and --version.
+
+#include "command.h"
+#include "temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace {
+
+struct BadUsage {
+    std::vector<std::string> arguments;
+    std::string reason;
+};
+
+TEST(Usage, EveryMistakeIsNamed) {
+    const std::array mistakes{
+        BadUsage{{}, "SCENE is missing"},
+        BadUsage{{"--quiet"}, "SCENE is missing"},
+        BadUsage{{"plaza:1", "--no-such-option"}, "--no-such-option"},
+        BadUsage{{"plaza:1", "plaza:2"}, "plaza:2"},
+        BadUsage{{"plaza:1", "--size"}, "--size"},
+        BadUsage{{"plaza:1", "--size", "0x5"}, "whole number from 1 to 16384"},
+        BadUsage{{"plaza:1", "--size", "5x0"}, "whole number from 1 to 16384"},
+        BadUsage{{"plaza:1", "--size", "16385x5"}, "whole number from 1 to 16384"},
+        BadUsage{{"plaza:1", "--size", "99999999999999999999x5"}, "whole number from 1 to 16384"},
+        BadUsage{{"plaza:1", "--size", "640"}, "WIDTHxHEIGHT"},
+        BadUsage{{"plaza:1", "--size", "640x360x3"}, "\"360x3\""},
+        BadUsage{{"plaza:1", "--size", "64.5x36"}, "\"64.5\""},
+        BadUsage{{"plaza:1", "--size", "64x36", "--size", "32x18"}, "--size"},
+        BadUsage{{"plaza:1", "-o", "picture.jpg"}, ".png or .exr"},
+        BadUsage{{"plaza:1", "-o", "picture"}, ".png or .exr"},
+        BadUsage{{"plaza:1", "--technique", "magic"}, "auto, volumes, fullscreen"},
+        BadUsage{{"plaza:1", "--brdf", "phong"}, "course, gltf"},
+        BadUsage{{"plaza:1", "--eye", "0,0,1"}, "--eye needs --target"},
+        BadUsage{{"plaza:1", "--target", "0,0,1"}, "--target needs --eye"},
+        BadUsage{{"plaza:1", "--eye", "0,0", "--target", "0,0,1"}, "three numbers X,Y,Z"},
+        BadUsage{{"plaza:1", "--eye", "0,0,nan", "--target", "0,0,1"}, "three numbers X,Y,Z"},
+        BadUsage{{"plaza:1", "--eye", "0,0,1", "--target", "0,0,1"}, "another point"},
+        BadUsage{{"plaza:1", "--fov", "0"}, "between 0 and 180"},
+        BadUsage{{"plaza:1", "--fov", "180"}, "between 0 and 180"},
+        BadUsage{{"plaza:1", "--fov", "wide"}, "between 0 and 180"},
+        BadUsage{{"plaza:1", "--exposure", "bright"}, "between -64 and 64"},
+        BadUsage{{"plaza:1", "--exposure", "inf"}, "between -64 and 64"},
+        BadUsage{{"plaza:1", "--scatter-lights", "-1"}, "whole number"},
+        BadUsage{{"plaza:1", "--scatter-lights", "10,0"}, "--scatter-lights"},
+        BadUsage{{"plaza:1", "--scatter-lights", "10,1,1,1"}, "N[,RANGE[,CANDELA]]"},
+        BadUsage{{"plaza:1", "--scatter-lights", "10,"}, "--scatter-lights"},
+        BadUsage{{"plaza:1", "--frames", "5"}, "FIRST-LAST"},
+        BadUsage{{"plaza:1", "--frames", "5-4"}, "whole number from 5"},
+        BadUsage{{"plaza:1", "--frames", "a-b"}, "whole number"},
+        BadUsage{{"plaza:1", "--time", "noon"}, "expected a number"},
+        BadUsage{{"plaza:1", "--device", "gpu"}, "software"},
+        BadUsage{{"plaza:1", "--device", "-1"}, "software"},
+        BadUsage{{"plaza:1", "--aov", "all"}, "needs an .exr"},
+        BadUsage{{"plaza:1", "-o", "a.exr", "--aov", "Z,beauty"}, "\"beauty\""},
+        BadUsage{{"plaza:1", "-o", "a.exr", "--aov", "Z,Z"}, "twice"},
+        BadUsage{{"plaza:1", "-o", "a.exr", "--aov", ""}, "--aov"},
+        BadUsage{{"--list", "cats"}, "plugins, devices, displays, views"},
+    };
+    const TemporaryFolder folder;
+    for (const BadUsage& mistake : mistakes) {
+        SCOPED_TRACE(testing::PrintToString(mistake.arguments));
+        expectUsageError(runCommand(mistake.arguments, {.folder = folder.path()}), mistake.reason);
+    }
+    EXPECT_EQ(folder.names(), std::vector<std::string>{});
+}
+
+TEST(Usage, HelpNamesEveryOptionOfTheContract) {
+    const CommandResult result = runCommand({"--help"});
+    expectDone(result);
+    EXPECT_EQ(result.err, "");
+    for (const char* option : {"SCENE",    "-o",        "--size",           "--camera",  "--eye",
+                               "--target", "--fov",     "--scatter-lights", "--brdf",    "--technique",
+                               "--ocio",   "--display", "--view",           "--look",    "--exposure",
+                               "--aov",    "--frames",  "--time",           "--stats",   "--plugin-path",
+                               "--device", "--quiet",   "--list",           "Examples:", "Exit codes:"})
+        EXPECT_NE(result.out.find(option), std::string::npos) << option;
+}
+
+TEST(Usage, HelpFitsATerminal) {
+    const std::string help = runCommand({"--help"}).out;
+    for (std::size_t start = 0, end; (end = help.find('\n', start)) != help.npos; start = end + 1)
+        EXPECT_LE(end - start, 110u) << help.substr(start, end - start);
+}
+
+TEST(Usage, VersionIsThatOfTheLibrary) {
+    const CommandResult result = runCommand({"--version"});
+    expectDone(result);
+    EXPECT_EQ(result.out, "candela " CANDELA_VERSION "\n");
+}
+
+}  // namespace

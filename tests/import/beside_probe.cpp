@@ -1,0 +1,17 @@
+// Prints what a registry without folders of its own finds: a line for each report, "STATE NAME FILE".
+#include <candela/error.h>
+#include <candela/plugin_registry.h>
+
+#include <iostream>
+
+int main() {
+    try {
+        const candela::PluginRegistry registry;
+        for (const candela::PluginReport& report : registry.reports())
+            std::cout << toString(report.state) << ' ' << report.name << ' ' << report.file.string() << '\n';
+        return 0;
+    } catch (const candela::Error& error) {
+        std::cerr << error.what() << '\n';
+        return 1;
+    }
+}

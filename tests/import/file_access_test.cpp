@@ -1,0 +1,153 @@
+// What a plugin may read: regular files below the scene's folder and nothing else.
+#include "expect_error.h"
+#include "temporary_folder.h"
+
+#include <candela/import.h>
+
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace candela {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The fixture importer reads each path of a .list file, and notes its size.
+class FilePolicy : public testing::Test {
+  protected:
+    FilePolicy() {
+        folder.write("outside.txt", "secret");
+        folder.write("scene/inside.txt", "12345");
+        folder.write("scene/deep/er/file.txt", "123");
+        folder.write("scene-beside/file.txt", "beside");
+    }
+
+    std::vector<std::string> read(const std::string& path) {
+        const fs::path scene = folder.write("scene/scene.list", path + "\n");
+        return importScene(plugins, scene.string()).report.notes;
+    }
+
+    void expectRefused(const std::string& path, ErrorKind kind, const std::string& part) {
+        const std::string text = expectError([&] { read(path); }, kind, part);
+        EXPECT_NE(text.find((folder.path() / "scene" / "scene.list").string()), std::string::npos) << text;
+        EXPECT_NE(text.find("file '" + path + "'"), std::string::npos) << text;
+    }
+
+    const PluginRegistry plugins{{fs::path(CANDELA_TEST_FIXTURES) / "importers"}};
+    TemporaryFolder folder;
+};
+
+TEST_F(FilePolicy, FilesOfTheFolderAreRead) {
+    EXPECT_EQ(read("inside.txt"), std::vector<std::string>{"inside.txt: 5"});
+    EXPECT_EQ(read("deep/er/file.txt"), std::vector<std::string>{"deep/er/file.txt: 3"});
+    EXPECT_EQ(read("./deep//er/../../inside.txt"),
+              std::vector<std::string>{"./deep//er/../../inside.txt: 5"});
+}
+
+TEST_F(FilePolicy, AFileIsReadAgainWithoutHarm) {
+    EXPECT_EQ(read("inside.txt\ninside.txt"), (std::vector<std::string>{"inside.txt: 5", "inside.txt: 5"}));
+}
+
+TEST_F(FilePolicy, AnEmptyFileIsNoFault) {
+    folder.write("scene/empty", "");
+    EXPECT_EQ(read("empty"), std::vector<std::string>{"empty: 0"});
+}
+
+TEST_F(FilePolicy, AbsolutePath) {
+    expectRefused((folder.path() / "scene" / "inside.txt").string(), ErrorKind::badInput,
+                  "absolute paths are refused");
+}
+
+TEST_F(FilePolicy, DotsThatLeaveTheFolder) {
+    expectRefused("../outside.txt", ErrorKind::badInput, "it leads out of the scene's folder");
+    expectRefused("deep/../../outside.txt", ErrorKind::badInput, "it leads out of the scene's folder");
+    expectRefused("../scene/inside.txt", ErrorKind::badInput, "it leads out of the scene's folder");
+}
+
+TEST_F(FilePolicy, LinkWithinTheFolder) {
+    fs::create_symlink("deep/er/file.txt", folder.path() / "scene" / "link");
+    EXPECT_EQ(read("link"), std::vector<std::string>{"link: 3"});
+}
+
+TEST_F(FilePolicy, LinkOutOfTheFolder) {
+    fs::create_symlink("../outside.txt", folder.path() / "scene" / "link");
+    expectRefused("link", ErrorKind::badInput, "a symbolic link leads out of the scene's folder");
+    fs::create_directory_symlink(folder.path(), folder.path() / "scene" / "up");
+    expectRefused("up/outside.txt", ErrorKind::badInput, "a symbolic link leads out of the scene's folder");
+}
+
+// "scene-beside" begins with the letters of "scene", and is not in it.
+TEST_F(FilePolicy, LinkToAFolderOfALikeName) {
+    fs::create_symlink("../scene-beside/file.txt", folder.path() / "scene" / "link");
+    expectRefused("link", ErrorKind::badInput, "a symbolic link leads out of the scene's folder");
+}
+
+// ".." after a link goes on from where the link leads: the letters of the path stay in the folder, the file
+// does not.
+TEST_F(FilePolicy, DotsBehindALink) {
+    fs::create_directories(folder.path() / "away" / "below");
+    folder.write("away/file.txt", "away");
+    fs::create_directory_symlink(folder.path() / "away" / "below", folder.path() / "scene" / "down");
+    expectRefused("down/../file.txt", ErrorKind::badInput, "a symbolic link leads out of the scene's folder");
+}
+
+TEST_F(FilePolicy, LinkInACircle) {
+    fs::create_symlink("circle", folder.path() / "scene" / "circle");
+    expectRefused("circle", ErrorKind::environment, "symbolic links");
+}
+
+// A pipe without a writer would hold a reader for ever.
+TEST_F(FilePolicy, Pipe) {
+    ASSERT_EQ(::mkfifo((folder.path() / "scene" / "pipe").c_str(), 0600), 0);
+    expectRefused("pipe", ErrorKind::badInput, "it is not a regular file");
+}
+
+TEST_F(FilePolicy, Folder) {
+    expectRefused("deep", ErrorKind::badInput, "it is a folder");
+    expectRefused(".", ErrorKind::badInput, "it is a folder");
+}
+
+TEST_F(FilePolicy, MissingFile) {
+    expectRefused("missing.bin", ErrorKind::environment, "No such file or directory");
+}
+
+TEST_F(FilePolicy, FileWithoutPermission) {
+    if (::geteuid() == 0) GTEST_SKIP() << "the superuser may read everything";
+    const fs::path file = folder.write("scene/locked", "locked");
+    fs::permissions(file, fs::perms::none);
+    expectRefused("locked", ErrorKind::environment, "Permission denied");
+}
+
+TEST_F(FilePolicy, SparseGiant) {
+    const fs::path file = folder.write("scene/giant", "");
+    std::error_code error;
+    fs::resize_file(file, std::uintmax_t{17} << 30, error);
+    if (error) GTEST_SKIP() << "the file system of the temporary folder holds no sparse file of 17 GiB";
+    expectRefused("giant", ErrorKind::limit, "more than the 16 GiB allowed");
+}
+
+TEST_F(FilePolicy, EmptyPath) {
+    expectRefused("", ErrorKind::badInput, "the path is empty");
+}
+
+TEST_F(FilePolicy, PathTooLongForTheSystem) {
+    const std::string path(5000, 'a');
+    expectError([&] { read(path); }, ErrorKind::environment, "File name too long");
+}
+
+// The file that the user names may be a link; its neighbours are then those beside the real file.
+TEST_F(FilePolicy, SceneFileThatIsALink) {
+    folder.write("scene/scene.list", "inside.txt\n");
+    const fs::path link = folder.path() / "link.list";
+    fs::create_symlink(folder.path() / "scene" / "scene.list", link);
+    EXPECT_EQ(importScene(plugins, link.string()).report.notes, std::vector<std::string>{"inside.txt: 5"});
+}
+
+}  // namespace
+}  // namespace candela

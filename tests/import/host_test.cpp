@@ -1,0 +1,255 @@
+// What the host says to each fault that an importer can push.
+#include "expect_error.h"
+
+#include <candela/import.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace candela {
+namespace {
+
+const PluginRegistry& fixturePlugins() {
+    static const PluginRegistry plugins({std::filesystem::path(CANDELA_TEST_FIXTURES) / "importers"});
+    return plugins;
+}
+
+ImportedScene push(const std::string& name, const ImportProgress& progress = {}) {
+    return importScene(fixturePlugins(), "push:" + name, progress);
+}
+
+struct Fault {
+    const char* pushed;
+    const char* text;  // What the error says behind "push:CASE: ".
+};
+
+class HostRefuses : public testing::TestWithParam<Fault> {};
+
+TEST_P(HostRefuses, AndNamesTheElement) {
+    const Fault& fault = GetParam();
+    const std::string uri = std::string("push:") + fault.pushed;
+    const std::string text = expectError([&] { push(fault.pushed); }, ErrorKind::badInput, "");
+    EXPECT_EQ(text, uri + ": " + fault.text);
+}
+
+std::string nameOf(const testing::TestParamInfo<Fault>& info) {
+    std::string name = info.param.pushed;
+    for (char& c : name)
+        if (c == '-') c = '_';
+    return name;
+}
+
+const Fault imageFaults[] = {
+    {"image-width-0", "image 0 'checks': width is 0, but 1 to 32768 was expected"},
+    {"image-height-large", "image 0 'checks': height is 32769, but 1 to 32768 was expected"},
+    {"image-format", "image 0 'checks': format is 3, but 0 to 2 was expected"},
+    {"image-size", "image 0 'checks': pixels_size is 15, but 2 × 2 texels of 4 bytes make 16"},
+    {"image-null", "image 0 'checks': pixels is NULL"},
+    {"image-nan",
+     "image 0 'checks': the texel in row 0, column 1 holds nan, but finite numbers were expected"},
+};
+INSTANTIATE_TEST_SUITE_P(Images, HostRefuses, testing::ValuesIn(imageFaults), nameOf);
+
+const Fault materialFaults[] = {
+    {"material-color", "material 0 'paint': base_color is 1.5, but 0 to 1 was expected"},
+    {"material-metallic", "material 0 'paint': metallic is nan, but a finite number was expected"},
+    {"material-roughness", "material 0 'paint': roughness is -0.1, but 0 to 1 was expected"},
+    {"material-emission", "material 0 'paint': emission is inf, but a finite number was expected"},
+    {"material-image",
+     "material 0 'paint': normal_texture.image is 1, but 1 were pushed so far and -1 is none"},
+    {"material-image-negative",
+     "material 0 'paint': normal_texture.image is -2, but 1 were pushed so far and -1 is none"},
+    {"material-uv-set", "material 0 'paint': emission_texture.uv_set is 2, but 0 or 1 was expected"},
+    {"material-wrap", "material 0 'paint': base_color_texture.wrap_t is 3, but 0 to 2 was expected"},
+    {"material-min-filter",
+     "material 0 'paint': base_color_texture.min_filter is -1, but 0 to 5 was expected"},
+    {"material-mag-filter",
+     "material 0 'paint': base_color_texture.mag_filter is 3, but 0 to 2 was expected"},
+    {"material-texture-scale",
+     "material 0 'paint': base_color_texture.scale is nan, but a finite number was expected"},
+    {"material-alpha-mode", "material 0 'paint': alpha_mode is 2, but 0 to 1 was expected"},
+    {"material-unlit", "material 0 'paint': unlit is 7, but 0 or 1 was expected"},
+};
+INSTANTIATE_TEST_SUITE_P(Materials, HostRefuses, testing::ValuesIn(materialFaults), nameOf);
+
+const Fault meshFaults[] = {
+    {"mesh-null", "mesh 0: the pushed struct is NULL"},
+    {"mesh-positions-null", "mesh 0 'wheel': position is NULL, but 4 elements were expected"},
+    {"mesh-position-nan",
+     "mesh 0 'wheel': position 2 has the component nan, but finite numbers were expected"},
+    {"mesh-uv-infinite", "mesh 0 'wheel': uv1 3 has the component -inf, but finite numbers were expected"},
+    {"mesh-index", "mesh 1 'wheel': index 4 is 1200, but there are 4 vertices"},
+    {"mesh-index-count", "mesh 0 'wheel': index_count is 5, but a multiple of 3 was expected"},
+    {"mesh-indices-null", "mesh 0 'wheel': indices is NULL, but index_count is 6"},
+    {"mesh-submeshes-null", "mesh 0 'wheel': submeshes is NULL, but submesh_count is 1"},
+    {"mesh-no-submesh", "mesh 0 'wheel': no submesh draws its 6 indices"},
+    {"mesh-submesh-end", "mesh 0 'wheel': submesh 0 ends at index 9, but there are 6 indices"},
+    {"mesh-submesh-overflow", "mesh 0 'wheel': submesh 0 ends at index 4294967298, but there are 6 indices"},
+    {"mesh-submesh-count", "mesh 0 'wheel': submesh 0: index_count is 4, but a multiple of 3 was expected"},
+    {"mesh-submesh-material",
+     "mesh 0 'wheel': submesh 0: material is 0, but 0 were pushed so far and -1 is none"},
+    {"mesh-name", "mesh 0 'two lines \uFFFD': index_count is 1, but a multiple of 3 was expected"},
+};
+INSTANTIATE_TEST_SUITE_P(Meshes, HostRefuses, testing::ValuesIn(meshFaults), nameOf);
+
+const Fault nodeFaults[] = {
+    {"node-parent-itself", "node 1 'axle': parent is 1, but 1 were pushed so far and -1 is none"},
+    {"node-parent-later", "node 1 'axle': parent is 5, but 1 were pushed so far and -1 is none"},
+    {"node-mesh", "node 1 'axle': mesh is 0, but 0 were pushed so far and -1 is none"},
+    {"node-translation", "node 1 'axle': translation is nan, but a finite number was expected"},
+    {"node-rotation", "node 1 'axle': rotation has the length 0.5, but a unit quaternion was expected"},
+    {"node-matrix-projective",
+     "node 1 'axle': matrix is not affine: the last number of column 2 is -1, but 0 was expected"},
+    {"node-matrix-nan", "node 1 'axle': matrix 0 has the component nan, but finite numbers were expected"},
+};
+INSTANTIATE_TEST_SUITE_P(Nodes, HostRefuses, testing::ValuesIn(nodeFaults), nameOf);
+
+const Fault viewFaults[] = {
+    {"camera-fov-0", "camera 0 'front': vertical_fov is 0, but more than 0 and less than pi was expected"},
+    {"camera-fov-pi", "camera 0 'front': vertical_fov is 3.2, but more than 0 and less than pi was expected"},
+    {"camera-near", "camera 0 'front': near_plane is -1, but 0 or more was expected"},
+    {"camera-node", "camera 0 'front': node is 0, but 0 were pushed so far and -1 is none"},
+    {"light-type", "light 0 'lamp': type is 3, but 0 to 2 was expected"},
+    {"light-color", "light 0 'lamp': color is -1, but 0 or more was expected"},
+    {"light-intensity", "light 0 'lamp': intensity is nan, but a finite number was expected"},
+    {"light-range", "light 0 'lamp': range is -3, but 0 or more was expected"},
+    {"light-cone",
+     "light 0 'lamp': inner_cone_angle is 0.5, but less than outer_cone_angle (0.5) was expected"},
+    {"light-outer-cone", "light 0 'lamp': outer_cone_angle is 1.6, but 0 to 1.5708 was expected"},
+    {"light-direction", "light 0 'lamp': direction has the length 0"},
+    {"light-node", "light 0 'lamp': node is -7, but 0 were pushed so far and -1 is none"},
+};
+INSTANTIATE_TEST_SUITE_P(Views, HostRefuses, testing::ValuesIn(viewFaults), nameOf);
+
+const Fault animationFaults[] = {
+    {"animation-channels-null", "animation 0 'roll': channels is NULL, but channel_count is 1"},
+    {"channel-node", "animation 0 'roll': channel 0: node is 2, but 2 were pushed so far and -1 is none"},
+    {"channel-no-node", "animation 0 'roll': channel 0: node is -1, but a node was expected"},
+    {"channel-matrix-node",
+     "animation 0 'roll': channel 0: node is 1, whose transform is a matrix and can not be animated"},
+    {"channel-path", "animation 0 'roll': channel 0: path is 3, but 0 to 2 was expected"},
+    {"channel-interpolation", "animation 0 'roll': channel 0: interpolation is 9, but 0 to 2 was expected"},
+    {"channel-no-keys", "animation 0 'roll': channel 0: key_count is 0, but 1 or more was expected"},
+    {"channel-times-null", "animation 0 'roll': channel 0: time is NULL, but 2 elements were expected"},
+    {"channel-times-equal",
+     "animation 0 'roll': channel 0: time 1 is 1, but more than the time before it, 1, was expected"},
+    {"channel-time-negative", "animation 0 'roll': channel 0: time 0 is -1, but 0 or more was expected"},
+    {"channel-value-nan",
+     "animation 0 'roll': channel 0: value 4 has the component nan, but finite numbers were expected"},
+};
+INSTANTIATE_TEST_SUITE_P(Animations, HostRefuses, testing::ValuesIn(animationFaults), nameOf);
+
+const Fault otherFaults[] = {
+    {"progress-nan", "progress: nan was told, but 0 to 1 was expected"},
+    {"fail", "part 7: it is broken"},
+    {"fail-null", "the plugin gives no reason"},
+    {"first-failure-counts", "camera 0 'front': vertical_fov is nan, but a finite number was expected"},
+    {"read-null", "read_file: its path or its result is NULL"},
+    {"read-in-made-scene", "file 'file': a made scene has no folder to read files from"},
+    {"returns-failed", "the plugin 'push-cases' failed and gave no reason"},
+    {"throws", "the plugin 'push-cases' threw an exception, which the plugin interface forbids"},
+};
+INSTANTIATE_TEST_SUITE_P(Others, HostRefuses, testing::ValuesIn(otherFaults), nameOf);
+
+// The sizes depend on the machine; they are named all the same.
+TEST(Host, StructSizeTooSmall) {
+    expectError([] { push("mesh-struct-size"); }, ErrorKind::badInput,
+                "mesh 0: struct_size is 0, but version 1.0 has");
+    expectError([] { push("image-struct-size"); }, ErrorKind::badInput,
+                "image 0: struct_size is 8, but version 1.0");
+}
+
+TEST(Host, StructOfALaterMinorVersionIsTaken) {
+    EXPECT_EQ(push("longer-struct").scene.cameras.size(), 1u);
+}
+
+TEST(Host, WhatIsPushedArrives) {
+    const ImportedScene imported = push("all");
+    const Scene& scene = imported.scene;
+    EXPECT_EQ(imported.report.plugin, "push-cases");
+    ASSERT_EQ(scene.images.size(), 1u);
+    EXPECT_EQ(scene.images[0].name, "checks");
+    EXPECT_EQ(scene.images[0].pixels.size(), 16u);
+    ASSERT_EQ(scene.materials.size(), 1u);
+    EXPECT_FALSE(scene.materials[0].baseColorTexture);
+    ASSERT_TRUE(scene.materials[0].normalTexture);
+    EXPECT_EQ(scene.materials[0].normalTexture->magFilter, Filter::linear);
+    ASSERT_EQ(scene.meshes.size(), 1u);
+    EXPECT_EQ(scene.meshes[0].submeshes.at(0).material, 0u);
+    EXPECT_EQ(scene.meshes[0].normals.at(1), glm::vec3(0, 0, 1)) << "normals are brought to unit length";
+    EXPECT_EQ(scene.meshes[0].tangents.size(), scene.meshes[0].positions.size())
+        << "a normal texture needs tangents";
+    ASSERT_EQ(scene.nodes.size(), 1u);
+    EXPECT_EQ(scene.nodes[0].mesh, 0u);
+    EXPECT_FALSE(scene.nodes[0].parent);
+    ASSERT_EQ(scene.cameras.size(), 1u);
+    EXPECT_EQ(scene.cameras[0].nearPlane, Camera{}.nearPlane) << "0 stands for the default";
+    ASSERT_EQ(scene.lights.size(), 1u);
+    EXPECT_EQ(scene.lights[0].type, LightType::spot);
+    EXPECT_FALSE(scene.lights[0].range) << "0 stands for none";
+    EXPECT_EQ(scene.lights[0].direction, glm::vec3(0, 0, -1));
+    ASSERT_EQ(scene.animations.size(), 1u);
+    EXPECT_EQ(scene.animations[0].channels.at(0).values.size(), 6u);
+}
+
+TEST(Host, MissingNormalsBecomeFlat) {
+    const Mesh mesh = push("flat").scene.meshes.at(0);
+    EXPECT_EQ(mesh.positions.size(), 6u) << "each triangle has vertices of its own";
+    for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, glm::vec3(0, 0, 1));
+}
+
+TEST(Host, TangentsWithoutNormalsAreLeftOutAndNoted) {
+    const ImportedScene imported = push("tangents-without-normals");
+    EXPECT_TRUE(imported.scene.meshes.at(0).tangents.empty());
+    EXPECT_EQ(imported.report.notes,
+              std::vector<std::string>{"mesh 0 'wheel': its tangents are not used, for it has no normals"});
+}
+
+TEST(Host, TangentsAreBroughtToUnitLength) {
+    EXPECT_EQ(push("tangents").scene.meshes.at(0).tangents.at(1), glm::vec4(1, 0, 0, -1));
+}
+
+TEST(Host, NormalsOfLengthZeroBecomeThoseOfAFace) {
+    const ImportedScene imported = push("zero-normal");
+    EXPECT_EQ(imported.scene.meshes.at(0).normals.at(0), glm::vec3(0, 0, 1));
+    ASSERT_EQ(imported.report.notes.size(), 1u);
+    EXPECT_EQ(imported.report.notes[0],
+              "mesh 0 'wheel': 1 normals of length 0 were replaced by the normal of a face that uses them");
+}
+
+TEST(Host, NotesBeyondAThousandAreCounted) {
+    const std::vector<std::string> notes = push("many-notes").report.notes;
+    ASSERT_EQ(notes.size(), 1001u);
+    EXPECT_EQ(notes.back(), "and 500 more notes");
+}
+
+TEST(Host, ProgressIsHandedOn) {
+    std::vector<double> told;
+    push("progress-twice", [&](double fraction) {
+        told.push_back(fraction);
+        return true;
+    });
+    EXPECT_EQ(told, (std::vector<double>{0.5, 1.0}));
+}
+
+// The fixture goes on after the host asked it to stop.
+TEST(Host, ACancelledImportIsAnErrorEvenIfTheImporterGoesOn) {
+    int calls = 0;
+    const auto cancel = [&](double) {
+        ++calls;
+        return false;
+    };
+    expectError([&] { push("progress-twice", cancel); }, ErrorKind::cancelled, "the import was cancelled");
+    EXPECT_EQ(calls, 1) << "who has cancelled is not asked again";
+}
+
+TEST(Host, WhatTheCallersProgressThrowsReachesTheCaller) {
+    struct Own {};
+    EXPECT_THROW(push("progress-twice", [](double) -> bool { throw Own{}; }), Own);
+}
+
+}  // namespace
+}  // namespace candela

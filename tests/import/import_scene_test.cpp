@@ -1,0 +1,87 @@
+// What a scene's name means, and what is said when it means nothing.
+#include "expect_error.h"
+#include "temporary_folder.h"
+
+#include <candela/import.h>
+
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <string>
+
+namespace candela {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ImportScene : public testing::Test {
+  protected:
+    const PluginRegistry plugins{{fs::path(CANDELA_TEST_FIXTURES) / "importers"}};
+    TemporaryFolder folder;
+};
+
+TEST_F(ImportScene, ByEndingInAnyCase) {
+    const fs::path file = folder.write("scene.LIST", "");
+    EXPECT_EQ(importScene(plugins, file.string()).report.plugin, "list-reader");
+}
+
+TEST_F(ImportScene, BySchemeInAnyCase) {
+    EXPECT_EQ(importScene(plugins, "PUSH:all").report.plugin, "push-cases");
+}
+
+TEST_F(ImportScene, AFileOfThatNameWinsOverAScheme) {
+    folder.write("push:all.list", "");
+    const fs::path before = fs::current_path();
+    fs::current_path(folder.path());
+    const ImportedScene imported = importScene(plugins, "push:all.list");
+    fs::current_path(before);
+    EXPECT_EQ(imported.report.plugin, "list-reader");
+}
+
+TEST_F(ImportScene, UnknownEndingSaysWhatIsTaken) {
+    const fs::path file = folder.write("room.XYZ", "");
+    const std::string text =
+        expectError([&] { importScene(plugins, file.string()); }, ErrorKind::unsupported,
+                    "no plugin takes files ending in '.XYZ'; the plugins loaded take .list, .tri");
+    EXPECT_EQ(text.find(file.string()), 0u) << text;
+    EXPECT_NE(text.find("push:"), std::string::npos) << text;
+}
+
+TEST_F(ImportScene, NoEnding) {
+    const fs::path file = folder.write("room", "");
+    expectError([&] { importScene(plugins, file.string()); }, ErrorKind::unsupported, "has no ending");
+}
+
+TEST_F(ImportScene, UnknownScheme) {
+    expectError([&] { importScene(plugins, "cloud:9"); }, ErrorKind::unsupported,
+                "cloud:9: there is no such file, and no plugin takes the scheme 'cloud:'");
+}
+
+TEST_F(ImportScene, MissingFile) {
+    expectError([&] { importScene(plugins, "nowhere/room.list"); }, ErrorKind::environment,
+                "nowhere/room.list: there is no such file");
+    expectError([&] { importScene(plugins, "c:room.list"); }, ErrorKind::environment,
+                "c:room.list: there is no such file");
+}
+
+TEST_F(ImportScene, NoFileAtAll) {
+    expectError([&] { importScene(plugins, ""); }, ErrorKind::badInput, "the name of the scene is empty");
+    expectError([&] { importScene(plugins, std::string("a\0b.list", 8)); }, ErrorKind::badInput,
+                "a zero byte");
+}
+
+TEST_F(ImportScene, AFolderOrAPipe) {
+    const fs::path inner = folder.path() / "folder.list";
+    fs::create_directory(inner);
+    expectError([&] { importScene(plugins, inner.string()); }, ErrorKind::badInput,
+                "this is a folder, but a scene file was expected");
+    const fs::path pipe = folder.path() / "pipe.list";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    expectError([&] { importScene(plugins, pipe.string()); }, ErrorKind::badInput,
+                "this is not a regular file");
+}
+
+}  // namespace
+}  // namespace candela

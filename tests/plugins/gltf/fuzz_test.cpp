@@ -1,0 +1,185 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+
+#include "jpeg_file.h"
+#include "loading.h"
+#include "png_file.h"
+
+namespace candela_test {
+namespace {
+
+using Random = std::mt19937;
+
+/// A small file that uses most of what the importer reads.
+GltfFile richFile() {
+    GltfFile file = triangleFile(R"("material":0)");
+    file.addData<float>("VEC2", {0, 0, 1, 0, 0, 1});
+    file.addData<std::uint8_t>("VEC4", std::vector<std::uint8_t>(12, 255), R"("normalized":true)");
+    file.addData<std::uint16_t>("SCALAR", {0, 1, 2});
+    const std::string indexView = std::to_string(file.addView({0, 2}));
+    const std::string valueView = std::to_string(file.addView(Bytes(16)));
+    file.addAccessor(2, "VEC2", 5126, 3,
+                     R"("sparse":{"count":2,"indices":{"bufferView":)" + indexView +
+                         R"(,"componentType":5121},"values":{"bufferView":)" + valueView + "}}");
+    file.add("meshes", R"({"name":"rich","primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,
+        "TEXCOORD_1":5,"COLOR_0":3},"indices":4,"material":0},{"attributes":{"POSITION":0},"mode":5}]})");
+    const std::string png = std::to_string(file.addView(makePng(2, 2, 1, 2, 3, 4)));
+    file.add("images", R"({"bufferView":)" + png + R"(,"mimeType":"image/png"})");
+    file.add("images", R"({"uri":"data:image/jpeg;base64,)" + base64(makeGreyJpeg()) + "\"}");
+    file.add("samplers", R"({"wrapS":33071,"minFilter":9728})");
+    file.add("textures", R"({"source":0,"sampler":0})");
+    file.add("textures", R"({"source":1})");
+    file.add("materials", R"({"name":"m","pbrMetallicRoughness":{"baseColorFactor":[1,0.5,0,1],
+        "baseColorTexture":{"index":0}},"normalTexture":{"index":1,"scale":2,"extensions":
+        {"KHR_texture_transform":{"offset":[1,2],"rotation":1,"scale":[2,2]}}},"alphaMode":"MASK"})");
+    file.add("cameras", R"({"type":"perspective","perspective":{"yfov":1,"znear":0.1}})");
+    file.set("extensions",
+             R"({"KHR_lights_punctual":{"lights":[{"type":"spot","spot":{"innerConeAngle":0.1}}]}})");
+    file.add("nodes", R"({"mesh":1,"children":[2,3],"rotation":[0,0,0,1]})");
+    file.add("nodes", R"({"camera":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,1,2,3,1]})");
+    file.add("nodes", R"({"extensions":{"KHR_lights_punctual":{"light":0}}})");
+    file.add("scenes", R"({"nodes":[0,1]})");
+    file.addData<float>("SCALAR", {0, 1});
+    file.addData<float>("VEC3", {0, 0, 0, 1, 1, 1});
+    file.add("animations", R"({"samplers":[{"input":6,"output":7}],
+                               "channels":[{"sampler":0,"target":{"node":1,"path":"translation"}}]})");
+    return file;
+}
+
+std::size_t below(Random& random, std::size_t limit) {
+    return random() % limit;
+}
+
+/// Replaces one run of digits of the text by an awkward number.
+void changeNumber(Bytes& bytes, Random& random) {
+    static const std::string numbers[] = {"-1",
+                                          "0",
+                                          "1",
+                                          "2",
+                                          "255",
+                                          "65536",
+                                          "1e9",
+                                          "2147483647",
+                                          "2147483648",
+                                          "4294967295",
+                                          "0.5",
+                                          "1e38",
+                                          "-1e39",
+                                          "9007199254740993",
+                                          "18446744073709551615",
+                                          "null"};
+    std::size_t begin = below(random, bytes.size());
+    const auto isDigit = [&](std::size_t i) { return bytes[i] >= '0' && bytes[i] <= '9'; };
+    while (begin < bytes.size() && !isDigit(begin)) ++begin;
+    std::size_t end = begin;
+    while (end < bytes.size() && isDigit(end)) ++end;
+    const std::string& number = numbers[below(random, std::size(numbers))];
+    const auto at = bytes.begin() + static_cast<std::ptrdiff_t>(begin);
+    bytes.insert(bytes.erase(at, bytes.begin() + static_cast<std::ptrdiff_t>(end)), number.begin(),
+                 number.end());
+}
+
+void mutate(Bytes& bytes, Random& random) {
+    if (bytes.empty()) return;
+    const std::size_t at = below(random, bytes.size());
+    const auto place = bytes.begin() + static_cast<std::ptrdiff_t>(at);
+    switch (below(random, 6)) {
+        case 0:
+            bytes[at] = static_cast<std::uint8_t>(random());
+            break;
+        case 1:
+            bytes[at] ^= static_cast<std::uint8_t>(1u << below(random, 8));
+            break;
+        case 2:
+            bytes.erase(place, place + static_cast<std::ptrdiff_t>(
+                                           below(random, std::min<std::size_t>(16, bytes.size() - at) + 1)));
+            break;
+        case 3: {
+            const Bytes copy(place, place + static_cast<std::ptrdiff_t>(below(
+                                                random, std::min<std::size_t>(32, bytes.size() - at) + 1)));
+            const auto target = static_cast<std::ptrdiff_t>(below(random, bytes.size()));
+            bytes.insert(bytes.begin() + target, copy.begin(), copy.end());
+            break;
+        }
+        default:
+            changeNumber(bytes, random);
+            break;
+    }
+}
+
+struct Outcome {
+    int read = 0, refused = 0;
+};
+
+/// Loads many mutations of `original`. Whatever comes of them, it is a scene or an `Error`, in bounded time.
+Outcome fuzz(const Bytes& original, const std::string& fileName, int rounds) {
+    const TemporaryFolder folder;
+    Outcome outcome;
+    for (int round = 0; round < rounds; ++round) {
+        Random random(static_cast<Random::result_type>(round));
+        Bytes bytes = original;
+        for (std::size_t i = 0, count = 1 + below(random, 3); i < count; ++i) mutate(bytes, random);
+        const std::string path = folder.write(fileName, bytes);
+        const auto start = std::chrono::steady_clock::now();
+        try {
+            loadPath(path);
+            ++outcome.read;
+        } catch (const candela::Error& error) {
+            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+            ++outcome.refused;
+        }
+        // A file of a few kilobytes takes about a millisecond; a minute is a hang on any machine.
+        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes(1)) << "round " << round;
+    }
+    return outcome;
+}
+
+void expectBothOutcomes(const Outcome& outcome, int rounds) {
+    EXPECT_EQ(outcome.read + outcome.refused, rounds);
+    // With fewer of either kind the mutations would be too wild or too tame to test anything.
+    EXPECT_GT(outcome.read, rounds / 50);
+    EXPECT_GT(outcome.refused, rounds / 50);
+}
+
+constexpr int rounds = 3000;
+
+Bytes asBytes(const std::string& text) {
+    return {text.begin(), text.end()};
+}
+
+TEST(Fuzz, theOriginalIsRead) {
+    EXPECT_EQ(errorOf(richFile()), "");
+    EXPECT_EQ(errorOfGlb(richFile().glb()), "");
+}
+
+TEST(Fuzz, gltf) {
+    expectBothOutcomes(fuzz(asBytes(richFile().text()), "a.gltf", rounds), rounds);
+}
+
+TEST(Fuzz, glb) {
+    expectBothOutcomes(fuzz(richFile().glb(), "a.glb", rounds), rounds);
+}
+
+TEST(Fuzz, png) {
+    const Bytes original = makePng(5, 4, 1, 2, 3, 4);
+    for (int round = 0; round < rounds / 3; ++round) {
+        Random random(static_cast<Random::result_type>(round));
+        Bytes png = original;
+        mutate(png, random);
+        GltfFile file;
+        file.add("images", R"({"uri":"data:image/png;base64,)" + base64(png) + "\"}");
+        file.add("textures", R"({"source":0})");
+        file.add("materials", R"({"emissiveTexture":{"index":0}})");
+        try {
+            const candela::Image image = load(file).scene.images.at(0);
+            EXPECT_EQ(image.pixels.size(), image.width * image.height * texelSize(image.format));
+        } catch (const candela::Error& error) {
+            EXPECT_NE(std::string(error.what()).find("image 0"), std::string::npos) << error.what();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace candela_test

@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+
+#include "loading.h"
+
+namespace candela_test {
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+/// Five corners of a strip or a fan with normals: accessors 0 and 1.
+void addFiveCorners(GltfFile& file) {
+    file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0});
+    file.addData<float>("VEC3", {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
+}
+
+Indices indicesOfMode(const std::string& mode) {
+    GltfFile file;
+    addFiveCorners(file);
+    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1},"mode":)" + mode);
+    return load(file).scene.meshes.at(0).indices;
+}
+
+TEST(Mesh, trianglesWithoutIndices) {
+    const candela::Mesh mesh = load(triangleFile()).scene.meshes.at(0);
+    EXPECT_EQ(mesh.indices, (Indices{0, 1, 2}));
+    EXPECT_EQ(mesh.submeshes.size(), 1u);
+    EXPECT_FALSE(mesh.submeshes[0].material.has_value());
+}
+
+TEST(Mesh, everyOtherTriangleOfAStripIsTurned) {
+    EXPECT_EQ(indicesOfMode("5"), (Indices{0, 1, 2, 1, 3, 2, 2, 3, 4}));
+}
+
+TEST(Mesh, fanTurnsAboutItsFirstCorner) {
+    EXPECT_EQ(indicesOfMode("6"), (Indices{1, 2, 0, 2, 3, 0, 3, 4, 0}));
+}
+
+TEST(Mesh, indexedStripAndFan) {
+    GltfFile file;
+    addFiveCorners(file);
+    file.addData<std::uint8_t>("SCALAR", {4, 3, 2, 1});
+    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1},"indices":2,"mode":5)");
+    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1},"indices":2,"mode":6)");
+    const candela::Scene scene = load(file).scene;
+    EXPECT_EQ(scene.meshes.at(0).indices, (Indices{4, 3, 2, 3, 1, 2}));
+    EXPECT_EQ(scene.meshes.at(1).indices, (Indices{3, 2, 4, 2, 1, 4}));
+}
+
+TEST(Mesh, pointsAndLinesAreCountedAndNotDrawn) {
+    GltfFile file;
+    addTriangle(file);
+    const std::string attributes = R"({"attributes":{"POSITION":0,"NORMAL":1},"mode":)";
+    std::string primitives;
+    for (const char* mode : {"0", "1", "2", "3", "4"}) primitives += attributes + mode + "},";
+    primitives.pop_back();
+    file.add("meshes", "{\"primitives\":[" + primitives + "]}");
+    file.add("nodes", R"({"mesh":0})");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_EQ(candela::triangleCount(imported.scene), 1u);
+    EXPECT_TRUE(hasNote(imported, "1 primitive of points is not drawn"));
+    EXPECT_TRUE(hasNote(imported, "3 primitives of lines are not drawn"));
+}
+
+TEST(Mesh, ofLinesAloneLeavesANodeWithoutMesh) {
+    const candela::ImportedScene imported = load(triangleFile(R"("mode":1)"));
+    EXPECT_TRUE(imported.scene.meshes.empty());
+    ASSERT_EQ(imported.scene.nodes.size(), 1u);
+    EXPECT_FALSE(imported.scene.nodes[0].mesh.has_value());
+}
+
+TEST(Mesh, primitivesBecomeSubmeshesAndShareVertices) {
+    GltfFile file;
+    addFiveCorners(file);
+    file.addData<std::uint16_t>("SCALAR", {0, 1, 2});
+    file.addData<std::uint16_t>("SCALAR", {1, 3, 2});
+    const auto other = addTriangle(file);
+    file.add("materials", "{}");
+    file.add("materials", "{}");
+    file.add("meshes", R"({"name":"pair","primitives":[
+        {"attributes":{"POSITION":0,"NORMAL":1},"indices":2,"material":1},
+        {"attributes":{"POSITION":0,"NORMAL":1},"indices":3,"material":0},
+        {"attributes":{"POSITION":)" +
+                           std::to_string(other.positions) + R"(,"NORMAL":)" + std::to_string(other.normals) +
+                           "}}]}");
+    file.add("nodes", R"({"mesh":0})");
+    const candela::Scene scene = load(file).scene;
+    ASSERT_EQ(scene.meshes.size(), 1u);
+    const candela::Mesh& mesh = scene.meshes[0];
+    EXPECT_EQ(mesh.name, "pair");
+    EXPECT_EQ(mesh.positions.size(), 8u);
+    EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 1, 3, 2, 5, 6, 7}));
+    ASSERT_EQ(mesh.submeshes.size(), 3u);
+    EXPECT_EQ(mesh.submeshes[0].material, 1u);
+    EXPECT_EQ(mesh.submeshes[1].firstIndex, 3u);
+    EXPECT_EQ(mesh.submeshes[1].material, 0u);
+    EXPECT_FALSE(mesh.submeshes[2].material.has_value());
+}
+
+TEST(Mesh, primitivesOfDifferingAttributesBecomeSeveralMeshes) {
+    GltfFile file;
+    addTriangle(file);
+    file.addData<float>("VEC2", {0, 0, 1, 0, 0, 1});
+    file.add("meshes", R"({"primitives":[{"attributes":{"POSITION":0,"NORMAL":1}},
+                                         {"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2}},
+                                         {"attributes":{"POSITION":0,"NORMAL":1}}]})");
+    file.add("nodes", R"({"mesh":0,"translation":[1,2,3],"name":"both"})");
+    const candela::Scene scene = load(file).scene;
+    ASSERT_EQ(scene.meshes.size(), 2u);
+    EXPECT_EQ(scene.meshes[0].submeshes.size(), 2u);
+    EXPECT_TRUE(scene.meshes[0].uv0.empty());
+    EXPECT_EQ(scene.meshes[1].uv0.size(), 3u);
+    ASSERT_EQ(scene.nodes.size(), 2u);
+    EXPECT_EQ(scene.nodes[1].parent, 0u);
+    EXPECT_EQ(scene.nodes[1].mesh, 1u);
+    const std::vector<glm::mat4> world = candela::worldTransforms(scene);
+    EXPECT_EQ(world[1], world[0]);
+    EXPECT_EQ(world[0][3], glm::vec4(1, 2, 3, 1));
+    EXPECT_EQ(candela::triangleCount(scene), 3u);
+}
+
+TEST(Mesh, missingNormalsBecomeFlat) {
+    GltfFile file;
+    file.addData<float>("VEC3", {0, 0, 0, 0, 0, 1, 0, 1, 0});
+    file.addShownMesh(R"("attributes":{"POSITION":0})");
+    const candela::Mesh mesh = load(file).scene.meshes.at(0);
+    EXPECT_EQ(mesh.normals, std::vector<glm::vec3>(3, glm::vec3(-1, 0, 0)));
+}
+
+TEST(Mesh, tangentsWithoutNormalsAreIgnored) {
+    GltfFile file;
+    file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0});
+    file.addData<float>("VEC4", {1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1});
+    file.addShownMesh(R"("attributes":{"POSITION":0,"TANGENT":1})");
+    EXPECT_TRUE(load(file).scene.meshes.at(0).tangents.empty());
+}
+
+TEST(Mesh, bothTextureCoordinateSets) {
+    GltfFile file;
+    addTriangle(file);
+    file.addData<float>("VEC2", {0, 0, 1, 0, 0, 1});
+    file.addData<float>("VEC2", {5, 5, 6, 5, 5, 6});
+    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"TEXCOORD_1":3})");
+    const candela::Mesh mesh = load(file).scene.meshes.at(0);
+    EXPECT_EQ(mesh.uv0, (std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 1}}));
+    EXPECT_EQ(mesh.uv1, (std::vector<glm::vec2>{{5, 5}, {6, 5}, {5, 6}}));
+}
+
+template <typename T>
+std::vector<glm::vec4> colors(const std::string& type, const std::vector<T>& values) {
+    GltfFile file;
+    addTriangle(file);
+    file.addData<T>(type, values, std::is_same_v<T, float> ? "" : R"("normalized":true)");
+    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1,"COLOR_0":2})");
+    return load(file).scene.meshes.at(0).colors;
+}
+
+TEST(Mesh, vertexColorsOfEveryType) {
+    const std::vector<glm::vec4> opaque{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}};
+    const std::vector<glm::vec4> clear{{1, 0, 0, 0}, {0, 1, 0, 1}, {0, 0, 1, 0}};
+    EXPECT_EQ(colors<float>("VEC3", {1, 0, 0, 0, 1, 0, 0, 0, 1}), opaque);
+    EXPECT_EQ(colors<std::uint16_t>("VEC3", {65535, 0, 0, 0, 65535, 0, 0, 0, 65535}), opaque);
+    EXPECT_EQ(colors<float>("VEC4", {1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 0}), clear);
+    EXPECT_EQ(colors<std::uint8_t>("VEC4", {255, 0, 0, 0, 0, 255, 0, 255, 0, 0, 255, 0}), clear);
+    EXPECT_EQ(colors<std::uint16_t>("VEC4", {65535, 0, 0, 0, 0, 65535, 0, 65535, 0, 0, 65535, 0}), clear);
+}
+
+TEST(Mesh, threeByteColorsAtAStride) {
+    GltfFile file;
+    addTriangle(file);
+    const int view = file.addView({255, 0, 0, 9, 0, 255, 0, 9, 0, 0, 255}, R"("byteStride":4)");
+    file.addAccessor(view, "VEC3", 5121, 3, R"("normalized":true)");
+    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1,"COLOR_0":2})");
+    EXPECT_EQ(load(file).scene.meshes.at(0).colors,
+              (std::vector<glm::vec4>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}}));
+}
+
+TEST(Mesh, sharedByTwoNodesIsPushedOnce) {
+    GltfFile file = triangleFile();
+    file.add("nodes", R"({"mesh":0})");
+    const candela::Scene scene = load(file).scene;
+    EXPECT_EQ(scene.meshes.size(), 1u);
+    EXPECT_EQ(candela::triangleCount(scene), 2u);
+}
+
+TEST(Mesh, withoutPositionsIsNotedAndNotDrawn) {
+    GltfFile file;
+    addTriangle(file);
+    file.addShownMesh(R"("attributes":{"NORMAL":1})", "empty");
+    EXPECT_TRUE(hasNote(load(file), "mesh 0 'empty', primitive 0: not drawn, for it has no POSITION"));
+}
+
+TEST(Mesh, morphTargetsAreNotedAndLeftOut) {
+    const candela::ImportedScene imported = load(triangleFile(R"("targets":[{"POSITION":0}])"));
+    EXPECT_TRUE(hasNote(imported, "morph targets are not applied: 1 mesh"));
+    EXPECT_EQ(candela::triangleCount(imported.scene), 1u);
+}
+
+}  // namespace
+}  // namespace candela_test

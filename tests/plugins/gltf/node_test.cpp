@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include "loading.h"
+
+namespace candela_test {
+namespace {
+
+GltfFile fileWithNodes(const std::vector<std::string>& nodes) {
+    GltfFile file;
+    for (const std::string& node : nodes) file.add("nodes", node);
+    return file;
+}
+
+std::vector<std::string> namesOf(const candela::Scene& scene) {
+    std::vector<std::string> names;
+    for (const candela::Node& node : scene.nodes) names.push_back(node.name);
+    return names;
+}
+
+TEST(Node, childrenStandInTheirParentsFrame) {
+    // The child comes before its parent in the file.
+    const candela::Scene scene = load(fileWithNodes({R"({"name":"child","translation":[1,0,0]})",
+                                                     R"({"name":"parent","scale":[2,2,2],"children":[0],
+                                                         "rotation":[0,0.70710678,0,0.70710678]})"}))
+                                     .scene;
+    EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"parent", "child"}));
+    EXPECT_EQ(scene.nodes[1].parent, 0u);
+    const glm::vec4 place = candela::worldTransforms(scene)[1][3];
+    // A quarter turn about +Y takes +X to -Z. Tolerance: the quaternion has 8 digits.
+    EXPECT_NEAR(place.x, 0.0f, 1e-6f);
+    EXPECT_NEAR(place.z, -2.0f, 1e-6f);
+}
+
+TEST(Node, matrix) {
+    const candela::Scene scene =
+        load(fileWithNodes({R"({"matrix":[2,0,0,0, 0,3,0,0, 0,0,4,0, 5,6,7,1]})"})).scene;
+    const glm::mat4 matrix = std::get<glm::mat4>(scene.nodes.at(0).transform);
+    EXPECT_EQ(matrix[0][0], 2.0f);
+    EXPECT_EQ(matrix[3], glm::vec4(5, 6, 7, 1));
+}
+
+TEST(Node, onlyTheDefaultSceneIsDrawn) {
+    GltfFile file = fileWithNodes({R"({"name":"a"})", R"({"name":"b","children":[2]})", R"({"name":"c"})"});
+    file.add("scenes", R"({"nodes":[0]})");
+    file.add("scenes", R"({"nodes":[1]})");
+    file.set("scene", "1");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_EQ(namesOf(imported.scene), (std::vector<std::string>{"b", "c"}));
+    EXPECT_TRUE(hasNote(imported, "scene 1 of 2 is drawn"));
+}
+
+TEST(Node, sceneZeroWithoutADefault) {
+    GltfFile file = fileWithNodes({R"({"name":"a"})", R"({"name":"b"})"});
+    file.add("scenes", R"({"nodes":[1]})");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_EQ(namesOf(imported.scene), (std::vector<std::string>{"b"}));
+    EXPECT_TRUE(imported.report.notes.empty());
+}
+
+TEST(Node, allRootsWithoutScenes) {
+    EXPECT_EQ(namesOf(load(fileWithNodes({R"({"name":"a"})", R"({"name":"b"})"})).scene),
+              (std::vector<std::string>{"a", "b"}));
+}
+
+TEST(Node, aChainOfTenThousandIsRead) {
+    GltfFile file;
+    constexpr int length = 10000;
+    for (int i = 0; i + 1 < length; ++i) {
+        file.add("nodes", "{\"translation\":[1,0,0],\"children\":[" + std::to_string(i + 1) + "]}");
+    }
+    file.add("nodes", R"({"translation":[1,0,0]})");
+    const candela::Scene scene = load(file).scene;
+    ASSERT_EQ(scene.nodes.size(), static_cast<std::size_t>(length));
+    EXPECT_EQ(candela::worldTransforms(scene).back()[3].x, static_cast<float>(length));
+}
+
+TEST(Node, skinsAreNoted) {
+    GltfFile file = triangleFile();
+    file.add("nodes", R"({"mesh":0,"skin":0})");
+    file.add("skins", R"({"joints":[0]})");
+    EXPECT_TRUE(hasNote(load(file), "skins are not applied: 1 node drawn in the bind pose"));
+}
+
+TEST(Camera, perspective) {
+    GltfFile file =
+        fileWithNodes({R"({"camera":0,"translation":[0,1,2]})", R"({"camera":1,"name":"above"})"});
+    file.add("cameras",
+             R"({"name":"front","type":"perspective","perspective":
+                 {"yfov":0.5,"znear":0.25,"zfar":10,"aspectRatio":2}})");
+    file.add("cameras", R"({"type":"perspective","perspective":{"yfov":1,"znear":0.5}})");
+    const candela::Scene scene = load(file).scene;
+    ASSERT_EQ(scene.cameras.size(), 2u);
+    EXPECT_EQ(scene.cameras[0].name, "front");
+    EXPECT_EQ(scene.cameras[0].verticalFov, 0.5f);
+    EXPECT_EQ(scene.cameras[0].nearPlane, 0.25f);
+    EXPECT_EQ(scene.cameras[0].node, 0u);
+    EXPECT_EQ(scene.cameras[1].name, "above") << "a camera without a name takes its node's";
+    EXPECT_EQ(scene.cameras[1].node, 1u);
+}
+
+TEST(Camera, orthographicIsNotedAndLeftOut) {
+    GltfFile file = fileWithNodes({R"({"camera":0})"});
+    file.add("cameras", R"({"name":"map","type":"orthographic","orthographic":
+                            {"xmag":1,"ymag":1,"zfar":10,"znear":0}})");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_TRUE(imported.scene.cameras.empty());
+    EXPECT_TRUE(hasNote(imported, "camera 0 'map' is orthographic: left out"));
+}
+
+GltfFile fileWithLights(const std::string& lights, int count) {
+    GltfFile file;
+    for (int i = 0; i < count; ++i) {
+        file.add("nodes", R"({"name":"n)" + std::to_string(i) +
+                              R"(","extensions":{"KHR_lights_punctual":{"light":)" + std::to_string(i) +
+                              "}}}");
+    }
+    file.set("extensions", R"({"KHR_lights_punctual":{"lights":[)" + lights + "]}}");
+    file.set("extensionsUsed", R"(["KHR_lights_punctual"])");
+    return file;
+}
+
+TEST(Light, ofEveryType) {
+    const candela::Scene scene = load(fileWithLights(R"(
+        {"name":"lamp","type":"point","color":[1,0.5,0.25],"intensity":20,"range":5},
+        {"type":"spot","intensity":3,"spot":{"innerConeAngle":0.125,"outerConeAngle":0.5}},
+        {"type":"directional"})",
+                                                     3))
+                                     .scene;
+    ASSERT_EQ(scene.lights.size(), 3u);
+    const candela::Light &lamp = scene.lights[0], &spot = scene.lights[1], &sun = scene.lights[2];
+    EXPECT_EQ(lamp.name, "lamp");
+    EXPECT_EQ(lamp.type, candela::LightType::point);
+    EXPECT_EQ(lamp.color, glm::vec3(1, 0.5f, 0.25f));
+    EXPECT_EQ(lamp.intensity, 20.0f);
+    EXPECT_EQ(lamp.range, 5.0f);
+    EXPECT_EQ(lamp.node, 0u);
+    EXPECT_EQ(spot.name, "n1") << "a light without a name takes its node's";
+    EXPECT_EQ(spot.type, candela::LightType::spot);
+    EXPECT_EQ(spot.innerConeAngle, 0.125f);
+    EXPECT_EQ(spot.outerConeAngle, 0.5f);
+    EXPECT_EQ(spot.direction, glm::vec3(0, 0, -1));
+    EXPECT_FALSE(spot.range.has_value());
+    EXPECT_EQ(sun.type, candela::LightType::directional);
+    EXPECT_EQ(sun.color, glm::vec3(1));
+    EXPECT_EQ(sun.intensity, 1.0f);
+    EXPECT_EQ(sun.node, 2u);
+}
+
+TEST(Light, spotDefaults) {
+    const candela::Light spot = load(fileWithLights(R"({"type":"spot","spot":{}})", 1)).scene.lights.at(0);
+    EXPECT_EQ(spot.innerConeAngle, 0.0f);
+    EXPECT_FLOAT_EQ(spot.outerConeAngle, 0.78539816f);
+}
+
+TEST(Light, sharedByTwoNodesShinesTwice) {
+    GltfFile file = fileWithLights(R"({"type":"point"})", 1);
+    file.add("nodes", R"({"extensions":{"KHR_lights_punctual":{"light":0}}})");
+    const candela::Scene scene = load(file).scene;
+    ASSERT_EQ(scene.lights.size(), 2u);
+    EXPECT_EQ(scene.lights[1].node, 1u);
+}
+
+}  // namespace
+}  // namespace candela_test

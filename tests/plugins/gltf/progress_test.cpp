@@ -1,0 +1,41 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "loading.h"
+
+namespace candela_test {
+namespace {
+
+TEST(Progress, growsFromZeroToOne) {
+    const TemporaryFolder folder;
+    std::vector<double> told;
+    candela::importScene(plugins(), folder.write("a.gltf", triangleFile().text()), [&](double fraction) {
+        told.push_back(fraction);
+        return true;
+    });
+    ASSERT_GE(told.size(), 2u);
+    EXPECT_EQ(told.front(), 0.0);
+    EXPECT_EQ(told.back(), 1.0);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+}
+
+TEST(Progress, aRefusalCancelsAtEveryStep) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("a.gltf", triangleFile().text());
+    int steps = 0;
+    candela::importScene(plugins(), path, [&](double) { return ++steps > 0; });
+    for (int last = 0; last < steps; ++last) {
+        int calls = 0;
+        try {
+            candela::importScene(plugins(), path, [&](double) { return calls++ < last; });
+            ADD_FAILURE() << "not cancelled at step " << last;
+        } catch (const candela::Error& error) {
+            EXPECT_EQ(error.kind(), candela::ErrorKind::cancelled);
+        }
+        EXPECT_EQ(calls, last + 1) << "the import went on after being cancelled";
+    }
+}
+
+}  // namespace
+}  // namespace candela_test
