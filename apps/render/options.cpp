@@ -35,7 +35,7 @@ Value parseWord(const std::string& option, const std::string& text, const std::a
 
 candela::Technique parseTechnique(const std::string& text) {
     using enum candela::Technique;
-    return parseWord("--technique", text, std::array{automatic, volumes, fullscreen},
+    return parseWord("--technique", text, std::array{automatic, volumes, tiles, fullscreen},
                      [](candela::Technique technique) { return candela::toString(technique); });
 }
 

@@ -9,16 +9,25 @@
 
 namespace {
 
-/// A flat scene still has room for lights above and below: no side counts for less than this share of the
-/// longest.
+/// No side of the room that lights are strewn over is shorter than this share of the longest.
 constexpr float leastShare = 0.05f;
 
-/// The side of the cube that each of `count` lights has to itself in `box`, metres.
-float meanSpacing(const candela::Bounds& box, std::uint32_t count) {
-    glm::vec3 sides = box.max - box.min;
+/// The box, made thicker where the scene is flat: lights in the plane of a floor would only graze it. Height
+/// is added above, where a floor has its light.
+candela::Bounds roomForLights(const candela::Bounds& box) {
+    const glm::vec3 sides = box.max - box.min;
     const float longest = std::max({sides.x, sides.y, sides.z});
-    if (longest <= 0.0f) return 1.0f;
-    sides = glm::max(sides, glm::vec3(longest * leastShare));
+    const float least = longest > 0.0f ? longest * leastShare : 1.0f;
+    const glm::vec3 lacking = glm::max(glm::vec3(least) - sides, glm::vec3(0.0f));
+    candela::Bounds room = box;
+    room.min -= lacking * glm::vec3(0.5f, 0.0f, 0.5f);
+    room.max += lacking * glm::vec3(0.5f, 1.0f, 0.5f);
+    return room;
+}
+
+/// The side of the cube that each of `count` lights has to itself in `room`, metres.
+float meanSpacing(const candela::Bounds& room, std::uint32_t count) {
+    const glm::vec3 sides = room.max - room.min;
     return std::cbrt(sides.x * sides.y * sides.z / static_cast<float>(std::max(count, 1u)));
 }
 
@@ -43,8 +52,9 @@ void addScatteredLights(candela::Scene& scene, const Options& options, double ti
         throw candela::Error(
             candela::ErrorKind::badInput, options.scene,
             "has neither a mesh nor a light, so --scatter-lights has no box to strew lights over");
+    const candela::Bounds room = roomForLights(box);
     const ScatterChoice& choice = *options.scatter;
-    const float range = choice.range.value_or(2.0f * meanSpacing(box, choice.count));
+    const float range = choice.range.value_or(2.0f * meanSpacing(room, choice.count));
     const float candela = choice.candela.value_or(range * range / 10.0f);
-    candela::scatterLights(scene.lights, box, choice.count, range, candela);
+    candela::scatterLights(scene.lights, room, choice.count, range, candela);
 }

@@ -18,10 +18,11 @@ namespace candela {
 enum class Technique {
     automatic,   ///< The fastest on this device.
     volumes,     ///< Each light's bounding volume is rasterised against the depth buffer.
+    tiles,       ///< Lights are binned to screen tiles cut by depth, and each pixel walks its list.
     fullscreen,  ///< Every light at every pixel: the reference.
 };
 
-/// The technique's name on the command line: "auto", "volumes", "fullscreen".
+/// The technique's name on the command line: "auto", "volumes", "tiles", "fullscreen".
 CANDELA_API const char* toString(Technique technique);
 
 /// Where a finished picture goes.
@@ -48,6 +49,7 @@ struct PairCounts {
     std::uint64_t pairsLit = 0;        ///< The pixel lies within the light's range.
     std::uint64_t pairsEvaluated = 0;  ///< The shader ran its BRDF.
     std::uint64_t lightsDropped = 0;   ///< Lights that did not fit and were left out.
+    std::uint64_t lightListBytes = 0;  ///< Memory of the lists that bring lights to pixels.
 };
 
 /// A picture in the working space: RGBA, rows from the top. A is 1 where a surface is and 0 on the

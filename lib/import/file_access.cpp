@@ -63,9 +63,9 @@ std::string openedPath(int descriptor) {
     return fs::read_symlink(joined("/proc/self/fd/", descriptor)).string();
 }
 
-bool liesWithin(const std::string& file, std::string folder) {
-    if (folder.back() != '/') folder += '/';
-    return file.compare(0, folder.size(), folder) == 0;
+bool liesWithin(const std::string& file, const std::string& folder) {
+    const std::string prefix = folder.ends_with('/') ? folder : folder + '/';
+    return file == folder || file.starts_with(prefix);
 }
 
 FileAccess::Bytes readAll(int descriptor, std::size_t size, const std::string& path) {

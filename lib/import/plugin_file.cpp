@@ -10,9 +10,12 @@
 namespace candela {
 namespace {
 
-std::string loaderMessage() {
-    const char* message = ::dlerror();
-    return message ? oneLine(message) : "the dynamic loader gives no reason";
+// The loader's messages begin with the file, which the report names by itself.
+std::string loaderMessage(const std::filesystem::path& file) {
+    const char* text = ::dlerror();
+    if (!text) return "the dynamic loader gives no reason";
+    const std::string message = text, prefix = file.string() + ": ";
+    return oneLine(message.starts_with(prefix) ? message.substr(prefix.size()) : message);
 }
 
 std::shared_ptr<void> openLibrary(const std::filesystem::path& file) {
@@ -49,7 +52,7 @@ PluginFile openPluginFile(const std::filesystem::path& file) {
     auto loaded = std::make_shared<LoadedPlugin>();
     loaded->library = openLibrary(file);
     if (!loaded->library) {
-        judge(result.report, PluginState::notALibrary, loaderMessage());
+        judge(result.report, PluginState::notALibrary, loaderMessage(file));
         return result;
     }
     void* symbol = ::dlsym(loaded->library.get(), "candela_plugin_query");

@@ -9,23 +9,27 @@ namespace {
 
 constexpr std::size_t longestNameShown = 80;
 
-std::string labelOf(const char* kind, std::size_t index, const std::string& name) {
-    if (name.empty()) return joined(kind, " ", index);
-    return joined(kind, " ", index, " '", oneLine(name, longestNameShown), "'");
-}
-
 }  // namespace
 
 PushedElement::PushedElement(const char* kind, std::size_t index, const char* name)
-    : name_(validUtf8(name)), label_(labelOf(kind, index, name_)) {}
+    : kind_(kind), index_(index), name_(validUtf8(name)) {}
+
+std::string PushedElement::label() const {
+    if (name_.empty()) return joined(kind_, " ", index_);
+    return joined(kind_, " ", index_, " '", oneLine(name_, longestNameShown), "'");
+}
 
 void PushedElement::refuse(const std::string& text) const {
-    throw Error(ErrorKind::badInput, "", label_ + ": " + text);
+    throw Error(ErrorKind::badInput, "", label() + ": " + text);
 }
 
 float PushedElement::finite(const char* member, float value) const {
     if (!std::isfinite(value)) refuse(joined(member, " is ", value, ", but a finite number was expected"));
     return value;
+}
+
+glm::vec3 PushedElement::finiteVector(const char* member, const float (&from)[3]) const {
+    return {finite(member, from[0]), finite(member, from[1]), finite(member, from[2])};
 }
 
 float PushedElement::within(const char* member, float value, float low, float high) const {

@@ -3,6 +3,8 @@
 #include "import/plugin_struct.h"
 #include "import/text.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,13 +18,14 @@ class PushedElement {
   public:
     PushedElement(const char* kind, std::size_t index, const char* name);
 
-    const std::string& label() const { return label_; }
+    std::string label() const;
     /// The element's name as valid UTF-8.
     const std::string& name() const { return name_; }
 
     [[noreturn]] void refuse(const std::string& text) const;
 
     float finite(const char* member, float value) const;
+    glm::vec3 finiteVector(const char* member, const float (&from)[3]) const;
     /// `value` has to be finite and in low..high, both included.
     float within(const char* member, float value, float low, float high) const;
     float zeroOrMore(const char* member, float value) const;
@@ -59,8 +62,10 @@ class PushedElement {
     void requireFinite(const char* member, const float* numbers, std::size_t count,
                        std::size_t components) const;
 
+    // The label is made when it is needed: most elements of a scene with a million lights are never named.
+    const char* kind_;
+    std::size_t index_;
     std::string name_;
-    std::string label_;
 };
 
 }  // namespace candela

@@ -73,7 +73,8 @@ Mesh meshFrom(const candela_mesh& pushed, const PushedElement& element, const Sc
     const auto noteCount = [&](std::size_t count, const char* text) {
         if (count > 0) note(joined(element.label(), ": ", count, text));
     };
-    noteCount(repairNormals(mesh), " normals of length 0 were replaced by the normal of a face that uses them");
+    noteCount(repairNormals(mesh),
+              " normals of length 0 were replaced by the normal of a face that uses them");
     if (mesh.normals.empty() && !mesh.tangents.empty()) {
         mesh.tangents.clear();
         note(element.label() + ": its tangents are not used, for it has no normals");

@@ -2,7 +2,6 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include <array>
 #include <cmath>
 
 namespace candela {
@@ -12,12 +11,6 @@ namespace {
 constexpr double unitTolerance = 0.01;
 // Matrices that went through text or single-precision products end a little beside (0, 0, 0, 1).
 constexpr float affineTolerance = 1e-5f;
-
-glm::vec3 finiteVector(const PushedElement& element, const char* member, const float (&from)[3]) {
-    glm::vec3 vector;
-    for (int i = 0; i < 3; ++i) vector[i] = element.finite(member, from[i]);
-    return vector;
-}
 
 glm::quat unitQuaternion(const PushedElement& element, const float (&xyzw)[4]) {
     double square = 0.0;
@@ -31,9 +24,9 @@ glm::quat unitQuaternion(const PushedElement& element, const float (&xyzw)[4]) {
 
 Trs trsFrom(const candela_node& pushed, const PushedElement& element) {
     Trs trs;
-    trs.translation = finiteVector(element, "translation", pushed.translation);
+    trs.translation = element.finiteVector("translation", pushed.translation);
     trs.rotation = unitQuaternion(element, pushed.rotation);
-    trs.scale = finiteVector(element, "scale", pushed.scale);
+    trs.scale = element.finiteVector("scale", pushed.scale);
     return trs;
 }
 
@@ -77,42 +70,6 @@ Camera cameraFrom(const candela_camera& pushed, const PushedElement& element, co
         camera.nearPlane = nearPlane;
     camera.node = element.reference("node", pushed.node, scene.nodes.size());
     return camera;
-}
-
-namespace {
-
-void takeCone(const candela_light& pushed, const PushedElement& element, Light& light) {
-    light.outerConeAngle =
-        element.within("outer_cone_angle", pushed.outer_cone_angle, 0.0f, glm::half_pi<float>());
-    light.innerConeAngle = element.zeroOrMore("inner_cone_angle", pushed.inner_cone_angle);
-    if (light.innerConeAngle >= light.outerConeAngle)
-        element.refuse(joined("inner_cone_angle is ", light.innerConeAngle,
-                              ", but less than outer_cone_angle (", light.outerConeAngle, ") was expected"));
-}
-
-glm::vec3 unitDirection(const candela_light& pushed, const PushedElement& element) {
-    const glm::dvec3 direction(finiteVector(element, "direction", pushed.direction));
-    const double length = std::hypot(direction.x, direction.y, direction.z);
-    if (!(length > 0.0)) element.refuse("direction has the length 0");
-    return glm::vec3(direction / length);
-}
-
-}  // namespace
-
-Light lightFrom(const candela_light& pushed, const PushedElement& element, const Scene& scene) {
-    constexpr std::array types{LightType::point, LightType::spot, LightType::directional};
-    Light light;
-    light.name = element.name();
-    light.type = types[element.enumerator("type", pushed.type, types.size())];
-    for (int i = 0; i < 3; ++i) light.color[i] = element.zeroOrMore("color", pushed.color[i]);
-    light.intensity = element.zeroOrMore("intensity", pushed.intensity);
-    if (const float range = element.zeroOrMore("range", pushed.range); range > 0.0f) light.range = range;
-    if (light.type == LightType::spot) takeCone(pushed, element, light);
-    if (light.type != LightType::directional)
-        light.position = finiteVector(element, "position", pushed.position);
-    if (light.type != LightType::point) light.direction = unitDirection(pushed, element);
-    light.node = element.reference("node", pushed.node, scene.nodes.size());
-    return light;
 }
 
 }  // namespace candela

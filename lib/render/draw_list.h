@@ -54,6 +54,8 @@ class DrawList {
     void select(const std::function<bool(std::uint32_t instance)>& visible);
 
     std::span<const DrawBatch> batches() const { return batches_; }
+    /// Is any selected draw emissive?
+    bool emits() const { return !batches_.empty() && batches_.back().state.emissive; }
     const gl::Buffer& commands() const { return commandBuffer_; }
     const gl::Buffer& draws() const { return drawBuffer_; }
 

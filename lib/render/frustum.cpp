@@ -1,5 +1,7 @@
 #include "render/frustum.h"
 
+#include "render/tiles/tile_kernel.h"
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -26,6 +28,18 @@ bool Frustum::meets(const glm::vec3& center, float radius) const {
 
 bool Frustum::meetsNearPlane(const glm::vec3& center, float radius) const {
     return glm::dot(center - eye_, forward_) - radius <= near_;
+}
+
+void Frustum::copyTo(TileFrame& frame) const {
+    for (int i = 0; i < 3; ++i) {
+        frame.right[i] = right_[i];
+        frame.up[i] = up_[i];
+        frame.forward[i] = forward_[i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        frame.halfExtent[i] = halfExtent_[i];
+        frame.edgeScale[i] = edgeScale_[i];
+    }
 }
 
 Frustum::Rectangle Frustum::projectedBounds(const glm::vec3& center, float radius) const {

@@ -7,6 +7,8 @@
 
 namespace candela {
 
+struct TileFrame;
+
 /// The view frustum without a far plane, for culling spheres, and the camera frame it stands in.
 class Frustum {
   public:
@@ -26,6 +28,9 @@ class Frustum {
         glm::vec2 min, max;
     };
     Rectangle projectedBounds(const glm::vec3& center, float radius) const;
+
+    /// The frustum as the kernels of the technique `tiles` read it.
+    void copyTo(TileFrame& frame) const;
 
   private:
     glm::vec3 eye_, right_, up_, forward_;

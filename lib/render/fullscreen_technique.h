@@ -31,6 +31,7 @@ class FullscreenTechnique final : public LightingTechnique {
     explicit FullscreenTechnique(const FullscreenPass& pass) : pass_(pass) {}
 
     void render(const LightingInputs& inputs, gl::PassTimer& timer) override;
+    std::uint64_t lightListBytes() const override { return 0; }
     std::uint64_t countEvaluated(const LightingInputs& inputs, PairCounter& counter) override;
 
   private:

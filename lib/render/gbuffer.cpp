@@ -1,5 +1,7 @@
 #include <candela/gbuffer.h>
 
+#include "render/srgb.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -31,14 +33,6 @@ constexpr std::array<GBufferChannel, 7> channels{{
     {"emission", "emitted radiance, linear in the working space", "linear, in the radiance target",
      "3 × 32-bit float", emissionChannels},
 }};
-
-float srgbEncode(float linear) {
-    return linear < 0.0031308f ? linear * 12.92f : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
-}
-
-float srgbDecode(float encoded) {
-    return encoded < 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
 
 std::uint32_t unorm8(float value) {
     return static_cast<std::uint32_t>(std::floor(glm::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f));

@@ -11,13 +11,14 @@ namespace {
 constexpr std::array textureUnits{layout::BASE_COLOR_UNIT, layout::METALLIC_ROUGHNESS_UNIT,
                                   layout::NORMAL_UNIT, layout::EMISSION_UNIT};
 
-void clear(const GBufferTargets& targets) {
+void clear(const GBufferTargets& targets, GeometryPass::RadianceStart start) {
     constexpr std::array<GLuint, 4> nothing{0, 0, 0, 0};
     constexpr std::array<GLfloat, 4> black{0.0f, 0.0f, 0.0f, 0.0f};
     constexpr GLfloat farthest = 0.0f;
     glClearNamedFramebufferuiv(targets.surfaces.name(), GL_COLOR, 0, nothing.data());
     glClearNamedFramebufferfv(targets.surfaces.name(), GL_DEPTH, 0, &farthest);
-    glClearNamedFramebufferfv(targets.lit.name(), GL_COLOR, 0, black.data());
+    if (start == GeometryPass::RadianceStart::black)
+        glClearNamedFramebufferfv(targets.lit.name(), GL_COLOR, 0, black.data());
 }
 
 }  // namespace
@@ -28,7 +29,7 @@ GeometryPass::GeometryPass()
 }
 
 void GeometryPass::render(const Inputs& inputs) const {
-    clear(inputs.targets);
+    clear(inputs.targets, inputs.scene.draws.emits() ? RadianceStart::black : inputs.radianceStart);
     glViewport(0, 0, inputs.targets.width, inputs.targets.height);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);

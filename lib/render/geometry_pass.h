@@ -11,9 +11,15 @@ class GeometryPass {
   public:
     GeometryPass();
 
+    /// What the radiance target holds after the pass where nothing emits.
+    enum class RadianceStart {
+        black,
+        undefined,  ///< When nothing in view emits, the target is left as it is.
+    };
     struct Inputs {
         const GpuScene::State& scene;  ///< After `select`.
         const GBufferTargets& targets;
+        RadianceStart radianceStart;
     };
     void render(const Inputs& inputs) const;
 

@@ -1,5 +1,7 @@
 #include "render/gpu_images.h"
 
+#include "render/srgb.h"
+
 #include <candela/error.h>
 
 #include <algorithm>
@@ -27,10 +29,6 @@ UploadFormat formatOf(const Image& image, TextureUse use) {
         default:
             return {GL_RGBA32F, GL_FLOAT};
     }
-}
-
-float srgbDecode(float encoded) {
-    return encoded < 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
 /// OpenGL has no sRGB format of 16 bits: such colour is decoded to floats here.

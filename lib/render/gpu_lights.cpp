@@ -1,5 +1,6 @@
 #include "render/gpu_lights.h"
 
+#include <candela/brdf.h>
 #include <candela/error.h>
 
 #include <glm/common.hpp>
@@ -46,6 +47,10 @@ glm::vec4 coneRecord(const PlacedLight& light) {
 
 }  // namespace
 
+void LightReaches::resize(std::size_t size) {
+    for (auto* column : {&x, &y, &z, &range}) column->resize(size + padding, 0.0f);
+}
+
 GpuLights::GpuLights(const GpuSceneOptions& options)
     : options_(options), records_(GL_RGBA32F, "lights"), cones_(GL_RGBA32F, "spot cones") {
     if (!(options.irradianceThreshold > 0.0f) || !std::isfinite(options.irradianceThreshold)) {
@@ -56,8 +61,10 @@ GpuLights::GpuLights(const GpuSceneOptions& options)
 float GpuLights::rangeOf(const PlacedLight& light, const glm::vec3& intensity) {
     if (light.range > 0.0f) return light.range;
     const float brightest = std::max({intensity.r, intensity.g, intensity.b, 0.0f});
+    // At its range a light would still give the threshold: that is the most the window takes, but no more than the light gives at all.
+    constexpr float leastDistance = static_cast<float>(minimumDistance);
     ++report_.rangesAssigned;
-    report_.irradianceCut += std::min(brightest, options_.irradianceThreshold);
+    report_.irradianceCut += std::min(brightest / (leastDistance * leastDistance), options_.irradianceThreshold);
     // A light without intensity keeps a range, so that no record divides by zero.
     return std::max(std::sqrt(brightest / options_.irradianceThreshold), 1.0e-3f);
 }
@@ -67,7 +74,10 @@ void GpuLights::writeLocal(std::size_t index, const PlacedLight& light) {
     const float range = rangeOf(light, intensity);
     // The shader's inverse square of the range must stay a normal number.
     const float held = glm::clamp(range, 1.0e-15f, 1.0e15f);
-    reaches_[index] = glm::vec4(light.position, held);
+    reaches_.x[index] = light.position.x;
+    reaches_.y[index] = light.position.y;
+    reaches_.z[index] = light.position.z;
+    reaches_.range[index] = held;
     recordData_[2 * index] = glm::vec4(light.position, 1.0f / (held * held));
     recordData_[2 * index + 1] = glm::vec4(intensity, 0.0f);
 }

@@ -14,6 +14,18 @@
 
 namespace candela {
 
+/// Positions and ranges, a column each, for culling many at a time. The columns are `padding` longer than the
+/// lights are many.
+struct LightReaches {
+    static constexpr std::size_t padding = 16;
+
+    std::vector<float> x, y, z, range;
+
+    std::size_t size() const { return x.empty() ? 0 : x.size() - padding; }
+    void resize(std::size_t size);
+    glm::vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
 /// The lights as the shaders read them: points first, then spots, then directional lights.
 class GpuLights {
   public:
@@ -25,8 +37,11 @@ class GpuLights {
     void set(std::span<const PlacedLight> lights);
 
     const LightCounts& counts() const { return counts_; }
-    /// Position and range of the points and spots, in the order of the records.
-    std::span<const glm::vec4> reaches() const { return reaches_; }
+    /// Where the points and spots reach, in the order of the records.
+    const LightReaches& reaches() const { return reaches_; }
+    /// The records as they were uploaded: two vectors a light, and one a spot.
+    std::span<const glm::vec4> recordData() const { return recordData_; }
+    std::span<const glm::vec4> coneData() const { return coneData_; }
     const LightReport& report() const { return report_; }
 
     const gl::BufferTexture& records() const { return records_; }
@@ -39,7 +54,8 @@ class GpuLights {
     GpuSceneOptions options_;
     LightCounts counts_;
     LightReport report_;
-    std::vector<glm::vec4> reaches_, recordData_, coneData_;
+    LightReaches reaches_;
+    std::vector<glm::vec4> recordData_, coneData_;
     gl::BufferTexture records_, cones_;
 };
 

@@ -49,11 +49,11 @@ void LightBatches::assign(const Input& input) {
     // A pixel's rectangle is a cell's at least: bounds are widened by one pixel for the rasteriser's
     // rounding.
     const glm::vec2 pixel = 1.0f / glm::vec2(input.width, input.height);
-    for (std::size_t i = 0; i < input.reaches.size(); ++i) {
-        const glm::vec3 center(input.reaches[i]);
-        const float radius = input.reaches[i].w * input.proxyRadius;
-        if (!input.frustum.meets(center, input.reaches[i].w)) continue;
-        const std::uint32_t light = input.firstLight + static_cast<std::uint32_t>(i);
+    for (std::size_t i = input.first; i < input.end; ++i) {
+        const glm::vec3 center = input.reaches.position(i);
+        const float range = input.reaches.range[i], radius = range * input.proxyRadius;
+        if (!input.frustum.meets(center, range)) continue;
+        const auto light = static_cast<std::uint32_t>(i);
         if (input.frustum.meetsNearPlane(center, radius)) {
             unsorted_.push_back(light);
             continue;

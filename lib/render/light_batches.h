@@ -1,8 +1,7 @@
 #pragma once
 
 #include "render/frustum.h"
-
-#include <glm/vec4.hpp>
+#include "render/gpu_lights.h"
 
 #include <cstdint>
 #include <span>
@@ -15,8 +14,8 @@ namespace candela {
 class LightBatches {
   public:
     struct Input {
-        std::span<const glm::vec4> reaches;  ///< Position and range of each light.
-        std::uint32_t firstLight = 0;        ///< Index of the first of them among all lights.
+        const LightReaches& reaches;
+        std::size_t first, end;  ///< The lights of `reaches` to take.
         const Frustum& frustum;
         float proxyRadius;  ///< How far the volume's polyhedron reaches, in ranges.
         int width, height;  ///< Of the picture, pixels.

@@ -28,8 +28,8 @@ LightVolumes::LightVolumes()
 
 LightVolumes::Kind LightVolumes::append(const LightingInputs& inputs, std::uint32_t firstLight,
                                         std::uint32_t count) {
-    batches_.assign({inputs.lights.reaches().subspan(firstLight, count), firstLight, inputs.frustum,
-                     proxy_.radius, inputs.targets.width, inputs.targets.height});
+    batches_.assign({inputs.lights.reaches(), firstLight, firstLight + count, inputs.frustum, proxy_.radius,
+                     inputs.targets.width, inputs.targets.height});
     const auto start = static_cast<std::uint32_t>(lightIndices_.size());
     lightIndices_.insert(lightIndices_.end(), batches_.lights().begin(), batches_.lights().end());
     Kind kind;

@@ -20,6 +20,9 @@ class LightVolumes {
     /// Sorts the lights in view into batches and uploads the lists. Returns how many are in view.
     std::uint32_t prepare(const LightingInputs& inputs);
 
+    /// Bytes of the lists.
+    std::uint64_t listBytes() const { return lightIndices_.size() * sizeof(std::uint32_t); }
+
     /// Draws each volume where the surface lies inside it: front faces mark in the stencil the pixels whose
     /// surface lies behind them; back faces draw, of those, the pixels whose surface lies before them. A
     /// volume that reaches the near plane is drawn by its back faces alone, so that the camera may stand

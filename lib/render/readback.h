@@ -5,11 +5,16 @@
 #include <candela/gbuffer.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace candela {
 
-/// Each reads a whole target back, rows from the bottom as OpenGL has them.
+/// Each reads a whole target back, rows from the bottom as OpenGL has them. Those with `into` fill memory of
+/// the right size: two words, one float and four floats a pixel.
+void readSurfaces(const GBufferTargets& targets, std::span<std::uint32_t> into);
+void readDepth(const GBufferTargets& targets, std::span<float> into);
+void readColor(const gl::Texture& texture, int width, int height, std::span<float> into);
 std::vector<GBufferTexel> readSurfaces(const GBufferTargets& targets);
 std::vector<float> readDepth(const GBufferTargets& targets);
 /// RGBA.

@@ -6,13 +6,10 @@
 #include "render/display_pass.h"
 #include "render/frame_uniforms.h"
 #include "render/frustum.h"
-#include "render/fullscreen_technique.h"
 #include "render/geometry_pass.h"
 #include "render/gpu_scene_state.h"
-#include "render/lighting_bindings.h"
-#include "render/pair_counter.h"
+#include "render/lighting.h"
 #include "render/readback.h"
-#include "render/volumes_technique.h"
 
 #include <candela/error.h>
 
@@ -60,25 +57,20 @@ struct Renderer::State {
     explicit State(const Context& context)
         : timer(context.isSoftware() ? gl::PassTimer::Clock::wallAroundFinish
                                      : gl::PassTimer::Clock::gpuQueries),
-          albedo(makeAlbedoTexture()),
+          lighting(context),
           frameBuffer("frame uniforms") {}
 
     void resize(int width, int height);
-    LightingTechnique& techniqueFor(Technique technique);
     LightingInputs lightingInputs(const GpuScene& scene) const;
     void bindFrame(const layout::FrameUniforms& uniforms);
-    void drawGeometry(const GpuScene& scene, const GBufferTargets& into);
-    PairCounter& pairCounter();
+    void drawGeometry(const GpuScene& scene, const GBufferTargets& into, GeometryPass::RadianceStart start);
     const DrawnFrame& drawnFrame() const;
 
     gl::PassTimer timer;
     GeometryPass geometry;
-    FullscreenPass fullscreen;
+    Lighting lighting;
     DisplayPass display;
-    gl::Texture albedo;
     gl::Buffer frameBuffer;
-    std::unique_ptr<LightingTechnique> volumesTechnique, fullscreenTechnique;
-    std::unique_ptr<PairCounter> counter;
     std::optional<GBufferTargets> targets;
     std::optional<DisplayTarget> displayTarget;
     std::optional<DrawnFrame> frame;
@@ -92,17 +84,8 @@ void Renderer::State::resize(int width, int height) {
     targets.emplace(width, height);
 }
 
-LightingTechnique& Renderer::State::techniqueFor(Technique technique) {
-    if (technique == Technique::fullscreen) {
-        if (!fullscreenTechnique) fullscreenTechnique = std::make_unique<FullscreenTechnique>(fullscreen);
-        return *fullscreenTechnique;
-    }
-    if (!volumesTechnique) volumesTechnique = std::make_unique<VolumesTechnique>(fullscreen);
-    return *volumesTechnique;
-}
-
 LightingInputs Renderer::State::lightingInputs(const GpuScene& scene) const {
-    return {*targets, scene.state().lights, frame->frustum, frame->inputs.brdf};
+    return {*targets, scene.state().lights, frame->frustum, frame->uniforms, frame->inputs.brdf, scene.state().draws.emits()};
 }
 
 void Renderer::State::bindFrame(const layout::FrameUniforms& uniforms) {
@@ -110,14 +93,10 @@ void Renderer::State::bindFrame(const layout::FrameUniforms& uniforms) {
     glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, frameBuffer.name());
 }
 
-void Renderer::State::drawGeometry(const GpuScene& scene, const GBufferTargets& into) {
+void Renderer::State::drawGeometry(const GpuScene& scene, const GBufferTargets& into,
+                                   GeometryPass::RadianceStart start) {
     scene.state().select(frame->frustum);
-    geometry.render({scene.state(), into});
-}
-
-PairCounter& Renderer::State::pairCounter() {
-    if (!counter) counter = std::make_unique<PairCounter>();
-    return *counter;
+    geometry.render({scene.state(), into, start});
 }
 
 const DrawnFrame& Renderer::State::drawnFrame() const {
@@ -142,8 +121,8 @@ void Renderer::render(const GpuScene& scene, const FrameInputs& inputs) {
     state.resize(inputs.width, inputs.height);
     scene.state().update();
     const GpuLights& lights = scene.state().lights;
-    const Technique technique =
-        inputs.technique == Technique::automatic ? Technique::volumes : inputs.technique;
+    const Technique technique = state.lighting.resolve(inputs.technique);
+    LightingTechnique& lighting = state.lighting.technique(technique);
     state.frame.emplace(DrawnFrame{
         inputs, technique,
         frameUniforms(inputs.view, inputs.width, inputs.height, scene.state().options.workingFromRec709,
@@ -151,12 +130,15 @@ void Renderer::render(const GpuScene& scene, const FrameInputs& inputs) {
         Frustum(inputs.view, static_cast<float>(inputs.width) / static_cast<float>(inputs.height))});
     state.timer.beginFrame();
     state.bindFrame(state.frame->uniforms);
+    const auto start = lighting.overwritesRadiance() ? GeometryPass::RadianceStart::undefined
+                                                     : GeometryPass::RadianceStart::black;
     {
         const gl::PassTimer::Scope pass(state.timer, "geometry");
-        state.drawGeometry(scene, *state.targets);
+        state.drawGeometry(scene, *state.targets, start);
     }
-    bindForLighting(*state.targets, lights, state.albedo);
-    state.techniqueFor(technique).render(state.lightingInputs(scene), state.timer);
+    const LightingInputs lightingInputs = state.lightingInputs(scene);
+    state.lighting.bind(lightingInputs);
+    lighting.render(lightingInputs, state.timer);
 }
 
 void Renderer::display(const DisplayTransform& transform, const FrameTarget& target) {
@@ -203,12 +185,13 @@ std::vector<Aov> Renderer::aovs(const GpuScene& scene, const std::vector<std::st
     if (wants("emission")) {
         // The frame's own radiance target holds light by now: the emission is drawn once more.
         const GBufferTargets unlit(targets.width, targets.height);
-        state_->drawGeometry(scene, unlit);
+        state_->drawGeometry(scene, unlit, GeometryPass::RadianceStart::black);
         emission = readColor(unlit.radiance, targets.width, targets.height);
     }
     if (wants("light_count")) {
-        bindForLighting(targets, scene.state().lights, state_->albedo);
-        lightCount = state_->pairCounter().litPerPixel(state_->lightingInputs(scene));
+        const LightingInputs inputs = state_->lightingInputs(scene);
+        state_->lighting.bind(inputs);
+        lightCount = state_->lighting.counter().litPerPixel(inputs);
     }
     const std::vector<GBufferTexel> surfaces = readSurfaces(targets);
     const std::vector<float> depth = readDepth(targets);
@@ -223,9 +206,9 @@ PairCounts Renderer::countPairs(const GpuScene& scene) {
     const DrawnFrame& frame = state_->drawnFrame();
     const gl::StateGuard guard;
     state_->bindFrame(frame.uniforms);
-    bindForLighting(*state_->targets, scene.state().lights, state_->albedo);
     const LightingInputs inputs = state_->lightingInputs(scene);
-    PairCounter& counter = state_->pairCounter();
+    state_->lighting.bind(inputs);
+    PairCounter& counter = state_->lighting.counter();
     const auto directionals = static_cast<std::uint64_t>(inputs.lights.counts().directionals);
     const std::uint64_t directionalPairs = directionals * countLitSurfaces(*state_->targets);
     const std::vector<float> lit = counter.litPerPixel(inputs);
@@ -233,8 +216,9 @@ PairCounts Renderer::countPairs(const GpuScene& scene) {
     counts.lightsVisible = counter.lightsInView(inputs) + directionals;
     counts.pairsLit =
         static_cast<std::uint64_t>(std::accumulate(lit.begin(), lit.end(), 0.0)) + directionalPairs;
-    counts.pairsEvaluated =
-        state_->techniqueFor(frame.technique).countEvaluated(inputs, counter) + directionalPairs;
+    LightingTechnique& lighting = state_->lighting.technique(frame.technique);
+    counts.pairsEvaluated = lighting.countEvaluated(inputs, counter) + directionalPairs;
+    counts.lightListBytes = lighting.lightListBytes();
     return counts;
 }
 
@@ -252,6 +236,8 @@ const char* toString(Technique technique) {
     switch (technique) {
         case Technique::volumes:
             return "volumes";
+        case Technique::tiles:
+            return "tiles";
         case Technique::fullscreen:
             return "fullscreen";
         default:

@@ -15,6 +15,7 @@ class VolumesTechnique final : public LightingTechnique {
     explicit VolumesTechnique(const FullscreenPass& fullscreen);
 
     void render(const LightingInputs& inputs, gl::PassTimer& timer) override;
+    std::uint64_t lightListBytes() const override { return volumes_.listBytes(); }
     std::uint64_t countEvaluated(const LightingInputs& inputs, PairCounter& counter) override;
 
   private:

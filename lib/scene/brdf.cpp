@@ -48,7 +48,7 @@ glm::dvec3 directionBetween(const glm::dvec3& from, const glm::dvec3& to) {
     return length < smallestLength ? glm::dvec3(0.0) : way / length;
 }
 
-/// L_i of a point or spot light, in the units of DESIGN's equation: candela / pi over the squared distance.
+/// L_i of a point or spot light, as the lighting equation takes it: candela / pi over the squared distance.
 glm::dvec3 incidentRadiance(const PlacedLight& light, const glm::dvec3& l, double distance) {
     const double reach = std::max(distance, minimumDistance);
     double factor = rangeWindow(distance, light.range) / (reach * reach);
@@ -96,9 +96,11 @@ glm::dvec3 fresnelSchlick(const glm::dvec3& f0, double vDotH) {
 
 glm::dvec3 evaluateBrdf(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& l,
                         const glm::dvec3& v) {
-    if (glm::dot(surface.normal, l) <= 0.0) return glm::dvec3(0.0);
-    const double nDotL = std::max(glm::dot(surface.normal, l), smallestNDotL);
-    const double nDotV = std::max(glm::dot(surface.normal, v), minimumNDotV);
+    // A normal that is of unit length only to single precision would spoil D at the least alpha by a tenth.
+    const glm::dvec3 n = glm::normalize(surface.normal);
+    if (glm::dot(n, l) <= 0.0) return glm::dvec3(0.0);
+    const double nDotL = std::max(glm::dot(n, l), smallestNDotL);
+    const double nDotV = std::max(glm::dot(n, v), minimumNDotV);
     const glm::dvec3 h = directionBetween(-v, l);
     // Opposite directions have no half vector: F is 1 there, which leaves no diffuse part, and no lobe is.
     if (h == glm::dvec3(0.0)) return glm::dvec3(0.0);
@@ -106,7 +108,7 @@ glm::dvec3 evaluateBrdf(BrdfModel model, const SurfacePoint& surface, const glm:
 
     const glm::dvec3 f0 = glm::mix(glm::dvec3(0.04), surface.baseColor, surface.metallic);
     const glm::dvec3 fresnel = fresnelSchlick(f0, glm::dot(v, h));
-    const double lobe = specularLobe(model, surface.roughness, nDotL, nDotV, glm::dot(surface.normal, h));
+    const double lobe = specularLobe(model, surface.roughness, nDotL, nDotV, glm::dot(n, h));
     const glm::dvec3 specular = fresnel * lobe * compensation(model, f0, nDotV, alpha);
     const glm::dvec3 diffuse =
         (1.0 - fresnel) * (1.0 - surface.metallic) * surface.baseColor / std::numbers::pi;

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cfloat>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace candela {
 
@@ -13,6 +13,10 @@ namespace {
 
 std::uint32_t nextCorner(std::uint32_t corner) {
     return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+
+std::uint32_t previousCorner(std::uint32_t corner) {
+    return corner % 3 == 0 ? corner + 2 : corner - 1;
 }
 
 struct VertexKey {
@@ -116,48 +120,48 @@ std::vector<std::uint32_t> pairEdges(const TangentGroups& groups) {
     return opposite;
 }
 
-// Triangles without uv area take the orientation of the first neighbour that has one, breadth first.
-void spreadOrientation(const std::vector<std::uint32_t>& opposite, TangentGroups& groups) {
-    std::vector<bool> known(groups.kinds.size());
-    std::vector<std::uint32_t> queue;
-    for (std::uint32_t i = 0; i < groups.kinds.size(); ++i) {
-        known[i] = groups.kinds[i] != TriangleKind::withoutUvArea;
-        if (groups.kinds[i] == TriangleKind::whole) queue.push_back(i);
-    }
-    for (std::size_t at = 0; at < queue.size(); ++at) {
-        for (std::uint32_t corner = queue[at] * 3; corner < queue[at] * 3 + 3; ++corner) {
-            if (opposite[corner] == noCorner) continue;
-            const std::uint32_t neighbour = opposite[corner] / 3;
-            if (known[neighbour]) continue;
-            known[neighbour] = true;
-            groups.mirrored[neighbour] = groups.mirrored[queue[at]];
-            queue.push_back(neighbour);
-        }
-    }
-}
-
-// A forest over corners: each points towards the one that stands for its group.
-class Forest {
+// Grows groups over the corners at one vertex, from triangle to triangle across their edges.
+class GroupGrowth {
   public:
-    explicit Forest(std::size_t size) : parents_(size) { std::iota(parents_.begin(), parents_.end(), 0u); }
+    GroupGrowth(TangentGroups& groups, std::vector<std::uint32_t> opposite)
+        : groups_(groups), opposite_(std::move(opposite)) {}
 
-    std::uint32_t root(std::uint32_t corner) {
-        while (parents_[corner] != corner) {
-            parents_[corner] = parents_[parents_[corner]];
-            corner = parents_[corner];
+    void growFrom(std::uint32_t start) {
+        mirrored_ = groups_.mirrored[start / 3];
+        take(start, start);
+        while (!open_.empty()) {
+            const std::uint32_t corner = open_.back();
+            open_.pop_back();
+            const std::uint32_t across = opposite_[corner], back = opposite_[previousCorner(corner)];
+            if (across != noCorner) tryToTake(nextCorner(across), start);
+            if (back != noCorner) tryToTake(back, start);
         }
-        return corner;
-    }
-
-    // The lower corner stands for both.
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = root(a);
-        b = root(b);
-        parents_[std::max(a, b)] = std::min(a, b);
     }
 
   private:
-    std::vector<std::uint32_t> parents_;
+    void take(std::uint32_t corner, std::uint32_t group) {
+        groups_.groupOfCorner[corner] = group;
+        open_.push_back(corner);
+    }
+
+    void tryToTake(std::uint32_t corner, std::uint32_t group) {
+        if (groups_.groupOfCorner[corner] != noCorner) return;
+        const std::uint32_t triangle = corner / 3;
+        if (groups_.kinds[triangle] == TriangleKind::withoutUvArea && isUntouched(triangle)) {
+            groups_.mirrored[triangle] = mirrored_;
+        }
+        if (groups_.mirrored[triangle] == mirrored_) take(corner, group);
+    }
+
+    bool isUntouched(std::uint32_t triangle) const {
+        const std::uint32_t* group = groups_.groupOfCorner.data() + std::size_t{triangle} * 3;
+        return group[0] == noCorner && group[1] == noCorner && group[2] == noCorner;
+    }
+
+    TangentGroups& groups_;
+    std::vector<std::uint32_t> opposite_;
+    std::vector<std::uint32_t> open_;
+    bool mirrored_ = false;
 };
 
 }  // namespace
@@ -168,21 +172,16 @@ TangentGroups tangentGroups(const Mesh& mesh, const std::vector<glm::vec2>& uv) 
     groups.vertexOfCorner.reserve(mesh.indices.size());
     for (const std::uint32_t index : mesh.indices) groups.vertexOfCorner.push_back(first[index]);
     classify(mesh, uv, groups);
-    const std::vector<std::uint32_t> opposite = pairEdges(groups);
-    spreadOrientation(opposite, groups);
 
     const auto corners = static_cast<std::uint32_t>(mesh.indices.size());
-    Forest forest(corners);
+    groups.groupOfCorner.assign(corners, noCorner);
+    GroupGrowth growth(groups, pairEdges(groups));
     for (std::uint32_t corner = 0; corner < corners; ++corner) {
-        const std::uint32_t other = opposite[corner];
-        if (other == noCorner || other < corner) continue;
-        if (groups.mirrored[corner / 3] != groups.mirrored[other / 3]) continue;
-        forest.join(corner, nextCorner(other));
-        forest.join(nextCorner(corner), other);
+        const bool starts = groups.kinds[corner / 3] == TriangleKind::whole;
+        if (starts && groups.groupOfCorner[corner] == noCorner) growth.growFrom(corner);
     }
-    groups.groupOfCorner.resize(corners);
     for (std::uint32_t corner = 0; corner < corners; ++corner) {
-        groups.groupOfCorner[corner] = forest.root(corner);
+        if (groups.groupOfCorner[corner] == noCorner) groups.groupOfCorner[corner] = corner;
     }
     return groups;
 }

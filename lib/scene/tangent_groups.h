@@ -14,7 +14,7 @@ constexpr std::uint32_t noCorner = 0xffffffffu;
 /// What a triangle can say about tangents.
 enum class TriangleKind : std::uint8_t {
     whole,
-    withoutUvArea,  ///< Has no direction of its own, and takes the orientation of a neighbour.
+    withoutUvArea,  ///< Has no direction of its own, and takes the orientation of a group that reaches it.
     degenerate,     ///< Two of its positions coincide: no part of the surface.
 };
 

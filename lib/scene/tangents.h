@@ -15,20 +15,17 @@ namespace candela {
 ///  - Tangents are made per triangle corner. Vertices of equal position, normal and texture coordinate count
 ///    as one, however the mesh is indexed.
 ///  - Corners at such a vertex share a tangent when a chain of triangles around it joins them, each sharing
-///  an
-///    edge with the next, in opposite direction, and all having the same orientation of texture coordinates:
-///    mirrored halves split.
+///    an edge with the next, in opposite direction, and all having the same orientation of texture
+///    coordinates: mirrored halves split.
 ///  - A corner adds its triangle's direction of growing u, projected into the plane of the vertex normal and
 ///    brought to unit length, weighted by the corner's angle in that plane.
-///  - A triangle whose texture coordinates span no area (at most 2^-126) adds nothing. It takes the
-///    orientation of the first neighbour, breadth first, that has one, and that neighbour's tangents.
-///  - A triangle of which two positions coincide adds nothing and joins nothing. Its corners take the tangent
+///  - A triangle whose texture coordinates span no area (at most 2^-126) adds nothing, but links
+///    its neighbours. It takes the orientation of the first group, by order of corners, that reaches it.
+///  - A triangle of which two positions coincide adds nothing and links nothing. Its corners take the tangent
 ///    of another triangle at the same vertex.
-/// Where these give nothing, the tangent is any perpendicular to the normal, with w = 1.
-///
-/// Not followed bit for bit: the order in which the reference implementation grows its groups, which matters
-/// only where a triangle without texture area touches both orientations; and its angular threshold, which by
-/// default never splits.
+/// Where these give nothing, the tangent is that of the first group at the same vertex, else any
+/// perpendicular to the normal with w = 1 (the reference implementation leaves an axis or zero there). Its
+/// angular threshold, which by default never splits, is left out, and quads are not treated specially.
 ///
 /// A vertex whose corners need different tangents is split: the first keeps its place, others are appended.
 /// Throws `Error`: badInput when an index is out of range or an array does not have one element a vertex;

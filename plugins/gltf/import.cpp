@@ -40,9 +40,9 @@ void importFile(const std::string& name, const Host& host) {
     host.progress(documentRead);
 
     const std::vector<std::int32_t> images = pushImages(document, storage, host, documentRead, imagesPushed);
-    pushMaterials(document, images, host);
+    const std::vector<UvSets> uvSets = pushMaterials(document, images, host);
     const MeshParts meshes =
-        pushMeshes(document, meshesInUse(document, drawn), host, imagesPushed, meshesPushed);
+        pushMeshes(document, meshesInUse(document, drawn), uvSets, host, imagesPushed, meshesPushed);
     host.progress(meshesPushed);
 
     const std::vector<std::int32_t> nodes = pushNodes(document, drawn, meshes, host);

@@ -157,9 +157,21 @@ void readFactors(const tinygltf::Material& source, candela_material& material) {
     material.unlit = findExtension(source.extensions, "KHR_materials_unlit") ? 1 : 0;
 }
 
+UvSets uvSetsOf(const candela_material& material) {
+    UvSets sets{};
+    for (const candela_texture* texture :
+         {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
+          &material.occlusion_texture, &material.emission_texture}) {
+        if (texture->image >= 0) sets[texture->uv_set] = true;
+    }
+    return sets;
+}
+
 }  // namespace
 
-void pushMaterials(const Document& document, const std::vector<std::int32_t>& images, const Host& host) {
+std::vector<UvSets> pushMaterials(const Document& document, const std::vector<std::int32_t>& images,
+                                  const Host& host) {
+    std::vector<UvSets> uvSets;
     for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
         const tinygltf::Material& source = document.model.materials[i];
         const MaterialReader reader(document, images, host, elementName("material", i, source.name));
@@ -176,7 +188,9 @@ void pushMaterials(const Document& document, const std::vector<std::int32_t>& im
         material.occlusion_texture = reader.texture(source.occlusionTexture, "occlusionTexture");
         material.emission_texture = reader.texture(source.emissiveTexture, "emissiveTexture");
         host.add(material);
+        uvSets.push_back(uvSetsOf(material));
     }
+    return uvSets;
 }
 
 }  // namespace candela_gltf

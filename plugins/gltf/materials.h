@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "document.h"
@@ -7,8 +8,12 @@
 
 namespace candela_gltf {
 
+/// Which sets of texture coordinates, 0 and 1, the textures of a material read.
+using UvSets = std::array<bool, 2>;
+
 /// Pushes every material of the file, in its order, so that the host's indices are the file's. `images` are
-/// the host's indices of the file's images.
-void pushMaterials(const Document& document, const std::vector<std::int32_t>& images, const Host& host);
+/// the host's indices of the file's images. Returns what texture coordinates each material reads.
+std::vector<UvSets> pushMaterials(const Document& document, const std::vector<std::int32_t>& images,
+                                  const Host& host);
 
 }  // namespace candela_gltf

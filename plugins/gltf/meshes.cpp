@@ -34,17 +34,21 @@ constexpr std::array<Stream, streamCount> streams{{{"POSITION", 3, onlyFloat, qu
                                                    {"TEXCOORD_1", 2, fractions, quantizedNumbers},
                                                    {"COLOR_0", 4, fractions, fractions}}};
 
-/// The accessor of each stream, -1 where a primitive has none.
+/// The accessor of each stream, or one of these where a primitive has none.
 using Accessors = std::array<int, streamCount>;
+constexpr int absent = -1, zeros = -2;
 
-Accessors accessorsOf(const tinygltf::Primitive& primitive) {
+/// `needed` are the texture coordinates that the primitive's material reads.
+Accessors accessorsOf(const tinygltf::Primitive& primitive, const UvSets& needed) {
     Accessors accessors;
     for (std::size_t s = 0; s < streamCount; ++s) {
         const auto found = primitive.attributes.find(streams[s].attribute);
-        accessors[s] = found == primitive.attributes.end() ? -1 : found->second;
+        accessors[s] = found == primitive.attributes.end() ? absent : found->second;
     }
     // Tangents without normals are to be ignored (glTF 2.0, 3.7.2.1).
-    if (accessors[normal] < 0) accessors[tangent] = -1;
+    if (accessors[normal] == absent) accessors[tangent] = absent;
+    if (accessors[uv0] == absent && needed[0]) accessors[uv0] = zeros;
+    if (accessors[uv1] == absent && needed[1]) accessors[uv1] = zeros;
     return accessors;
 }
 
@@ -72,8 +76,9 @@ struct VertexRange {
 /// Primitives of one mesh that have the same attributes, as one mesh of the host.
 class Part {
   public:
-    void add(const Document& document, const tinygltf::Primitive& primitive, const std::string& element) {
-        const VertexRange range = rangeOf(document, accessorsOf(primitive), element);
+    void add(const Document& document, const tinygltf::Primitive& primitive, const Accessors& accessors,
+             const std::string& element) {
+        const VertexRange range = rangeOf(document, accessors, element);
         std::vector<std::uint32_t> corners = cornersOf(document, primitive, range, element);
         const std::vector<std::uint32_t> triangles = triangulate(primitive.mode, std::move(corners), element);
         const std::size_t first = indices_.size();
@@ -117,6 +122,9 @@ class Part {
         }
         for (std::size_t s = 0; s < streamCount; ++s) {
             if (accessors[s] >= 0) append(document, s, accessors[s], positions.count, element);
+            if (accessors[s] == zeros) {
+                streams_[s].resize(streams_[s].size() + positions.count * streams[s].components);
+            }
         }
         const VertexRange range{vertexCount_, static_cast<std::uint32_t>(positions.count)};
         vertexCount_ += range.count;
@@ -169,16 +177,16 @@ class Part {
 
 using Presence = std::array<bool, streamCount>;
 
-Presence presenceOf(const tinygltf::Primitive& primitive) {
+Presence presenceOf(const Accessors& accessors) {
     Presence presence;
-    const Accessors accessors = accessorsOf(primitive);
-    std::transform(accessors.begin(), accessors.end(), presence.begin(), [](int a) { return a >= 0; });
+    std::transform(accessors.begin(), accessors.end(), presence.begin(), [](int a) { return a != absent; });
     return presence;
 }
 
 class MeshPusher {
   public:
-    MeshPusher(const Document& document, const Host& host) : document_(document), host_(host) {}
+    MeshPusher(const Document& document, const std::vector<UvSets>& uvSets, const Host& host)
+        : document_(document), uvSets_(uvSets), host_(host) {}
 
     std::vector<std::int32_t> push(std::size_t index) {
         const tinygltf::Mesh& mesh = document_.model.meshes[index];
@@ -189,9 +197,11 @@ class MeshPusher {
             const tinygltf::Primitive& primitive = mesh.primitives[i];
             const std::string where = element + ", primitive " + std::to_string(i);
             if (!isDrawn(primitive, where)) continue;
-            const auto [entry, isNew] = partOf.try_emplace(presenceOf(primitive), parts.size());
+            const Accessors accessors = accessorsOf(primitive, uvSetsOf(primitive));
+            noteMissingUvs(accessors, primitive.material, where);
+            const auto [entry, isNew] = partOf.try_emplace(presenceOf(accessors), parts.size());
             if (isNew) parts.emplace_back();
-            parts[entry->second].add(document_, primitive, where);
+            parts[entry->second].add(document_, primitive, accessors, where);
         }
         std::vector<std::int32_t> indices;
         for (const Part& part : parts) indices.push_back(part.push(mesh.name, host_));
@@ -214,6 +224,18 @@ class MeshPusher {
         return false;
     }
 
+    UvSets uvSetsOf(const tinygltf::Primitive& primitive) const {
+        return primitive.material < 0 ? UvSets{} : uvSets_.at(static_cast<std::size_t>(primitive.material));
+    }
+
+    void noteMissingUvs(const Accessors& accessors, int material, const std::string& element) const {
+        for (const StreamIndex stream : {uv0, uv1}) {
+            if (accessors[stream] != zeros) continue;
+            host_.note(element + ": has no " + streams[stream].attribute + ", which material " +
+                       std::to_string(material) + " reads: taken as zeros");
+        }
+    }
+
     void noteUndrawn(std::size_t count, const char* what) const {
         if (count == 0) return;
         host_.note(std::to_string(count) + (count == 1 ? " primitive of " : " primitives of ") + what +
@@ -221,15 +243,16 @@ class MeshPusher {
     }
 
     const Document& document_;
+    const std::vector<UvSets>& uvSets_;
     const Host& host_;
     std::size_t points_ = 0, lines_ = 0;
 };
 
 }  // namespace
 
-MeshParts pushMeshes(const Document& document, const std::vector<bool>& used, const Host& host, double from,
-                     double to) {
-    MeshPusher pusher(document, host);
+MeshParts pushMeshes(const Document& document, const std::vector<bool>& used,
+                     const std::vector<UvSets>& uvSets, const Host& host, double from, double to) {
+    MeshPusher pusher(document, uvSets, host);
     MeshParts parts(used.size());
     for (std::size_t i = 0; i < used.size(); ++i) {
         host.progress(from + (to - from) * static_cast<double>(i) / static_cast<double>(used.size()));

@@ -4,6 +4,7 @@
 
 #include "document.h"
 #include "host.h"
+#include "materials.h"
 
 namespace candela_gltf {
 
@@ -12,8 +13,8 @@ namespace candela_gltf {
 using MeshParts = std::vector<std::vector<std::int32_t>>;
 
 /// Pushes the meshes marked in `used`, and notes what is not drawn of them. Materials have been pushed with
-/// the file's indices. Progress goes from `from` to `to`.
-MeshParts pushMeshes(const Document& document, const std::vector<bool>& used, const Host& host, double from,
-                     double to);
+/// the file's indices and read the texture coordinates `uvSets`. Progress goes from `from` to `to`.
+MeshParts pushMeshes(const Document& document, const std::vector<bool>& used,
+                     const std::vector<UvSets>& uvSets, const Host& host, double from, double to);
 
 }  // namespace candela_gltf

@@ -51,7 +51,8 @@ struct Place {
 
 std::string shown(double number) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.9g", number);
+    const bool whole = number == std::floor(number) && std::abs(number) < 1e15;
+    std::snprintf(text, sizeof text, whole ? "%.0f" : "%.9g", number);
     return text;
 }
 

@@ -1,7 +1,9 @@
 // The plugin of made scenes. A further one is a scheme and a generator in the table, in files of its own.
 
+#include "cloud.h"
 #include "generator.h"
 #include "plaza.h"
+#include "rooms.h"
 
 #include <candela/plugin.h>
 
@@ -18,7 +20,8 @@ struct MadeScene {
     Generator generate;
 };
 
-constexpr std::array madeScenes{MadeScene{"plaza", makePlaza}};
+constexpr std::array madeScenes{MadeScene{"plaza", makePlaza}, MadeScene{"cloud", makeCloud},
+                                MadeScene{"rooms", makeRooms}};
 
 constexpr auto schemes = [] {
     std::array<const char*, madeScenes.size() + 1> names{};
@@ -65,7 +68,8 @@ constexpr candela_plugin plugin{
     CANDELA_PLUGIN_MINOR,
     "plaza",
     "0.1.0",
-    "made scenes: plaza:N is a square of 100 m with 256 spheres under N point lights",
+    "made scenes under N point lights: plaza:N a square with 256 spheres, cloud:N a sphere of small lights, "
+    "rooms:N a floor of 256 rooms",
     &importer};
 
 }  // namespace

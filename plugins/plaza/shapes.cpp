@@ -1,23 +1,15 @@
 #include "shapes.h"
 
 #include <cmath>
+#include <utility>
 
 namespace plaza {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// Mathematical libraries differ in the last bit of a sine. On a grid of 2^-20 they agree, and zeros are
-// zeros.
 double onGrid(double value) {
     return std::floor(value * 1048576.0 + 0.5) / 1048576.0;
-}
-
-double gridSine(double angle) {
-    return onGrid(std::sin(angle));
-}
-double gridCosine(double angle) {
-    return onGrid(std::cos(angle));
 }
 
 void addVertex(Shape& sphere, double x, double y, double z, double radius) {
@@ -31,6 +23,14 @@ void addTriangle(Shape& shape, std::uint32_t a, std::uint32_t b, std::uint32_t c
 }
 
 }  // namespace
+
+double gridSine(double angle) {
+    return onGrid(std::sin(angle));
+}
+
+double gridCosine(double angle) {
+    return onGrid(std::cos(angle));
+}
 
 Shape makeGround(float side, std::uint32_t quads) {
     Shape ground;
@@ -79,6 +79,37 @@ Shape makeSphere(float radius, std::uint32_t around, std::uint32_t down) {
         addTriangle(sphere, vertex(down - 1, segment), lowerPole, vertex(down - 1, segment + 1));
     }
     return sphere;
+}
+
+void turnInsideOut(Shape& shape) {
+    for (std::array<float, 3>& normal : shape.normals)
+        for (float& part : normal) part = -part;
+    for (std::size_t i = 0; i < shape.indices.size(); i += 3)
+        std::swap(shape.indices[i + 1], shape.indices[i + 2]);
+}
+
+// Around each axis in turn, the other two make a right-handed pair; the face at the low end turns the other
+// way round.
+void addBox(Shape& shape, const std::array<float, 3>& low, const std::array<float, 3>& high) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const bool atHigh : {false, true}) {
+            const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+            const auto first = static_cast<std::uint32_t>(shape.positions.size());
+            std::array<float, 3> normal{};
+            normal[axis] = atHigh ? 1.0f : -1.0f;
+            for (const auto& [alongU, alongV] :
+                 {std::pair{false, false}, {true, false}, {true, true}, {false, true}}) {
+                std::array<float, 3> corner{};
+                corner[axis] = (atHigh ? high : low)[axis];
+                corner[u] = (alongU ? high : low)[u];
+                corner[v] = (alongV ? high : low)[v];
+                shape.positions.push_back(corner);
+                shape.normals.push_back(normal);
+            }
+            const std::uint32_t second = atHigh ? 1 : 3, fourth = atHigh ? 3 : 1;
+            addTriangle(shape, first, first + second, first + 2);
+            addTriangle(shape, first, first + 2, first + fourth);
+        }
 }
 
 }  // namespace plaza

@@ -60,7 +60,7 @@ vec3 reflectance(ShadingPoint point, vec3 l, float nDotL) {
     float tangential2 = dot(tangential, tangential);
     float t2 = tangential2 + nDotT * nDotT;
     // t² times GGX's (n·h)² (alpha² - 1) + 1, without its cancellation; the floor only guards l = -v, where t is 0.
-    float q = max(tangential2 + point.alpha2 * nDotT * nDotT, 1.0e-12);
+    float q = max(tangential2 + point.alpha2 * nDotT * nDotT, 1.0e-15);
 #if BRDF == BRDF_COURSE
     float masking = nDotL * point.masking.x + point.masking.y;
 #else

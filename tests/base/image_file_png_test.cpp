@@ -123,7 +123,7 @@ TEST(ImageFilePng, tagsGammaAndPrimaries) {
 TEST(ImageFilePng, tagsNothingThatIsUnknown) {
     const TemporaryFolder folder;
     writePng(folder.path() / "a.png", 1, 1, std::vector<std::uint8_t>{1, 2, 3, 4},
-             {.transfer = DisplayEncoding::Transfer::unknown});
+             {.transfer = DisplayEncoding::Transfer::unknown, .chromaticities = {}});
     for (const char* chunk : {"sRGB", "gAMA", "cHRM", "iCCP"})
         EXPECT_FALSE(fileContains(folder.path() / "a.png", chunk)) << chunk;
 }

@@ -45,14 +45,14 @@ double coverage(const ExrPicture& picture) {
 }
 
 TEST_F(Picture, PlazaIsDrawnIntoTheDefaultFile) {
-    expectDone(runCommand({"plaza:16", "--size", "96x54"}, {.folder = folder.path()}));
+    expectDone(runCommand({"plaza:1000", "--size", "96x54"}, {.folder = folder.path()}));
     EXPECT_EQ(folder.names(), (Names{"candela.png", "square.gltf"}));
     const PngPicture picture = readPng(folder / "candela.png");
     EXPECT_EQ(picture.width, 96);
     EXPECT_EQ(picture.height, 54);
     EXPECT_TRUE(picture.opaque());
-    EXPECT_GT(picture.colors(), 20u);
-    EXPECT_GT(picture.mean(), 0.5);
+    EXPECT_GT(picture.colors(), 200u);
+    EXPECT_GT(picture.mean(), 5.0);
 }
 
 TEST_F(Picture, EndingsCountInAnyCase) {
@@ -148,8 +148,9 @@ TEST_F(Picture, CamerasAreFoundByNameAndByNumber) {
     EXPECT_EQ(first.channels, exr({"--camera", "0"}).channels);
     const ExrPicture far = exr({"--camera", "far"});
     EXPECT_EQ(far.channels, exr({"--camera", "1"}).channels);
-    // Twice as far: a quarter of the area, give or take a rim of pixels.
-    EXPECT_NEAR(coverage(far) / coverage(first), 0.25, 0.1);
+    // The square's side takes a third of the picture from 3 m and a sixth from 6 m, to a pixel.
+    EXPECT_NEAR(std::sqrt(coverage(first)) * 32.0, 32.0 / 3.0, 1.0);
+    EXPECT_NEAR(std::sqrt(coverage(far)) * 32.0, 32.0 / 6.0, 1.0);
 }
 
 TEST_F(Picture, EyeTargetAndFieldOfViewOverride) {

@@ -78,7 +78,7 @@ TEST(BrdfFurnace, aWhiteMetalOfTheGltfModelLosesLessThanOnePercent) {
     EXPECT_GE(found.least, 0.99);
 }
 
-// DESIGN's diffuse part, (1 - F(v·h)) colour / pi, gives away too little at grazing angles: it subtracts the
+// The diffuse part, (1 - F(v·h)) colour / pi, gives away too little at grazing angles: it subtracts the
 // Fresnel term of the half vector between l and v, and most l have a steep one, while the lobe reflects
 // nearly all. A white dielectric then returns more than it receives. The equation is kept; how far it goes is
 // held here.

@@ -9,7 +9,7 @@ namespace {
 /// A file with two images, behind textures 0 and 1, and one material.
 GltfFile fileWithMaterial(const std::string& material) {
     GltfFile file;
-    for (const std::uint8_t red : {10, 20}) {
+    for (const std::uint8_t red : {std::uint8_t(10), std::uint8_t(20)}) {
         const std::string uri = "data:image/png;base64," + base64(makePng(1, 1, red, 0, 0, 255));
         file.add("images", R"({"uri":")" + uri + "\"}");
     }

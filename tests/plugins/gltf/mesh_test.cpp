@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "loading.h"
+#include "png_file.h"
 
 namespace candela_test {
 namespace {
@@ -187,6 +188,17 @@ TEST(Mesh, withoutPositionsIsNotedAndNotDrawn) {
     addTriangle(file);
     file.addShownMesh(R"("attributes":{"NORMAL":1})", "empty");
     EXPECT_TRUE(hasNote(load(file), "mesh 0 'empty', primitive 0: not drawn, for it has no POSITION"));
+}
+
+TEST(Mesh, missingTextureCoordinatesThatAreReadAreZerosAndNoted) {
+    GltfFile file = triangleFile(R"("material":0)");
+    file.add("images", R"({"uri":"data:image/png;base64,)" + base64(makePng(1, 1, 1, 2, 3, 4)) + "\"}");
+    file.add("textures", R"({"source":0})");
+    file.add("materials", R"({"emissiveTexture":{"index":0,"texCoord":1}})");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_TRUE(imported.scene.meshes.at(0).uv0.empty());
+    EXPECT_EQ(imported.scene.meshes.at(0).uv1, std::vector<glm::vec2>(3, glm::vec2(0)));
+    EXPECT_TRUE(hasNote(imported, "mesh 0, primitive 0: has no TEXCOORD_1, which material 0 reads"));
 }
 
 TEST(Mesh, morphTargetsAreNotedAndLeftOut) {

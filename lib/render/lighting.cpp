@@ -1,0 +1,37 @@
+#include "render/lighting.h"
+
+#include "render/lighting_bindings.h"
+#include "render/tiles/software_tiles.h"
+#include "render/volumes_technique.h"
+
+namespace candela {
+
+Lighting::Lighting(const Context& context) : software_(context.isSoftware()), albedo_(makeAlbedoTexture()) {}
+
+Technique Lighting::resolve(Technique technique) const {
+    if (technique != Technique::automatic) return technique;
+    return software_ ? Technique::tiles : Technique::volumes;
+}
+
+std::unique_ptr<LightingTechnique> Lighting::make(Technique technique) const {
+    switch (technique) {
+        case Technique::fullscreen: return std::make_unique<FullscreenTechnique>(fullscreen_);
+        case Technique::volumes: return std::make_unique<VolumesTechnique>(fullscreen_);
+        default: return std::make_unique<SoftwareTiles>();
+    }
+}
+
+LightingTechnique& Lighting::technique(Technique technique) {
+    auto& made = techniques_[technique];
+    if (!made) made = make(technique);
+    return *made;
+}
+
+PairCounter& Lighting::counter() {
+    if (!counter_) counter_ = std::make_unique<PairCounter>();
+    return *counter_;
+}
+
+void Lighting::bind(const LightingInputs& inputs) const { bindForLighting(inputs.targets, inputs.lights, albedo_); }
+
+}  // namespace candela

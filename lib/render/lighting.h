@@ -1,0 +1,39 @@
+#pragma once
+
+#include "render/fullscreen_technique.h"
+#include "render/lighting_technique.h"
+#include "render/pair_counter.h"
+
+#include <candela/context.h>
+#include <candela/renderer.h>
+
+#include <map>
+#include <memory>
+
+namespace candela {
+
+/// The lighting techniques of a renderer, each made when it is first asked for.
+class Lighting {
+  public:
+    explicit Lighting(const Context& context);
+
+    /// What stands for `technique` on this device: `automatic` becomes the fastest.
+    Technique resolve(Technique technique) const;
+    /// `technique` is not `automatic`.
+    LightingTechnique& technique(Technique technique);
+    PairCounter& counter();
+
+    /// Binds what all techniques read.
+    void bind(const LightingInputs& inputs) const;
+
+  private:
+    std::unique_ptr<LightingTechnique> make(Technique technique) const;
+
+    bool software_;
+    gl::Texture albedo_;
+    FullscreenPass fullscreen_;
+    std::map<Technique, std::unique_ptr<LightingTechnique>> techniques_;
+    std::unique_ptr<PairCounter> counter_;
+};
+
+}  // namespace candela

@@ -1,0 +1,147 @@
+#pragma once
+
+// Vectors of floats as wide as the instruction set this file is compiled for. Included only by
+// tile_kernel_code.h, which is compiled once for each instruction set: everything here has internal linkage, so
+// that no two variants of a function can meet in the linker.
+
+#include <cstdint>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace candela {
+namespace {
+
+#if defined(__AVX512F__)
+constexpr int laneCount = 16;
+#elif defined(__AVX2__)
+constexpr int laneCount = 8;
+#else
+constexpr int laneCount = 4;
+#endif
+
+typedef float Floats __attribute__((vector_size(4 * laneCount)));
+typedef std::int32_t Ints __attribute__((vector_size(4 * laneCount)));
+
+inline Floats load(const float* from) {
+    Floats v;
+    __builtin_memcpy(&v, from, sizeof v);
+    return v;
+}
+
+inline void store(float* to, Floats v) {
+    __builtin_memcpy(to, &v, sizeof v);
+}
+
+inline Floats splat(float value) {
+    return value - Floats{};
+}
+
+inline Floats select(Ints mask, Floats a, Floats b) {
+    return mask ? a : b;
+}
+
+#if defined(__AVX512F__)
+
+inline Floats max(Floats a, Floats b) {
+    return (Floats)_mm512_max_ps((__m512)a, (__m512)b);
+}
+inline Floats min(Floats a, Floats b) {
+    return (Floats)_mm512_min_ps((__m512)a, (__m512)b);
+}
+inline Floats roughRsqrt(Floats a) {
+    return (Floats)_mm512_rsqrt14_ps((__m512)a);
+}
+inline Floats roughReciprocal(Floats a) {
+    return (Floats)_mm512_rcp14_ps((__m512)a);
+}
+
+#elif defined(__AVX2__)
+
+inline Floats max(Floats a, Floats b) {
+    return (Floats)_mm256_max_ps((__m256)a, (__m256)b);
+}
+inline Floats min(Floats a, Floats b) {
+    return (Floats)_mm256_min_ps((__m256)a, (__m256)b);
+}
+inline Floats roughRsqrt(Floats a) {
+    return (Floats)_mm256_rsqrt_ps((__m256)a);
+}
+inline Floats roughReciprocal(Floats a) {
+    return (Floats)_mm256_rcp_ps((__m256)a);
+}
+
+#else
+
+inline Floats max(Floats a, Floats b) {
+    return a > b ? a : b;
+}
+inline Floats min(Floats a, Floats b) {
+    return a < b ? a : b;
+}
+
+#endif
+
+#if defined(__AVX2__)
+
+// The hardware's 12 or 14 bits, and one step of Newton's method: all but the last bits of a float. Infinite
+// for 0, as the exact ones.
+inline Floats rsqrt(Floats a) {
+    const Floats r = roughRsqrt(a);
+    return r * (1.5f - 0.5f * a * r * r);
+}
+
+inline Floats reciprocal(Floats a) {
+    const Floats r = roughReciprocal(a);
+    return r * (2.0f - a * r);
+}
+
+#else
+
+inline Floats rsqrt(Floats a) {
+    Floats r;
+    for (int lane = 0; lane < laneCount; ++lane) r[lane] = 1.0f / __builtin_sqrtf(a[lane]);
+    return r;
+}
+
+inline Floats reciprocal(Floats a) {
+    return 1.0f / a;
+}
+
+#endif
+
+/// The square root of a number that is over 1e-30.
+inline Floats squareRoot(Floats a) {
+    return a * rsqrt(a);
+}
+
+inline Floats absolute(Floats a) {
+    return max(a, -a);
+}
+
+struct Vec3 {
+    Floats x, y, z;
+};
+
+inline Vec3 operator+(Vec3 a, Vec3 b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vec3 operator-(Vec3 a, Vec3 b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vec3 operator*(Vec3 a, Vec3 b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+inline Vec3 operator*(Vec3 a, Floats b) {
+    return {a.x * b, a.y * b, a.z * b};
+}
+inline Floats dot(Vec3 a, Vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline Vec3 splat3(const float* v) {
+    return {splat(v[0]), splat(v[1]), splat(v[2])};
+}
+
+}  // namespace
+}  // namespace candela

@@ -1,0 +1,169 @@
+#include "host_context.h"
+#include "small_scene.h"
+
+#include <candela/context.h>
+#include <candela/error.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+
+namespace candela::test {
+namespace {
+
+std::vector<float> drawn(const Context& context, Renderer& renderer, const LitScene& made) {
+    context.makeCurrent();
+    GpuScene scene(context, made.scene);
+    scene.setLights(made.lights);
+    renderer.render(scene, smallFrame(made, Technique::volumes));
+    return renderer.radiance().rgba;
+}
+
+/// The text and kind of the error that `action` throws; a failure when it throws none.
+template <typename Action>
+std::string errorOf(const Action& action, ErrorKind kind) {
+    try {
+        action();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), kind);
+        return error.what();
+    }
+    ADD_FAILURE() << "no error was thrown";
+    return {};
+}
+
+TEST(HeadlessContext, isCurrentAndSaysHowItWasMade) {
+    const Context context = Context::createHeadless();
+    EXPECT_FALSE(context.renderer().empty());
+    ASSERT_FALSE(context.attempts().empty());
+    EXPECT_EQ(context.attempts().back().outcome, context.renderer());
+    for (const ContextAttempt& attempt : context.attempts()) {
+        EXPECT_FALSE(attempt.way.empty());
+        EXPECT_FALSE(attempt.outcome.empty());
+    }
+    EXPECT_GE(epoxy_gl_version(), 45);
+}
+
+TEST(HeadlessContext, softwareIsGivenWhenAskedFor) {
+    const Context context = Context::createHeadless({.softwareOnly = true});
+    EXPECT_TRUE(context.isSoftware()) << context.renderer();
+}
+
+TEST(HeadlessContext, everyListedDeviceCanBeAskedFor) {
+    const std::vector<Device> devices = listDevices();
+    for (const Device& device : devices) {
+        EXPECT_EQ(device.index, &device - devices.data());
+        EXPECT_FALSE(device.description.empty());
+        if (!device.software) continue;  // A render node may be there and closed to this user.
+        const Context context = Context::createHeadless({.index = device.index});
+        ASSERT_EQ(context.attempts().size(), 1u) << "an index means this device and no other";
+        EXPECT_NE(context.attempts()[0].way.find(std::to_string(device.index)), std::string::npos);
+    }
+}
+
+TEST(HeadlessContext, indexBeyondTheDevicesIsAnError) {
+    for (const int index : {-1, 999}) {
+        const std::string text =
+            errorOf([&] { Context::createHeadless({.index = index}); }, ErrorKind::environment);
+        EXPECT_NE(text.find("no EGL device " + std::to_string(index)), std::string::npos) << text;
+        EXPECT_NE(text.find(std::to_string(listDevices().size())), std::string::npos) << text;
+    }
+}
+
+TEST(HeadlessContext, twoInOneProcessDrawTheSame) {
+    const LitScene made = smallScene();
+    auto first = std::make_unique<Context>(Context::createHeadless());
+    auto firstRenderer = std::make_unique<Renderer>(*first);
+    const Context second = Context::createHeadless();
+    Renderer secondRenderer(second);
+    const std::vector<float> reference = drawn(*first, *firstRenderer, made);
+    EXPECT_GT(*std::ranges::max_element(reference), 0.0f);
+    for (int turn = 0; turn < 2; ++turn) {
+        EXPECT_EQ(drawn(second, secondRenderer, made), reference);
+        EXPECT_EQ(drawn(*first, *firstRenderer, made), reference);
+    }
+    first->makeCurrent();
+    firstRenderer.reset();
+    first.reset();
+    EXPECT_EQ(drawn(second, secondRenderer, made), reference) << "after the first context has gone";
+}
+
+TEST(HeadlessContext, staysTheSameWhenMoved) {
+    const LitScene made = smallScene();
+    Context moved = [] {
+        Context made = Context::createHeadless();
+        return Context(std::move(made));
+    }();
+    Renderer renderer(moved);
+    const std::vector<float> before = drawn(moved, renderer, made);
+    const Context again = std::move(moved);
+    EXPECT_EQ(drawn(again, renderer, made), before);
+}
+
+TEST(AdoptedContext, ofAHostDrawsLikeAHeadlessOne) {
+    const LitScene made = smallScene();
+    std::vector<float> reference;
+    {
+        const Context headless = Context::createHeadless({.softwareOnly = true});
+        Renderer renderer(headless);
+        reference = drawn(headless, renderer, made);
+    }
+    HostContext host(4, 5);
+    ASSERT_TRUE(host.made());
+    {
+        const Context adopted = Context::adoptCurrent();
+        EXPECT_TRUE(adopted.attempts().empty());
+        Renderer renderer(adopted);
+        const std::vector<float> pixels = drawn(adopted, renderer, made);
+        if (adopted.isSoftware()) EXPECT_EQ(pixels, reference);
+    }
+    EXPECT_EQ(host.takeErrors(), std::vector<std::string>{});
+    GLint major = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    EXPECT_GE(major, 4) << "the context is the host's: it outlives the adoption";
+}
+
+TEST(AdoptedContext, needsOneThatIsCurrent) {
+    {
+        const Context gone = Context::createHeadless();
+    }
+    const std::string text = errorOf([] { Context::adoptCurrent(); }, ErrorKind::environment);
+    EXPECT_EQ(text, "no OpenGL context is current on this thread");
+}
+
+// Mesa hands out older versions when told to in the environment, which it reads once in a process: the tests
+// below run in a process of their own each.
+
+[[noreturn]] void endWith(const std::string& text) {
+    std::fputs(text.c_str(), stderr);
+    std::exit(0);
+}
+
+TEST(OldOpenGlDeathTest, isRefusedInOneSentenceWhenAdopted) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    EXPECT_EXIT(
+        {
+            setenv("MESA_GL_VERSION_OVERRIDE", "4.1", 1);
+            HostContext host(3, 3);
+            if (!host.made()) endWith("no context");
+            endWith(errorOf([] { Context::adoptCurrent(); }, ErrorKind::environment));
+        },
+        testing::ExitedWithCode(0), "^candela needs OpenGL 4\\.5, and this context \\(.*\\) offers 4\\.1$");
+}
+
+TEST(OldOpenGlDeathTest, isRefusedWithEveryAttemptWhenHeadless) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    EXPECT_EXIT(
+        {
+            setenv("MESA_GL_VERSION_OVERRIDE", "4.1", 1);
+            endWith(errorOf([] { Context::createHeadless({.softwareOnly = true}); }, ErrorKind::environment));
+        },
+        testing::ExitedWithCode(0),
+        "^no OpenGL 4\\.5 context can be made without a window\\. .*EGL surfaceless display: .*4\\.5");
+}
+
+}  // namespace
+}  // namespace candela::test

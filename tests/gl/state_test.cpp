@@ -1,0 +1,206 @@
+// A host finds its OpenGL state as it left it, however unusual, and its state changes no picture.
+
+#include "gl_state.h"
+#include "host_context.h"
+#include "small_scene.h"
+
+#include "gl/state_guard.h"
+
+#include <candela/color.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace candela::test {
+namespace {
+
+constexpr std::array techniques{Technique::volumes, Technique::fullscreen};
+
+class HostStateTest : public testing::Test {
+  protected:
+    void SetUp() override { ASSERT_TRUE(host_.made()); }
+
+    HostContext host_{4, 5};
+};
+
+TEST_F(HostStateTest, guardPutsBackWhatDiffersInside) {
+    const UnusualState unusual;
+    const GlState before = queryState();
+    {
+        const gl::StateGuard guard;
+        EXPECT_GT(differences(before, queryState()).size(), 20u) << "the guard sets what passes rely on";
+    }
+    EXPECT_EQ(differences(before, queryState()), std::vector<std::string>{});
+    EXPECT_EQ(host_.takeErrors(), std::vector<std::string>{});
+}
+
+TEST_F(HostStateTest, comparisonFindsWhatAnUnguardedDrawLeaves) {
+    const UnusualState unusual;
+    const GlState before = queryState();
+    glUseProgram(0);
+    glBindTextureUnit(3, 0);
+    glViewport(0, 0, 8, 8);
+    glDisable(GL_BLEND);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, 0);
+    EXPECT_GT(differences(before, queryState()).size(), 10u);
+}
+
+/// What a host sees of one frame of candela.
+struct Seen {
+    std::vector<float> radiance;
+    std::vector<std::uint8_t> display;
+    std::vector<std::vector<float>> aovs;
+    PairCounts pairs;
+};
+
+/// Calls everything that draws, and reports after each call whether the state is still what it was.
+class WatchedFrame {
+  public:
+    explicit WatchedFrame(HostContext& host) : host_(host), before_(queryState()) {}
+
+    template <typename Call>
+    auto operator()(const char* name, const Call& call) {
+        struct AtEnd {
+            WatchedFrame& watched;
+            const char* name;
+            ~AtEnd() { watched.check(name); }
+        } const atEnd{*this, name};
+        return call();
+    }
+
+  private:
+    void check(const char* name) {
+        EXPECT_EQ(differences(before_, queryState()), std::vector<std::string>{}) << "after " << name;
+        EXPECT_EQ(host_.takeErrors(), std::vector<std::string>{}) << "after " << name;
+    }
+    HostContext& host_;
+    GlState before_;
+};
+
+Seen drawWatched(HostContext& host, Technique technique) {
+    const LitScene made = smallScene();
+    const DisplayTransform transform = ColorConfig::builtIn().displayTransform({});
+    WatchedFrame watched(host);
+    const Context context = Context::adoptCurrent();
+    Renderer renderer = watched("Renderer", [&] { return Renderer(context); });
+    GpuScene scene = watched("GpuScene", [&] { return GpuScene(context, made.scene); });
+    watched("setLights", [&] { scene.setLights(made.lights); });
+    watched("setTransform", [&] { scene.setTransform(0, glm::mat4(1.0f)); });
+    watched("render", [&] { renderer.render(scene, smallFrame(made, technique)); });
+    Seen seen;
+    seen.radiance = watched("radiance", [&] { return renderer.radiance().rgba; });
+    seen.display = watched("displayPicture", [&] { return renderer.displayPicture(transform); });
+    const auto aovs = watched("aovs", [&] { return renderer.aovs(scene, Renderer::aovNames()); });
+    for (const Aov& aov : aovs) seen.aovs.insert(seen.aovs.end(), aov.values.begin(), aov.values.end());
+    seen.pairs = watched("countPairs", [&] { return renderer.countPairs(scene); });
+    watched("passTimes", [&] { return renderer.passTimes(); });
+    GLint named = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &named);
+    if (named != 0)
+        watched("display", [&] { renderer.display(transform, {static_cast<std::uint32_t>(named), 3, 5}); });
+    return seen;
+}
+
+TEST_F(HostStateTest, everyCallLeavesItAsItWasAndDrawsTheSame) {
+    for (const Technique technique : techniques) {
+        const Seen usual = drawWatched(host_, technique);
+        ASSERT_FALSE(usual.radiance.empty());
+        const UnusualState unusual;
+        const Seen seen = drawWatched(host_, technique);
+        EXPECT_EQ(seen.radiance, usual.radiance) << toString(technique);
+        EXPECT_EQ(seen.display, usual.display);
+        EXPECT_EQ(seen.aovs, usual.aovs);
+        EXPECT_EQ(seen.pairs.pairsLit, usual.pairs.pairsLit);
+        EXPECT_EQ(seen.pairs.pairsEvaluated, usual.pairs.pairsEvaluated);
+    }
+}
+
+/// A framebuffer of the host, filled with one colour.
+class HostTarget {
+  public:
+    static constexpr int width = 80, height = 60;
+    static constexpr std::array<std::uint8_t, 4> filling{10, 200, 30, 77};
+
+    HostTarget() {
+        glCreateTextures(GL_TEXTURE_2D, 1, &texture_);
+        glTextureStorage2D(texture_, 1, GL_RGBA8, width, height);
+        glClearTexImage(texture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, filling.data());
+        glCreateFramebuffers(1, &framebuffer_);
+        glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, texture_, 0);
+    }
+    HostTarget(const HostTarget&) = delete;
+    HostTarget& operator=(const HostTarget&) = delete;
+    ~HostTarget() {
+        glDeleteFramebuffers(1, &framebuffer_);
+        glDeleteTextures(1, &texture_);
+    }
+
+    GLuint framebuffer() const { return framebuffer_; }
+
+    /// RGBA, rows from the bottom.
+    std::vector<std::uint8_t> pixels() const {
+        std::vector<std::uint8_t> bytes(std::size_t{4} * width * height);
+        glGetTextureImage(texture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(bytes.size()),
+                          bytes.data());
+        return bytes;
+    }
+
+  private:
+    GLuint texture_ = 0, framebuffer_ = 0;
+};
+
+TEST_F(HostStateTest, drawsIntoItsFramebufferAtAnOffsetAndNowhereElse) {
+    const LitScene made = smallScene();
+    const DisplayTransform transform = ColorConfig::builtIn().displayTransform({});
+    const Context context = Context::adoptCurrent();
+    Renderer renderer(context);
+    GpuScene scene(context, made.scene);
+    scene.setLights(made.lights);
+    constexpr int width = 40, height = 30, left = 17, bottom = 9;
+    renderer.render(scene, smallFrame(made, Technique::volumes, width, height));
+    const std::vector<std::uint8_t> picture = renderer.displayPicture(transform);
+    const HostTarget target;
+    renderer.display(transform, {target.framebuffer(), left, bottom});
+    const std::vector<std::uint8_t> seen = target.pixels();
+    for (int y = 0; y < HostTarget::height; ++y) {
+        for (int x = 0; x < HostTarget::width; ++x) {
+            const bool inside = x >= left && x < left + width && y >= bottom && y < bottom + height;
+            const auto* actual = &seen[std::size_t(4 * (y * HostTarget::width + x))];
+            const auto* expected =
+                inside ? &picture[std::size_t(4 * ((height - 1 - (y - bottom)) * width + (x - left)))]
+                       : HostTarget::filling.data();
+            ASSERT_TRUE(std::equal(actual, actual + 4, expected)) << x << ", " << y;
+        }
+    }
+    EXPECT_EQ(host_.takeErrors(), std::vector<std::string>{});
+}
+
+TEST_F(HostStateTest, pictureOverTheEdgeOfTheFramebufferIsClipped) {
+    const LitScene made = smallScene();
+    const DisplayTransform transform = ColorConfig::builtIn().displayTransform({});
+    const Context context = Context::adoptCurrent();
+    Renderer renderer(context);
+    const GpuScene scene(context, made.scene);
+    renderer.render(scene, smallFrame(made, Technique::fullscreen, 40, 30));
+    const HostTarget target;
+    renderer.display(transform, {target.framebuffer(), -20, HostTarget::height - 10});
+    const std::vector<std::uint8_t> seen = target.pixels();
+    EXPECT_TRUE(std::equal(HostTarget::filling.begin(), HostTarget::filling.end(), seen.begin()));
+    EXPECT_EQ(seen[std::size_t(4 * (HostTarget::height - 1) * HostTarget::width) + 3], 255);
+    EXPECT_EQ(host_.takeErrors(), std::vector<std::string>{});
+}
+
+TEST_F(HostStateTest, errorsOfTheHostStayWithTheHost) {
+    const LitScene made = smallScene();
+    const Context context = Context::adoptCurrent();
+    Renderer renderer(context);
+    const GpuScene scene(context, made.scene);
+    glEnable(GL_TEXTURE_2D_ARRAY);  // Not a capability: an error of the host's own.
+    renderer.render(scene, smallFrame(made, Technique::volumes));
+    host_.takeErrors();
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+}  // namespace
+}  // namespace candela::test

@@ -1,0 +1,238 @@
+#include "layers.h"
+
+#include "source_tree.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace candela {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using Names = std::set<std::string>;
+
+// What each layer may see.
+const std::map<std::string, Names> visibleTo = {
+    {"abi", {"abi"}},
+    {"base", {"abi", "base"}},
+    {"scene", {"abi", "base", "scene"}},
+    {"import", {"abi", "base", "scene", "import"}},
+    {"color", {"abi", "base", "scene", "color"}},
+    {"gl", {"abi", "base", "gl"}},
+    {"render", {"abi", "base", "scene", "import", "color", "gl", "render"}},
+};
+
+// The layer of each public header.
+const std::map<std::string, std::string> layerOfHeader = {
+    {"plugin.h", "abi"},      {"error.h", "base"},
+    {"export.h", "base"},     {"image.h", "base"},
+    {"image_file.h", "base"}, {"version.h", "base"},
+    {"animation.h", "scene"}, {"brdf.h", "scene"},
+    {"camera.h", "scene"},    {"light.h", "scene"},
+    {"material.h", "scene"},  {"mesh.h", "scene"},
+    {"node.h", "scene"},      {"scene.h", "scene"},
+    {"import.h", "import"},   {"plugin_registry.h", "import"},
+    {"color.h", "color"},     {"context.h", "gl"},
+    {"gbuffer.h", "render"},  {"gpu_scene.h", "render"},
+    {"renderer.h", "render"},
+};
+
+const std::string umbrella = "candela.h";
+
+// Other libraries, by how the names of their headers begin, and the layers of lib/ that may see them.
+struct Library {
+    const char* beginning;
+    Names layers;
+};
+
+const std::vector<Library> libraries = {
+    {"GL/", {"gl", "render"}},
+    {"GLES", {"gl", "render"}},
+    {"EGL/", {"gl", "render"}},
+    {"KHR/", {"gl", "render"}},
+    {"epoxy/", {"gl", "render"}},
+    {"GLFW/", {}},
+    {"OpenColorIO/", {"color"}},
+    {"OpenEXR/", {"base"}},
+    {"Imath/", {"base"}},
+    {"Imf", {"base"}},
+    {"Iex", {"base"}},
+    {"png.h", {"base"}},
+    {"tiny_gltf", {}},
+    {"nlohmann/", {}},
+    {"opensubdiv/", {}},
+    {"CLI/", {}},
+    {"imgui", {}},
+};
+
+const std::vector<std::string> codeEndings = {".h", ".cpp", ".c", ".h.in"};
+
+std::string firstFolder(const std::string& name) {
+    return name.substr(0, name.find('/'));
+}
+
+bool isStandard(const std::string& name) {
+    return name.find_first_of("./") == std::string::npos || name == "stddef.h" || name == "stdint.h";
+}
+
+bool isBelow(const fs::path& file, const fs::path& folder) {
+    const fs::path relative = file.lexically_normal().lexically_relative(folder.lexically_normal());
+    return !relative.empty() && *relative.begin() != "..";
+}
+
+class Check {
+  public:
+    explicit Check(fs::path root) : root_(std::move(root)) {}
+
+    std::vector<std::string> violations() {
+        for (const fs::path& file : filesBelow(root_ / "include/candela", codeEndings))
+            checkPublicHeader(file);
+        for (const fs::path& file : filesBelow(root_ / "lib", codeEndings)) checkLibraryFile(file);
+        for (const fs::path& file : filesBelow(root_ / "plugins", codeEndings)) checkPluginFile(file);
+        for (const fs::path& file : filesBelow(root_ / "plugins", {"CMakeLists.txt"})) checkPluginLinks(file);
+        for (const fs::path& file : filesBelow(root_ / "apps", codeEndings)) checkAppFile(file);
+        return violations_;
+    }
+
+  private:
+    void report(const fs::path& file, std::size_t line, const std::string& reason) {
+        violations_.push_back(file.lexically_relative(root_).generic_string() + ":" + std::to_string(line) +
+                              ": " + reason);
+    }
+
+    // `layer` includes the public header `name`, without its folder.
+    void checkPublicInclude(const fs::path& file, const Include& include, const std::string& layer) {
+        const std::string name = include.name.substr(std::string("candela/").size());
+        const auto found = layerOfHeader.find(name);
+        if (found == layerOfHeader.end()) {
+            report(file, include.line, "includes candela/" + name + ", which has no layer");
+        } else if (!visibleTo.at(layer).contains(found->second)) {
+            report(file, include.line, layer + " must not see candela/" + name + " of " + found->second);
+        }
+    }
+
+    void checkPublicHeader(const fs::path& file) {
+        std::string name = file.filename().string();
+        if (name.ends_with(".in")) name.resize(name.size() - 3);
+        if (name == umbrella) return;
+        const auto layer = layerOfHeader.find(name);
+        if (layer == layerOfHeader.end()) return report(file, 1, "a public header without a layer");
+        for (const Include& include : includesOf(file)) {
+            if (include.name.starts_with("candela/")) {
+                checkPublicInclude(file, include, layer->second);
+            } else if (!isStandard(include.name) && !include.name.starts_with("glm/")) {
+                report(file, include.line, "a public header must not include " + include.name);
+            } else if (layer->second == "abi" && include.name != "stddef.h" && include.name != "stdint.h") {
+                report(file, include.line, "plugin.h is C, and must not include " + include.name);
+            }
+        }
+    }
+
+    void checkLibraryFile(const fs::path& file) {
+        const std::string layer = firstFolder(file.lexically_relative(root_ / "lib").generic_string());
+        if (!visibleTo.contains(layer) || layer == "abi") return report(file, 1, "a folder that is no layer");
+        for (const Include& include : includesOf(file)) {
+            const std::string folder = firstFolder(include.name);
+            if (folder == "candela") {
+                checkPublicInclude(file, include, layer);
+            } else if (folder == "shared") {
+                if (layer != "gl" && layer != "render")
+                    report(file, include.line, layer + " must not see shaders");
+            } else if (visibleTo.contains(folder)) {
+                if (visibleTo.at(layer).contains(folder)) continue;
+                report(file, include.line, layer + " must not see " + include.name);
+            } else if (include.quoted) {
+                report(file, include.line,
+                       "a private header is included as \"LAYER/name.h\", not " + include.name);
+            } else {
+                checkLibrary(file, include, layer);
+            }
+        }
+    }
+
+    void checkLibrary(const fs::path& file, const Include& include, const std::string& layer) {
+        for (const Library& library : libraries) {
+            if (!include.name.starts_with(library.beginning) || library.layers.contains(layer)) continue;
+            report(file, include.line, layer + " must not see " + include.name);
+        }
+    }
+
+    void checkPluginFile(const fs::path& file) {
+        const fs::path plugins = root_ / "plugins";
+        const fs::path own = plugins / firstFolder(file.lexically_relative(plugins).generic_string());
+        for (const Include& include : includesOf(file)) {
+            if (include.name == "candela/plugin.h") continue;
+            if (isOurs(include) || (include.quoted && !isFileBelow(file.parent_path() / include.name, own))) {
+                report(file, include.line, "a plugin must not include " + include.name);
+            }
+        }
+    }
+
+    void checkPluginLinks(const fs::path& file) {
+        const std::vector<std::string> lines = readLines(file);
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            const std::string code = lines[i].substr(0, lines[i].find('#'));
+            for (const auto& [layer, visible] : visibleTo) {
+                if (code.find("candela_" + layer) != std::string::npos) {
+                    report(file, i + 1, "a plugin must not link candela_" + layer);
+                }
+            }
+            if (code.find("candela::") == std::string::npos) continue;
+            report(file, i + 1, "a plugin must not link candela");
+        }
+    }
+
+    void checkAppFile(const fs::path& file) {
+        const fs::path apps = root_ / "apps";
+        const fs::path own = apps / firstFolder(file.lexically_relative(apps).generic_string());
+        const fs::path common = apps / "common";
+        for (const Include& include : includesOf(file)) {
+            const fs::path beside = file.parent_path() / include.name;
+            const bool isOwn = isFileBelow(beside, own) || isFileBelow(beside, common) ||
+                               isFileBelow(apps / include.name, common);
+            if (include.name.starts_with("candela/")) {
+                const std::string name = include.name.substr(std::string("candela/").size());
+                if (layerOfHeader.contains(name) || name == umbrella) continue;
+                report(file, include.line, "there is no public header " + include.name);
+            } else if (include.quoted ? !isOwn : isOurs(include)) {
+                report(file, include.line, "an app must not include " + include.name);
+            }
+        }
+    }
+
+    // Whether a name can only mean a header of this tree's library.
+    static bool isOurs(const Include& include) {
+        const std::string folder = firstFolder(include.name);
+        if (folder == include.name) return false;
+        return folder == "candela" || folder == "shared" || folder == "lib" || visibleTo.contains(folder);
+    }
+
+    static bool isFileBelow(const fs::path& file, const fs::path& folder) {
+        return isBelow(file, folder) && fs::is_regular_file(file);
+    }
+
+    fs::path root_;
+    std::vector<std::string> violations_;
+};
+
+}  // namespace
+
+std::vector<std::string> layerViolations(const fs::path& root) {
+    return Check(root).violations();
+}
+
+std::vector<std::string> missingInUmbrella(const fs::path& root) {
+    Names included;
+    for (const Include& include : includesOf(root / "include/candela" / umbrella))
+        included.insert(include.name);
+    std::vector<std::string> missing;
+    for (const auto& [name, layer] : layerOfHeader) {
+        if (name != "export.h" && !included.contains("candela/" + name)) missing.push_back(name);
+    }
+    return missing;
+}
+
+}  // namespace candela
