@@ -4,10 +4,33 @@ namespace candela::gl {
 
 namespace {
 
-constexpr std::array<GLenum, 12> capabilityNames{
-    GL_BLEND,          GL_CULL_FACE,   GL_DEPTH_TEST,        GL_STENCIL_TEST,
-    GL_SCISSOR_TEST,   GL_DEPTH_CLAMP, GL_FRAMEBUFFER_SRGB,  GL_RASTERIZER_DISCARD,
-    GL_COLOR_LOGIC_OP, GL_DITHER,      GL_PRIMITIVE_RESTART, GL_POLYGON_OFFSET_FILL,
+// Blending and the scissor test stand elsewhere: they are switched for each draw buffer and viewport.
+constexpr std::array<GLenum, 25> capabilityNames{
+    GL_CULL_FACE,
+    GL_DEPTH_TEST,
+    GL_STENCIL_TEST,
+    GL_DEPTH_CLAMP,
+    GL_FRAMEBUFFER_SRGB,
+    GL_RASTERIZER_DISCARD,
+    GL_COLOR_LOGIC_OP,
+    GL_DITHER,
+    GL_PRIMITIVE_RESTART,
+    GL_PRIMITIVE_RESTART_FIXED_INDEX,
+    GL_POLYGON_OFFSET_FILL,
+    GL_POLYGON_SMOOTH,
+    GL_SAMPLE_ALPHA_TO_COVERAGE,
+    GL_SAMPLE_ALPHA_TO_ONE,
+    GL_SAMPLE_COVERAGE,
+    GL_SAMPLE_MASK,
+    GL_SAMPLE_SHADING,
+    GL_CLIP_DISTANCE0,
+    GL_CLIP_DISTANCE1,
+    GL_CLIP_DISTANCE2,
+    GL_CLIP_DISTANCE3,
+    GL_CLIP_DISTANCE4,
+    GL_CLIP_DISTANCE5,
+    GL_CLIP_DISTANCE6,
+    GL_CLIP_DISTANCE7,
 };
 constexpr std::array<GLenum, 6> blendNames{GL_BLEND_SRC_RGB,      GL_BLEND_DST_RGB,
                                            GL_BLEND_SRC_ALPHA,    GL_BLEND_DST_ALPHA,
@@ -26,11 +49,14 @@ constexpr std::array<GLenum, 7> stencilBackNames{GL_STENCIL_BACK_FUNC,
                                                  GL_STENCIL_BACK_PASS_DEPTH_FAIL,
                                                  GL_STENCIL_BACK_PASS_DEPTH_PASS,
                                                  GL_STENCIL_BACK_WRITEMASK};
-constexpr std::array<GLenum, 8> packingNames{GL_PACK_ALIGNMENT,   GL_PACK_ROW_LENGTH,   GL_PACK_SKIP_ROWS,
-                                             GL_PACK_SKIP_PIXELS, GL_UNPACK_ALIGNMENT,  GL_UNPACK_ROW_LENGTH,
-                                             GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS};
+constexpr std::array<GLenum, 14> packingNames{
+    GL_PACK_ALIGNMENT,    GL_UNPACK_ALIGNMENT,    GL_PACK_ROW_LENGTH,  GL_UNPACK_ROW_LENGTH,
+    GL_PACK_IMAGE_HEIGHT, GL_UNPACK_IMAGE_HEIGHT, GL_PACK_SKIP_PIXELS, GL_UNPACK_SKIP_PIXELS,
+    GL_PACK_SKIP_ROWS,    GL_UNPACK_SKIP_ROWS,    GL_PACK_SKIP_IMAGES, GL_UNPACK_SKIP_IMAGES,
+    GL_PACK_SWAP_BYTES,   GL_UNPACK_SWAP_BYTES,
+};
 /// What candela reads and writes pixels with: tightly packed rows.
-constexpr std::array<GLint, 8> packingDefaults{1, 0, 0, 0, 1, 0, 0, 0};
+constexpr std::array<GLint, 14> packingDefaults{1, 1};
 
 GLint integer(GLenum name) {
     GLint value = 0;
@@ -43,6 +69,14 @@ void setEnabled(GLenum capability, GLboolean enabled) {
         glEnable(capability);
     } else {
         glDisable(capability);
+    }
+}
+
+void setEnabled(GLenum capability, GLuint index, GLboolean enabled) {
+    if (enabled == GL_TRUE) {
+        glEnablei(capability, index);
+    } else {
+        glDisablei(capability, index);
     }
 }
 
@@ -74,7 +108,11 @@ StateGuard::StateGuard() {
     keepCapabilities();
     keepBindings();
     keepFixedFunction();
+    keepDrawBuffers();
+    keepViewports();
     for (const GLenum capability : capabilityNames) glDisable(capability);
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
     for (std::size_t i = 0; i < packingNames.size(); ++i) glPixelStorei(packingNames[i], packingDefaults[i]);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
@@ -96,6 +134,8 @@ StateGuard::~StateGuard() {
     restoreCapabilities();
     restoreBindings();
     restoreFixedFunction();
+    restoreDrawBuffers();
+    restoreViewports();
 }
 
 void StateGuard::keepCapabilities() {
@@ -181,11 +221,7 @@ void StateGuard::restoreBindings() const {
 }
 
 void StateGuard::keepFixedFunction() {
-    glGetIntegerv(GL_VIEWPORT, viewport_.data());
-    glGetFloatv(GL_DEPTH_RANGE, depthRange_.data());
-    glGetBooleanv(GL_COLOR_WRITEMASK, colorMask_.data());
     glGetFloatv(GL_COLOR_CLEAR_VALUE, clearColor_.data());
-    for (std::size_t i = 0; i < blendNames.size(); ++i) blend_[i] = integer(blendNames[i]);
     for (std::size_t i = 0; i < stencilFront_.size(); ++i) {
         stencilFront_[i] = integer(stencilFrontNames[i]);
         stencilBack_[i] = integer(stencilBackNames[i]);
@@ -203,12 +239,7 @@ void StateGuard::keepFixedFunction() {
 }
 
 void StateGuard::restoreFixedFunction() const {
-    glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
-    glDepthRangef(depthRange_[0], depthRange_[1]);
-    glColorMask(colorMask_[0], colorMask_[1], colorMask_[2], colorMask_[3]);
     glClearColor(clearColor_[0], clearColor_[1], clearColor_[2], clearColor_[3]);
-    glBlendFuncSeparate(blend_[0], blend_[1], blend_[2], blend_[3]);
-    glBlendEquationSeparate(blend_[4], blend_[5]);
     restoreStencil(GL_FRONT, stencilFront_);
     restoreStencil(GL_BACK, stencilBack_);
     for (std::size_t i = 0; i < packingNames.size(); ++i) glPixelStorei(packingNames[i], packing_[i]);
@@ -218,6 +249,44 @@ void StateGuard::restoreFixedFunction() const {
     glFrontFace(frontFace_);
     glPolygonMode(GL_FRONT_AND_BACK, polygonMode_);
     glDepthMask(depthMask_);
+}
+
+void StateGuard::keepDrawBuffers() {
+    for (GLuint i = 0; i < drawBuffers; ++i) {
+        DrawBuffer& buffer = drawBuffers_[i];
+        buffer.blend = glIsEnabledi(GL_BLEND, i);
+        glGetBooleani_v(GL_COLOR_WRITEMASK, i, buffer.colorMask.data());
+        for (std::size_t j = 0; j < blendNames.size(); ++j)
+            glGetIntegeri_v(blendNames[j], i, &buffer.factors[j]);
+    }
+}
+
+void StateGuard::restoreDrawBuffers() const {
+    for (GLuint i = 0; i < drawBuffers; ++i) {
+        const DrawBuffer& buffer = drawBuffers_[i];
+        setEnabled(GL_BLEND, i, buffer.blend);
+        glColorMaski(i, buffer.colorMask[0], buffer.colorMask[1], buffer.colorMask[2], buffer.colorMask[3]);
+        glBlendFuncSeparatei(i, buffer.factors[0], buffer.factors[1], buffer.factors[2], buffer.factors[3]);
+        glBlendEquationSeparatei(i, buffer.factors[4], buffer.factors[5]);
+    }
+}
+
+void StateGuard::keepViewports() {
+    for (GLuint i = 0; i < viewports; ++i) {
+        Viewport& viewport = viewports_[i];
+        viewport.scissor = glIsEnabledi(GL_SCISSOR_TEST, i);
+        glGetFloati_v(GL_VIEWPORT, i, viewport.rectangle.data());
+        glGetDoublei_v(GL_DEPTH_RANGE, i, viewport.depthRange.data());
+    }
+}
+
+void StateGuard::restoreViewports() const {
+    for (GLuint i = 0; i < viewports; ++i) {
+        const Viewport& viewport = viewports_[i];
+        setEnabled(GL_SCISSOR_TEST, i, viewport.scissor);
+        glViewportIndexedfv(i, viewport.rectangle.data());
+        glDepthRangeIndexed(i, viewport.depthRange[0], viewport.depthRange[1]);
+    }
 }
 
 }  // namespace candela::gl

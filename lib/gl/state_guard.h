@@ -6,12 +6,15 @@
 
 namespace candela::gl {
 
-/// How many units, bindings and draw buffers candela's passes use; what the guard keeps is of these and no
-/// more.
+/// How many units and bindings candela's passes use; of these the guard keeps no more.
 constexpr int textureUnits = 16;
 constexpr int uniformBindings = 2;
 constexpr int storageBindings = 8;
 constexpr int imageUnits = 4;
+/// How many draw buffers and viewports OpenGL 4.5 promises. Calls without an index, which candela's passes
+/// make, set all of them.
+constexpr int drawBuffers = 8;
+constexpr int viewports = 16;
 
 /// Keeps the state of the current context that candela's passes change, sets what they rely on, and puts the
 /// host's state back at the end of the scope.
@@ -34,14 +37,29 @@ class StateGuard {
         GLint name, level, layered, layer, access, format;
     };
 
+    struct DrawBuffer {
+        GLboolean blend;
+        std::array<GLboolean, 4> colorMask;
+        std::array<GLint, 6> factors;
+    };
+    struct Viewport {
+        GLboolean scissor;
+        std::array<GLfloat, 4> rectangle;
+        std::array<GLdouble, 2> depthRange;
+    };
+
     void keepCapabilities();
     void keepBindings();
     void keepFixedFunction();
+    void keepDrawBuffers();
+    void keepViewports();
     void restoreCapabilities() const;
     void restoreBindings() const;
     void restoreFixedFunction() const;
+    void restoreDrawBuffers() const;
+    void restoreViewports() const;
 
-    std::array<GLboolean, 12> capabilities_{};
+    std::array<GLboolean, 25> capabilities_{};
     GLint program_ = 0, pipeline_ = 0, vertexArray_ = 0, drawFramebuffer_ = 0, readFramebuffer_ = 0,
           activeTexture_ = 0;
     GLint arrayBuffer_ = 0, indirectBuffer_ = 0, dispatchBuffer_ = 0, packBuffer_ = 0, unpackBuffer_ = 0;
@@ -50,14 +68,12 @@ class StateGuard {
     std::array<IndexedBuffer, uniformBindings> uniforms_{};
     std::array<IndexedBuffer, storageBindings> storage_{};
     std::array<ImageUnit, imageUnits> images_{};
-    std::array<GLint, 4> viewport_{};
-    std::array<GLfloat, 2> depthRange_{};
-    std::array<GLboolean, 4> colorMask_{};
+    std::array<DrawBuffer, drawBuffers> drawBuffers_{};
+    std::array<Viewport, viewports> viewports_{};
     std::array<GLfloat, 4> clearColor_{};
-    std::array<GLint, 6> blend_{};
     std::array<GLint, 7> stencilFront_{}, stencilBack_{};
     std::array<GLint, 2> clipControl_{};
-    std::array<GLint, 8> packing_{};
+    std::array<GLint, 14> packing_{};
     GLint depthFunction_ = 0, cullFace_ = 0, frontFace_ = 0, polygonMode_ = 0;
     GLboolean depthMask_ = GL_TRUE;
 };

@@ -1,3 +1,4 @@
+#include "gl/state_guard.h"
 #include "render/gpu_scene_state.h"
 #include "render/layout.h"
 #include "render/material_records.h"
@@ -104,6 +105,7 @@ void GpuScene::State::select(const Frustum& frustum) {
 GpuScene::GpuScene(const Context& context, const Scene& scene, const GpuSceneOptions& options) {
     context.makeCurrent();
     validate(scene);
+    const gl::StateGuard guard;  // Images are uploaded with the pixel storage that it sets.
     state_ = std::make_unique<State>(scene, options);
 }
 

@@ -1,26 +1,9 @@
 #include "images.h"
 
-#include <algorithm>
-#include <climits>
-#include <cstring>
-#include <string_view>
+#include "decoders.h"
 
 namespace candela_gltf {
 namespace {
-
-constexpr std::uint8_t pngSignature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-constexpr std::uint8_t jpegSignature[] = {0xFF, 0xD8, 0xFF};
-
-template <std::size_t size>
-bool startsWith(const Bytes& bytes, const std::uint8_t (&signature)[size]) {
-    return bytes.size >= size && std::memcmp(bytes.data, signature, size) == 0;
-}
-
-/// The decoder fills the missing part of a cut JPEG with grey and says nothing.
-bool hasJpegEnd(const Bytes& bytes) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data), bytes.size);
-    return text.rfind("\xFF\xD9") != std::string_view::npos;
-}
 
 void markTexture(const Document& document, int texture, std::vector<bool>& used) {
     if (texture < 0) return;
@@ -48,29 +31,22 @@ Bytes fileOf(const Document& document, const Source& source, const std::string& 
     throw Failure{element, "has neither a URI nor a bufferView"};
 }
 
-tinygltf::Image decode(const Bytes& file, const std::string& element) {
-    const bool png = startsWith(file, pngSignature), jpeg = startsWith(file, jpegSignature);
-    if (!png && !jpeg) throw Failure{element, "is neither a PNG nor a JPEG file"};
-    if (jpeg && !hasJpegEnd(file)) throw Failure{element, "the JPEG file is cut off"};
-    if (file.size > INT_MAX) throw Failure{element, "is larger than 2 GiB"};
-    tinygltf::Image image;
-    std::string errors, warnings;
-    const bool decoded = tinygltf::LoadImageData(&image, 0, &errors, &warnings, 0, 0, file.data,
-                                                 static_cast<int>(file.size), nullptr);
-    if (!decoded) throw Failure{element, std::string("the ") + (png ? "PNG" : "JPEG") + " file is broken"};
-    return image;
+Picture decode(const Bytes& file, const std::string& element) {
+    if (isPng(file)) return decodePng(file, element);
+    if (isJpeg(file)) return decodeJpeg(file, element);
+    throw Failure{element, "is neither a PNG nor a JPEG file"};
 }
 
-std::int32_t push(const Source& source, const tinygltf::Image& image, const Host& host) {
-    candela_image pushed{};
-    pushed.struct_size = sizeof pushed;
-    pushed.name = source.name.c_str();
-    pushed.width = static_cast<std::uint32_t>(image.width);
-    pushed.height = static_cast<std::uint32_t>(image.height);
-    pushed.format = image.bits == 16 ? CANDELA_PIXELS_RGBA16 : CANDELA_PIXELS_RGBA8;
-    pushed.pixels = image.image.data();
-    pushed.pixels_size = image.image.size();
-    return host.add(pushed);
+std::int32_t push(const Source& source, const Picture& picture, const Host& host) {
+    candela_image image{};
+    image.struct_size = sizeof image;
+    image.name = source.name.c_str();
+    image.width = picture.width;
+    image.height = picture.height;
+    image.format = picture.sampleSize == SampleSize::bits16 ? CANDELA_PIXELS_RGBA16 : CANDELA_PIXELS_RGBA8;
+    image.pixels = picture.pixels.data();
+    image.pixels_size = picture.pixels.size();
+    return host.add(image);
 }
 
 }  // namespace

@@ -22,6 +22,18 @@ std::vector<float> drawn(const Context& context, Renderer& renderer, const LitSc
     return renderer.radiance().rgba;
 }
 
+DeviceChoice software() {
+    DeviceChoice choice;
+    choice.softwareOnly = true;
+    return choice;
+}
+
+DeviceChoice deviceNumber(int index) {
+    DeviceChoice choice;
+    choice.index = index;
+    return choice;
+}
+
 /// The text and kind of the error that `action` throws; a failure when it throws none.
 template <typename Action>
 std::string errorOf(const Action& action, ErrorKind kind) {
@@ -48,7 +60,7 @@ TEST(HeadlessContext, isCurrentAndSaysHowItWasMade) {
 }
 
 TEST(HeadlessContext, softwareIsGivenWhenAskedFor) {
-    const Context context = Context::createHeadless({.softwareOnly = true});
+    const Context context = Context::createHeadless(software());
     EXPECT_TRUE(context.isSoftware()) << context.renderer();
 }
 
@@ -58,7 +70,7 @@ TEST(HeadlessContext, everyListedDeviceCanBeAskedFor) {
         EXPECT_EQ(device.index, &device - devices.data());
         EXPECT_FALSE(device.description.empty());
         if (!device.software) continue;  // A render node may be there and closed to this user.
-        const Context context = Context::createHeadless({.index = device.index});
+        const Context context = Context::createHeadless(deviceNumber(device.index));
         ASSERT_EQ(context.attempts().size(), 1u) << "an index means this device and no other";
         EXPECT_NE(context.attempts()[0].way.find(std::to_string(device.index)), std::string::npos);
     }
@@ -67,7 +79,7 @@ TEST(HeadlessContext, everyListedDeviceCanBeAskedFor) {
 TEST(HeadlessContext, indexBeyondTheDevicesIsAnError) {
     for (const int index : {-1, 999}) {
         const std::string text =
-            errorOf([&] { Context::createHeadless({.index = index}); }, ErrorKind::environment);
+            errorOf([&] { Context::createHeadless(deviceNumber(index)); }, ErrorKind::environment);
         EXPECT_NE(text.find("no EGL device " + std::to_string(index)), std::string::npos) << text;
         EXPECT_NE(text.find(std::to_string(listDevices().size())), std::string::npos) << text;
     }
@@ -94,8 +106,8 @@ TEST(HeadlessContext, twoInOneProcessDrawTheSame) {
 TEST(HeadlessContext, staysTheSameWhenMoved) {
     const LitScene made = smallScene();
     Context moved = [] {
-        Context made = Context::createHeadless();
-        return Context(std::move(made));
+        Context first = Context::createHeadless();
+        return Context(std::move(first));
     }();
     Renderer renderer(moved);
     const std::vector<float> before = drawn(moved, renderer, made);
@@ -107,7 +119,7 @@ TEST(AdoptedContext, ofAHostDrawsLikeAHeadlessOne) {
     const LitScene made = smallScene();
     std::vector<float> reference;
     {
-        const Context headless = Context::createHeadless({.softwareOnly = true});
+        const Context headless = Context::createHeadless(software());
         Renderer renderer(headless);
         reference = drawn(headless, renderer, made);
     }
@@ -118,7 +130,9 @@ TEST(AdoptedContext, ofAHostDrawsLikeAHeadlessOne) {
         EXPECT_TRUE(adopted.attempts().empty());
         Renderer renderer(adopted);
         const std::vector<float> pixels = drawn(adopted, renderer, made);
-        if (adopted.isSoftware()) EXPECT_EQ(pixels, reference);
+        if (adopted.isSoftware()) {
+            EXPECT_EQ(pixels, reference);
+        }
     }
     EXPECT_EQ(host.takeErrors(), std::vector<std::string>{});
     GLint major = 0;
@@ -159,7 +173,7 @@ TEST(OldOpenGlDeathTest, isRefusedWithEveryAttemptWhenHeadless) {
     EXPECT_EXIT(
         {
             setenv("MESA_GL_VERSION_OVERRIDE", "4.1", 1);
-            endWith(errorOf([] { Context::createHeadless({.softwareOnly = true}); }, ErrorKind::environment));
+            endWith(errorOf([] { Context::createHeadless(software()); }, ErrorKind::environment));
         },
         testing::ExitedWithCode(0),
         "^no OpenGL 4\\.5 context can be made without a window\\. .*EGL surfaceless display: .*4\\.5");

@@ -97,7 +97,6 @@ constexpr Name numbers[] = {
     CANDELA_NAME(RENDERBUFFER_BINDING),
     CANDELA_NAME(SAMPLE_COVERAGE_INVERT),
     CANDELA_NAME(SAMPLE_COVERAGE_VALUE),
-    CANDELA_NAME(SAMPLE_MASK_VALUE),
     CANDELA_NAME(SHADER_STORAGE_BUFFER_BINDING),
     CANDELA_NAME(STENCIL_BACK_FAIL),
     CANDELA_NAME(STENCIL_BACK_FUNC),
@@ -158,6 +157,8 @@ constexpr Name perStorageBinding[] = {
     CANDELA_NAME(SHADER_STORAGE_BUFFER_START),
     CANDELA_NAME(SHADER_STORAGE_BUFFER_SIZE),
 };
+
+constexpr Name perSampleMask[] = {CANDELA_NAME(SAMPLE_MASK_VALUE)};
 
 constexpr Name perImageUnit[] = {
     CANDELA_NAME(IMAGE_BINDING_NAME),  CANDELA_NAME(IMAGE_BINDING_LEVEL),  CANDELA_NAME(IMAGE_BINDING_LAYERED),
@@ -224,6 +225,7 @@ GlState queryState() {
     for (int i = 0; i < imageBindings; ++i) {
         for (const Name& name : perImageUnit) queryIndexed(state, name, i);
     }
+    queryIndexed(state, perSampleMask[0], 0);
     queryViewports(state);
     return state;
 }

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "jpeg_file.h"
 #include "loading.h"
 #include "png_file.h"
@@ -74,6 +77,22 @@ TEST(Image, jpeg) {
     EXPECT_EQ(texels8(image)[3], 255);
 }
 
+TEST(Image, sizesThatTheFileCannotHoldTakeNoMemory) {
+    const std::string error =
+        errorOf(fileWithImage(makePng(32768, 32768, 16, PngColor::rgba, {}), "image/png"));
+    EXPECT_NE(error.find("image 0 'picture': the PNG file is broken: it is too short"), std::string::npos)
+        << error;
+    Bytes jpeg = makeGreyJpeg();
+    // The frame header's height and width follow the marker, a length and the sample size.
+    const std::uint8_t marker[] = {0xFF, 0xC0};
+    const auto frame = std::search(jpeg.begin(), jpeg.end(), std::begin(marker), std::end(marker));
+    frame[5] = frame[7] = 0x7F;
+    const std::string jpegError = errorOf(fileWithImage(jpeg, "image/jpeg"));
+    EXPECT_NE(jpegError.find("image 0 'picture': the JPEG file is broken: it is too short"),
+              std::string::npos)
+        << jpegError;
+}
+
 TEST(Image, fromABufferView) {
     GltfFile file = fileWithImage(R"({"bufferView":0,"mimeType":"image/png"})");
     file.addView(makePng(1, 1, 7, 8, 9, 10));
@@ -103,7 +122,12 @@ TEST(Image, brokenOnesAreNamed) {
     Bytes cutJpeg = makeGreyJpeg();
     cutJpeg.resize(cutJpeg.size() - 3);
     EXPECT_NE(
-        errorOf(fileWithImage(cutJpeg, "image/jpeg")).find("image 0 'picture': the JPEG file is cut off"),
+        errorOf(fileWithImage(cutJpeg, "image/jpeg")).find("image 0 'picture': the JPEG file is broken: "),
+        std::string::npos);
+    Bytes flippedPng = makePng(4, 4, 1, 2, 3, 4);
+    flippedPng[flippedPng.size() / 2] ^= 1;
+    EXPECT_NE(
+        errorOf(fileWithImage(flippedPng, "image/png")).find("image 0 'picture': the PNG file is broken"),
         std::string::npos);
     EXPECT_NE(errorOf(fileWithImage({'G', 'I', 'F', '8'}, "image/gif"))
                   .find("image 0 'picture': is neither a PNG nor a JPEG file"),
