@@ -124,6 +124,8 @@ StateGuard::StateGuard() {
     glFrontFace(GL_CCW);
     glCullFace(GL_BACK);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    // Rasterisers may start a triangle at this vertex: with another one depths differ in the last place.
+    glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     glDepthRangef(0.0f, 1.0f);
     glBlendEquation(GL_FUNC_ADD);
     // Depth from 0 to 1: the reversed depth of DESIGN.md needs the float format's precision near 0.
@@ -231,6 +233,7 @@ void StateGuard::keepFixedFunction() {
     depthFunction_ = integer(GL_DEPTH_FUNC);
     cullFace_ = integer(GL_CULL_FACE_MODE);
     frontFace_ = integer(GL_FRONT_FACE);
+    provokingVertex_ = integer(GL_PROVOKING_VERTEX);
     // Some drivers still write one value for each face, as older versions of GL did.
     std::array<GLint, 2> polygonMode{};
     glGetIntegerv(GL_POLYGON_MODE, polygonMode.data());
@@ -247,6 +250,7 @@ void StateGuard::restoreFixedFunction() const {
     glDepthFunc(depthFunction_);
     glCullFace(cullFace_);
     glFrontFace(frontFace_);
+    glProvokingVertex(provokingVertex_);
     glPolygonMode(GL_FRONT_AND_BACK, polygonMode_);
     glDepthMask(depthMask_);
 }

@@ -74,7 +74,7 @@ class StateGuard {
     std::array<GLint, 7> stencilFront_{}, stencilBack_{};
     std::array<GLint, 2> clipControl_{};
     std::array<GLint, 14> packing_{};
-    GLint depthFunction_ = 0, cullFace_ = 0, frontFace_ = 0, polygonMode_ = 0;
+    GLint depthFunction_ = 0, cullFace_ = 0, frontFace_ = 0, polygonMode_ = 0, provokingVertex_ = 0;
     GLboolean depthMask_ = GL_TRUE;
 };
 

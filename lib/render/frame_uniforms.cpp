@@ -20,6 +20,9 @@ layout::FrameUniforms frameUniforms(const View& view, int width, int height,
     frame.rayCorner = glm::vec4(corner, 0.0);
     frame.rayStepX = glm::vec4(right * step, 0.0);
     frame.rayStepY = glm::vec4(up * step, 0.0);
+    frame.cameraRight = glm::vec4(right, halfHeight * width / height);
+    frame.cameraUp = glm::vec4(up, halfHeight);
+    frame.cameraForward = glm::vec4(forward, 0.0);
     frame.workingFromRed = glm::vec4(workingFromRec709[0], 0.0);
     frame.workingFromGreen = glm::vec4(workingFromRec709[1], 0.0);
     frame.workingFromBlue = glm::vec4(workingFromRec709[2], 0.0);

@@ -1,23 +1,21 @@
 #include "render/lighting.h"
 
 #include "render/lighting_bindings.h"
-#include "render/tiles/software_tiles.h"
+#include "render/tiles/tiles_choice.h"
 #include "render/volumes_technique.h"
 
 namespace candela {
 
-Lighting::Lighting(const Context& context) : software_(context.isSoftware()), albedo_(makeAlbedoTexture()) {}
-
-Technique Lighting::resolve(Technique technique) const {
-    if (technique != Technique::automatic) return technique;
-    return software_ ? Technique::tiles : Technique::volumes;
-}
+Lighting::Lighting(const Context& context) : renderer_(context.renderer()), albedo_(makeAlbedoTexture()) {}
 
 std::unique_ptr<LightingTechnique> Lighting::make(Technique technique) const {
     switch (technique) {
-        case Technique::fullscreen: return std::make_unique<FullscreenTechnique>(fullscreen_);
-        case Technique::volumes: return std::make_unique<VolumesTechnique>(fullscreen_);
-        default: return std::make_unique<SoftwareTiles>();
+        case Technique::fullscreen:
+            return std::make_unique<FullscreenTechnique>(fullscreen_);
+        case Technique::volumes:
+            return std::make_unique<VolumesTechnique>(fullscreen_);
+        default:
+            return makeFasterTiles(renderer_);
     }
 }
 
@@ -32,6 +30,8 @@ PairCounter& Lighting::counter() {
     return *counter_;
 }
 
-void Lighting::bind(const LightingInputs& inputs) const { bindForLighting(inputs.targets, inputs.lights, albedo_); }
+void Lighting::bind(const LightingInputs& inputs) const {
+    bindForLighting(inputs.targets, inputs.lights, albedo_);
+}
 
 }  // namespace candela

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <string>
 
 namespace candela {
 
@@ -17,8 +18,6 @@ class Lighting {
   public:
     explicit Lighting(const Context& context);
 
-    /// What stands for `technique` on this device: `automatic` becomes the fastest.
-    Technique resolve(Technique technique) const;
     /// `technique` is not `automatic`.
     LightingTechnique& technique(Technique technique);
     PairCounter& counter();
@@ -29,7 +28,7 @@ class Lighting {
   private:
     std::unique_ptr<LightingTechnique> make(Technique technique) const;
 
-    bool software_;
+    std::string renderer_;
     gl::Texture albedo_;
     FullscreenPass fullscreen_;
     std::map<Technique, std::unique_ptr<LightingTechnique>> techniques_;

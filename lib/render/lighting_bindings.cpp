@@ -23,19 +23,18 @@ void bindForLighting(const GBufferTargets& targets, const GpuLights& lights, con
     glBindTextureUnit(layout::ALBEDO_UNIT, albedo.name());
 }
 
-ModelPrograms::ModelPrograms(std::string vertexFile, std::string fragmentFile,
-                             std::vector<std::string> definitions)
-    : vertexFile_(std::move(vertexFile)),
-      fragmentFile_(std::move(fragmentFile)),
-      definitions_(std::move(definitions)) {}
+ModelPrograms::ModelPrograms(std::string vertexFile, std::string file, std::vector<std::string> definitions)
+    : vertexFile_(std::move(vertexFile)), file_(std::move(file)), definitions_(std::move(definitions)) {}
 
 const gl::Program& ModelPrograms::get(BrdfModel model) const {
     auto& program = programs_[static_cast<std::size_t>(model)];
     if (!program) {
         std::vector<std::string> definitions = definitions_;
         definitions.push_back(brdfDefinition(model));
-        program.emplace(std::vector<gl::Stage>{{vertexFile_, {}, {}}, {fragmentFile_, definitions, {}}},
-                        fragmentFile_.c_str());
+        std::vector<gl::Stage> stages;
+        if (!vertexFile_.empty()) stages.push_back({vertexFile_, {}, {}});
+        stages.push_back({file_, definitions, {}});
+        program.emplace(stages, file_.c_str());
     }
     return *program;
 }

@@ -16,15 +16,17 @@ gl::Texture makeAlbedoTexture();
 /// Binds what shaders/lib/surface.glsl and shaders/lib/lights.glsl read.
 void bindForLighting(const GBufferTargets& targets, const GpuLights& lights, const gl::Texture& albedo);
 
-/// A program of a vertex and a fragment stage for each reflection model, made when it is first needed.
+/// A program for each reflection model, made when it is first needed: of a compute stage, or of a vertex and
+/// a fragment stage.
 class ModelPrograms {
   public:
-    ModelPrograms(std::string vertexFile, std::string fragmentFile, std::vector<std::string> definitions);
+    /// `vertexFile` is empty for a compute stage. `definitions` are for `file`, the stage that shades.
+    ModelPrograms(std::string vertexFile, std::string file, std::vector<std::string> definitions);
 
     const gl::Program& get(BrdfModel model) const;
 
   private:
-    std::string vertexFile_, fragmentFile_;
+    std::string vertexFile_, file_;
     std::vector<std::string> definitions_;
     mutable std::array<std::optional<gl::Program>, 2> programs_;
 };

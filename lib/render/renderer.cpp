@@ -121,7 +121,7 @@ void Renderer::render(const GpuScene& scene, const FrameInputs& inputs) {
     state.resize(inputs.width, inputs.height);
     scene.state().update();
     const GpuLights& lights = scene.state().lights;
-    const Technique technique = state.lighting.resolve(inputs.technique);
+    const Technique technique = inputs.technique == Technique::automatic ? Technique::tiles : inputs.technique;
     LightingTechnique& lighting = state.lighting.technique(technique);
     state.frame.emplace(DrawnFrame{
         inputs, technique,

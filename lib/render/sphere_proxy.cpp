@@ -3,8 +3,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 namespace candela {
 
@@ -30,22 +28,6 @@ SphereProxy icosahedron() {
              {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 }
 
-SphereProxy divided(const SphereProxy& coarse) {
-    SphereProxy fine{coarse.vertices, {}};
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-    const auto middle = [&](std::uint32_t i, std::uint32_t j) {
-        const auto [entry, isNew] =
-            middles.try_emplace(std::minmax(i, j), static_cast<std::uint32_t>(fine.vertices.size()));
-        if (isNew) fine.vertices.push_back(glm::normalize(coarse.vertices[i] + coarse.vertices[j]));
-        return entry->second;
-    };
-    for (const auto& [i, j, k] : coarse.triangles) {
-        const std::uint32_t ij = middle(i, j), jk = middle(j, k), ki = middle(k, i);
-        fine.triangles.insert(fine.triangles.end(), {{i, ij, ki}, {ij, j, jk}, {ki, jk, k}, {ij, jk, ki}});
-    }
-    return fine;
-}
-
 /// The distance of the nearest face from the origin.
 float innerRadius(const SphereProxy& proxy) {
     float least = 1.0f;
@@ -59,7 +41,7 @@ float innerRadius(const SphereProxy& proxy) {
 }  // namespace
 
 SphereProxy makeSphereProxy() {
-    SphereProxy proxy = divided(icosahedron());
+    SphereProxy proxy = icosahedron();
     // A little more than needed, against the rounding of vertices in the shader.
     const float scale = 1.0001f / innerRadius(proxy);
     for (glm::vec3& vertex : proxy.vertices) vertex *= scale;

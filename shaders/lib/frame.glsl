@@ -5,10 +5,14 @@
 
 layout(std140, binding = FRAME_BINDING) uniform FrameBlock { FrameUniforms frame; };
 
+// No product is fused into a sum here (`precise`), so that every device and the CPU place a surface at the very same point: close to a
+// light, the last bit of a position far from the origin shows.
+//
 // World position of the surface at a pixel, from its reversed depth (which is near plane / distance along the view axis).
 vec3 worldPosition(ivec2 pixel, float depth) {
-    vec3 ray = frame.rayCorner.xyz + float(pixel.x) * frame.rayStepX.xyz + float(pixel.y) * frame.rayStepY.xyz;
-    return frame.eye.xyz + ray * (frame.eye.w / depth);
+    precise vec3 ray = frame.rayCorner.xyz + float(pixel.x) * frame.rayStepX.xyz + float(pixel.y) * frame.rayStepY.xyz;
+    precise vec3 position = frame.eye.xyz + ray * (frame.eye.w / depth);
+    return position;
 }
 
 vec3 workingFromRec709(vec3 color) {

@@ -22,7 +22,17 @@ const int ALBEDO_UNIT = 4;              // R32F: directional albedo table of the
 const int RADIANCE_UNIT = 0;
 const int LOOKUP_UNIT = 1;
 
+// Storage buffers and images of the compute passes.
+const int TILE_BOXES_STORAGE = 0;
+const int TILE_COUNTS_STORAGE = 1;
+const int TILE_STARTS_STORAGE = 2;
+const int TILE_LISTS_STORAGE = 3;
+const int TILE_TOTAL_STORAGE = 4;
+const int RADIANCE_IMAGE = 0;
+
 // Uniform locations.
+const int FIRST_LIGHT_LOCATION = 0;     // tile_scatter: the first light of a dispatch
+const int KEEPS_EMISSION_LOCATION = 0;  // tile_shade: is emission in the radiance target?
 const int LIGHT_RANGES_LOCATION = 0;    // fullscreen: first and end of points and spots; then those of directional lights
 const int DIRECTIONALS_LOCATION = 1;
 const int EXPOSURE_LOCATION = 0;        // display: factor before the transform

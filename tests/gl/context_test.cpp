@@ -141,9 +141,7 @@ TEST(AdoptedContext, ofAHostDrawsLikeAHeadlessOne) {
 }
 
 TEST(AdoptedContext, needsOneThatIsCurrent) {
-    {
-        const Context gone = Context::createHeadless();
-    }
+    { const Context gone = Context::createHeadless(); }
     const std::string text = errorOf([] { Context::adoptCurrent(); }, ErrorKind::environment);
     EXPECT_EQ(text, "no OpenGL context is current on this thread");
 }

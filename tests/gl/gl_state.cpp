@@ -127,22 +127,16 @@ constexpr Name numbers[] = {
 };
 
 constexpr Name perUnit[] = {
-    CANDELA_NAME(SAMPLER_BINDING),
-    CANDELA_NAME(TEXTURE_BINDING_1D),
-    CANDELA_NAME(TEXTURE_BINDING_1D_ARRAY),
-    CANDELA_NAME(TEXTURE_BINDING_2D),
-    CANDELA_NAME(TEXTURE_BINDING_2D_ARRAY),
-    CANDELA_NAME(TEXTURE_BINDING_2D_MULTISAMPLE),
-    CANDELA_NAME(TEXTURE_BINDING_3D),
-    CANDELA_NAME(TEXTURE_BINDING_BUFFER),
-    CANDELA_NAME(TEXTURE_BINDING_CUBE_MAP),
-    CANDELA_NAME(TEXTURE_BINDING_RECTANGLE),
+    CANDELA_NAME(SAMPLER_BINDING),          CANDELA_NAME(TEXTURE_BINDING_1D),
+    CANDELA_NAME(TEXTURE_BINDING_1D_ARRAY), CANDELA_NAME(TEXTURE_BINDING_2D),
+    CANDELA_NAME(TEXTURE_BINDING_2D_ARRAY), CANDELA_NAME(TEXTURE_BINDING_2D_MULTISAMPLE),
+    CANDELA_NAME(TEXTURE_BINDING_3D),       CANDELA_NAME(TEXTURE_BINDING_BUFFER),
+    CANDELA_NAME(TEXTURE_BINDING_CUBE_MAP), CANDELA_NAME(TEXTURE_BINDING_RECTANGLE),
 };
 
 constexpr Name perDrawBuffer[] = {
-    CANDELA_NAME(BLEND_SRC_RGB),      CANDELA_NAME(BLEND_DST_RGB),
-    CANDELA_NAME(BLEND_SRC_ALPHA),    CANDELA_NAME(BLEND_DST_ALPHA),
-    CANDELA_NAME(BLEND_EQUATION_RGB), CANDELA_NAME(BLEND_EQUATION_ALPHA),
+    CANDELA_NAME(BLEND_SRC_RGB),      CANDELA_NAME(BLEND_DST_RGB),      CANDELA_NAME(BLEND_SRC_ALPHA),
+    CANDELA_NAME(BLEND_DST_ALPHA),    CANDELA_NAME(BLEND_EQUATION_RGB), CANDELA_NAME(BLEND_EQUATION_ALPHA),
     CANDELA_NAME(COLOR_WRITEMASK, 4),
 };
 
@@ -161,8 +155,9 @@ constexpr Name perStorageBinding[] = {
 constexpr Name perSampleMask[] = {CANDELA_NAME(SAMPLE_MASK_VALUE)};
 
 constexpr Name perImageUnit[] = {
-    CANDELA_NAME(IMAGE_BINDING_NAME),  CANDELA_NAME(IMAGE_BINDING_LEVEL),  CANDELA_NAME(IMAGE_BINDING_LAYERED),
-    CANDELA_NAME(IMAGE_BINDING_LAYER), CANDELA_NAME(IMAGE_BINDING_ACCESS), CANDELA_NAME(IMAGE_BINDING_FORMAT),
+    CANDELA_NAME(IMAGE_BINDING_NAME),    CANDELA_NAME(IMAGE_BINDING_LEVEL),
+    CANDELA_NAME(IMAGE_BINDING_LAYERED), CANDELA_NAME(IMAGE_BINDING_LAYER),
+    CANDELA_NAME(IMAGE_BINDING_ACCESS),  CANDELA_NAME(IMAGE_BINDING_FORMAT),
 };
 
 #undef CANDELA_NAME
@@ -304,9 +299,10 @@ void UnusualState::bindObjects() const {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers_[0]);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers_[1]);
     glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer_);
-    constexpr GLenum targets[] = {GL_ARRAY_BUFFER,         GL_DRAW_INDIRECT_BUFFER, GL_DISPATCH_INDIRECT_BUFFER,
-                                  GL_PIXEL_PACK_BUFFER,    GL_PIXEL_UNPACK_BUFFER,  GL_COPY_READ_BUFFER,
-                                  GL_COPY_WRITE_BUFFER,    GL_QUERY_BUFFER,         GL_TRANSFORM_FEEDBACK_BUFFER};
+    constexpr GLenum targets[] = {
+        GL_ARRAY_BUFFER,      GL_DRAW_INDIRECT_BUFFER, GL_DISPATCH_INDIRECT_BUFFER,
+        GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER,  GL_COPY_READ_BUFFER,
+        GL_COPY_WRITE_BUFFER, GL_QUERY_BUFFER,         GL_TRANSFORM_FEEDBACK_BUFFER};
     for (std::size_t i = 0; i < std::size(targets); ++i) glBindBuffer(targets[i], buffers_[i % 8]);
     for (GLuint i = 0; i < 10; ++i) {
         glBindBufferRange(GL_UNIFORM_BUFFER, i, buffers_[i % 4], 256 * static_cast<GLintptr>(i % 3), 256);
@@ -367,15 +363,14 @@ void UnusualState::setFixedFunction() const {
     glStencilOpSeparate(GL_BACK, GL_INCR_WRAP, GL_DECR_WRAP, GL_REPLACE);
     glStencilMaskSeparate(GL_FRONT, 0x0);
     glStencilMaskSeparate(GL_BACK, 0x7);
-    constexpr std::array packing{
-        std::pair{GL_PACK_ALIGNMENT, 8},     std::pair{GL_PACK_IMAGE_HEIGHT, 11},
-        std::pair{GL_PACK_ROW_LENGTH, 13},   std::pair{GL_PACK_SKIP_IMAGES, 1},
-        std::pair{GL_PACK_SKIP_PIXELS, 2},   std::pair{GL_PACK_SKIP_ROWS, 3},
-        std::pair{GL_PACK_SWAP_BYTES, 1},    std::pair{GL_PACK_LSB_FIRST, 1},
-        std::pair{GL_UNPACK_ALIGNMENT, 8},   std::pair{GL_UNPACK_IMAGE_HEIGHT, 9},
-        std::pair{GL_UNPACK_ROW_LENGTH, 17}, std::pair{GL_UNPACK_SKIP_IMAGES, 2},
-        std::pair{GL_UNPACK_SKIP_PIXELS, 3}, std::pair{GL_UNPACK_SKIP_ROWS, 4},
-        std::pair{GL_UNPACK_SWAP_BYTES, 1},  std::pair{GL_UNPACK_LSB_FIRST, 1}};
+    constexpr std::array packing{std::pair{GL_PACK_ALIGNMENT, 8},     std::pair{GL_PACK_IMAGE_HEIGHT, 11},
+                                 std::pair{GL_PACK_ROW_LENGTH, 13},   std::pair{GL_PACK_SKIP_IMAGES, 1},
+                                 std::pair{GL_PACK_SKIP_PIXELS, 2},   std::pair{GL_PACK_SKIP_ROWS, 3},
+                                 std::pair{GL_PACK_SWAP_BYTES, 1},    std::pair{GL_PACK_LSB_FIRST, 1},
+                                 std::pair{GL_UNPACK_ALIGNMENT, 8},   std::pair{GL_UNPACK_IMAGE_HEIGHT, 9},
+                                 std::pair{GL_UNPACK_ROW_LENGTH, 17}, std::pair{GL_UNPACK_SKIP_IMAGES, 2},
+                                 std::pair{GL_UNPACK_SKIP_PIXELS, 3}, std::pair{GL_UNPACK_SKIP_ROWS, 4},
+                                 std::pair{GL_UNPACK_SWAP_BYTES, 1},  std::pair{GL_UNPACK_LSB_FIRST, 1}};
     for (const auto& [name, value] : packing) glPixelStorei(static_cast<GLenum>(name), value);
 }
 

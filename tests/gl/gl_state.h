@@ -32,7 +32,8 @@ class UnusualState {
     void setFixedFunction() const;
     void setPerBuffer() const;
 
-    GLuint program_ = 0, pipeline_ = 0, pipelineProgram_ = 0, vertexArray_ = 0, renderbuffer_ = 0, sampler_ = 0;
+    GLuint program_ = 0, pipeline_ = 0, pipelineProgram_ = 0, vertexArray_ = 0, renderbuffer_ = 0,
+           sampler_ = 0;
     GLuint framebuffers_[2]{}, textures_[8]{}, buffers_[8]{};
 };
 

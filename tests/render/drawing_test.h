@@ -1,5 +1,7 @@
 #pragma once
 
+#include "techniques.h"
+
 #include <candela/context.h>
 #include <candela/gpu_scene.h>
 #include <candela/renderer.h>
@@ -8,7 +10,6 @@
 
 #include <glm/vec3.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -18,10 +19,6 @@
 #include <vector>
 
 namespace candela::test {
-
-/// Every technique that brings lights to pixels; tests of lighting loop over them.
-constexpr std::array techniques{Technique::volumes, Technique::fullscreen};
-constexpr std::array models{BrdfModel::course, BrdfModel::gltf};
 
 /// AOVs of a frame, addressed by pixel; y counts from the top.
 class AovReader {

@@ -11,11 +11,11 @@ namespace candela::test {
 namespace {
 
 constexpr double unit = 1.0 / 16777216.0;  // 2^-24, half a step of single precision relative to its number
-constexpr double positionUnits = 4.0;
-constexpr double normalError = 4.0 * unit;
-constexpr double relativeError = 2.0e-5;
-constexpr double windowError = 8.0 * unit;
-constexpr double cosineError = 8.0 * unit;
+constexpr double positionUnits = 2.0;
+constexpr double normalError = 2.0 * unit;
+constexpr double relativeError = 1.0e-5;
+constexpr double windowError = 4.0 * unit;
+constexpr double cosineError = 4.0 * unit;
 
 struct Lit {
     BrdfModel model;

@@ -16,7 +16,7 @@ constexpr int width = 96, height = 54;
 /// The worst pixel of a comparison.
 struct Worst {
     double ofTolerance = 0.0;  ///< Error as a share of what the pixel may err by.
-    double relative = 0.0;     ///< Error relative to the pixel; of pixels brighter than a millionth of the mean.
+    double relative = 0.0;  ///< Error relative to the pixel; of pixels brighter than a millionth of the mean.
     int x = 0, y = 0, litPixels = 0;
 };
 
@@ -26,12 +26,14 @@ Worst compare(const RadiancePicture& picture, const std::vector<ExpectedPixel>& 
     for (const ExpectedPixel& pixel : expected) mean += pixel.radiance.g / double(expected.size());
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
-            const ExpectedPixel& pixel = expected[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)];
+            const ExpectedPixel& pixel =
+                expected[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)];
             const glm::dvec3 actual(pixelOf(picture, x, y));
             worst.litPixels += actual.g > 0.0;
             for (int c = 0; c < 3; ++c) {
                 const double error = std::abs(actual[c] - pixel.radiance[c]);
-                // The smallest normal number of single precision, times a million: below it, floats lose digits.
+                // The smallest normal number of single precision, times a million: below it, floats lose
+                // digits.
                 const double share = error / (pixel.tolerance[c] + 1.0e-32);
                 if (pixel.radiance[c] > 1.0e-6 * mean)
                     worst.relative = std::max(worst.relative, error / pixel.radiance[c]);
@@ -59,8 +61,9 @@ class EvaluatorTest : public DrawingTest {
             std::printf("%-18s %-7s %-11s largest relative error %.1e, at most %.2f of the tolerance\n",
                         made.name.c_str(), toString(model), toString(technique), worst.relative,
                         worst.ofTolerance);
-            EXPECT_LE(worst.ofTolerance, 1.0) << made.name << ", " << toString(model) << ", "
-                                              << toString(technique) << ", pixel " << worst.x << ", " << worst.y;
+            EXPECT_LE(worst.ofTolerance, 1.0)
+                << made.name << ", " << toString(model) << ", " << toString(technique) << ", pixel "
+                << worst.x << ", " << worst.y;
             EXPECT_GT(worst.litPixels, width * height / 3) << "the scene has to be lit to prove anything";
         }
     }
@@ -77,8 +80,8 @@ TEST_F(EvaluatorTest, comparisonFindsALightThatIsOnePerMilleTooBright) {
     const GpuScene scene = upload(made.scene, made.lights);
     renderer().render(scene, {width, height, made.view, BrdfModel::course, Technique::fullscreen});
     for (PlacedLight& light : made.lights) light.intensity *= 1.001f;
-    const auto expected = evaluatedPicture(BrdfModel::course, aovs(scene, width), width, height,
-                                           made.view.eye(), made.lights);
+    const auto expected =
+        evaluatedPicture(BrdfModel::course, aovs(scene, width), width, height, made.view.eye(), made.lights);
     EXPECT_GT(compare(renderer().radiance(), expected).ofTolerance, 1.0);
 }
 
@@ -149,7 +152,8 @@ TEST_F(FinitePixelsTest, lightOppositeToTheEye) {
     // The normal map turns the normal until the light behind the surface, seen straight through it, is above
     // its horizon: there l = -v, and no half vector is.
     Scene scene;
-    scene.images = {makeImage(1, 1, [](std::uint32_t, std::uint32_t) { return glm::u8vec4(255, 128, 90, 255); })};
+    scene.images = {
+        makeImage(1, 1, [](std::uint32_t, std::uint32_t) { return glm::u8vec4(255, 128, 90, 255); })};
     for (const float roughness : roughnesses) {
         Material material = materialOf(roughness, 0.5f);
         material.normalTexture = Texture{};

@@ -11,8 +11,7 @@ namespace candela::test {
 namespace {
 
 glm::mat4 floorAt(float y) {
-    return glm::rotate(glm::translate(glm::mat4(1.0f), {0, y, 0}), glm::radians(-90.0f),
-                       glm::vec3(1, 0, 0));
+    return glm::rotate(glm::translate(glm::mat4(1.0f), {0, y, 0}), glm::radians(-90.0f), glm::vec3(1, 0, 0));
 }
 
 glm::mat4 at(const glm::vec3& position) {
@@ -59,8 +58,10 @@ Texture textureOf(std::uint32_t image) {
 }  // namespace
 
 LitScene plazaLike() {
-    LitScene made{"plaza", sceneOf(makeQuad(20.0f), surface({0.5f, 0.5f, 0.5f}, 0.0f, 0.8f), floorAt(0.0f)),
-                  {}, lookAt({0, 4, 9}, {0, 0.5f, 0}, 0.8f)};
+    LitScene made{"plaza",
+                  sceneOf(makeQuad(20.0f), surface({0.5f, 0.5f, 0.5f}, 0.0f, 0.8f), floorAt(0.0f)),
+                  {},
+                  lookAt({0, 4, 9}, {0, 0.5f, 0}, 0.8f)};
     for (int column = 0; column < 6; ++column) {
         for (int row = 0; row < 2; ++row) {
             const auto index = static_cast<std::uint32_t>(2 * column + row);
@@ -97,7 +98,8 @@ LitScene textured() {
 
 LitScene sunAndSpots() {
     LitScene made{"sun and spots",
-                  sceneOf(makeQuad(10.0f), surface({0.4f, 0.6f, 0.3f}, 0.0f, 0.4f), floorAt(0.0f)), {},
+                  sceneOf(makeQuad(10.0f), surface({0.4f, 0.6f, 0.3f}, 0.0f, 0.4f), floorAt(0.0f)),
+                  {},
                   lookAt({3, 2, 6}, {0, 0.5f, 0}, 0.9f)};
     place(made.scene, makeSphere(1.0f), surface({0.9f, 0.6f, 0.2f}, 1.0f, 0.3f), at({-1, 1, 0}));
     place(made.scene, makeSphere(0.7f), surface({0.2f, 0.3f, 0.9f}, 0.0f, 0.6f), at({1.5f, 0.7f, 1}));
@@ -111,7 +113,8 @@ LitScene sunAndSpots() {
 
 LitScene nearAndFar() {
     LitScene made{"near and far",
-                  sceneOf(makeQuad(2.0f), surface({0.7f, 0.7f, 0.7f}, 0.0f, 0.5f)), {},
+                  sceneOf(makeQuad(2.0f), surface({0.7f, 0.7f, 0.7f}, 0.0f, 0.5f)),
+                  {},
                   lookAt({0, -1.5f, 2}, {0, 0, 0}, 0.9f)};
     place(made.scene, makeSphere(0.4f), surface({0.8f, 0.3f, 0.2f}, 1.0f, 0.35f), at({0.9f, 0.2f, 0.4f}));
     for (std::uint32_t i = 0; i < 12; ++i) {
@@ -126,7 +129,8 @@ LitScene nearAndFar() {
 
 LitScene smoothAndBright() {
     LitScene made{"smooth and bright",
-                  sceneOf(makeQuad(10.0f), surface({0.3f, 0.3f, 0.3f}, 0.0f, 0.0f), floorAt(0.0f)), {},
+                  sceneOf(makeQuad(10.0f), surface({0.3f, 0.3f, 0.3f}, 0.0f, 0.0f), floorAt(0.0f)),
+                  {},
                   lookAt({0, 2, 6}, {0, 0.7f, 0}, 0.8f)};
     for (int i = 0; i < 4; ++i) {
         place(made.scene, makeSphere(0.8f, 48, 24),
@@ -134,16 +138,18 @@ LitScene smoothAndBright() {
               at({2.0f * float(i) - 3.0f, 0.8f, 0}));
     }
     for (std::uint32_t i = 0; i < 10; ++i) {
-        made.lights.push_back(pointLight({8.0f * hashed(10, i) - 4.0f, 1.0f + 3.0f * hashed(11, i),
-                                          6.0f * hashed(12, i) - 2.0f},
-                                         0.0f, 1.0e6f * saturated(i)));
+        made.lights.push_back(pointLight(
+            {8.0f * hashed(10, i) - 4.0f, 1.0f + 3.0f * hashed(11, i), 6.0f * hashed(12, i) - 2.0f}, 0.0f,
+            1.0e6f * saturated(i)));
     }
     return made;
 }
 
 LitScene grazing() {
-    LitScene made{"grazing", sceneOf(makeQuad(10.0f), surface({0.6f, 0.5f, 0.4f}, 0.0f, 0.3f), floorAt(0.0f)),
-                  {}, lookAt({0, 0.05f, 6}, {0, 0, -4}, 0.5f)};
+    LitScene made{"grazing",
+                  sceneOf(makeQuad(10.0f), surface({0.6f, 0.5f, 0.4f}, 0.0f, 0.3f), floorAt(0.0f)),
+                  {},
+                  lookAt({0, 0.05f, 6}, {0, 0, -4}, 0.5f)};
     place(made.scene, makeQuad(0.5f), surface({0.9f, 0.9f, 0.2f}, 1.0f, 0.2f),
           glm::rotate(at({1, 0.5f, 0}), glm::radians(88.0f), glm::vec3(0, 1, 0)));
     for (std::uint32_t i = 0; i < 16; ++i) {

@@ -22,7 +22,8 @@ namespace candela::test {
 namespace {
 
 glm::vec3 directionOf(std::uint32_t seed, std::uint32_t index) {
-    const double z = 2.0 * hashed(seed, index) - 1.0, angle = 2.0 * std::numbers::pi * hashed(seed + 1, index);
+    const double z = 2.0 * hashed(seed, index) - 1.0,
+                 angle = 2.0 * std::numbers::pi * hashed(seed + 1, index);
     const double side = std::sqrt(1.0 - z * z);
     return glm::vec3(side * std::cos(angle), side * std::sin(angle), z);
 }
@@ -37,9 +38,9 @@ GBufferSurface roundTrip(const GBufferSurface& surface) {
 }
 
 TEST(Packing, normalsAreHeldToLessThanASixteenthOfADegree) {
-    // A step of the code is 1/2047, its rounding at most half of that along each axis. Where the octahedron is
-    // furthest from the sphere (the middle of a face, at distance 1/sqrt 3) a step in the plane shows under the
-    // largest angle: 0.5 sqrt(2) / 2047 times sqrt 3, and 10 % for the slant of the face.
+    // A step of the code is 1/2047, its rounding at most half of that along each axis. Where the octahedron
+    // is furthest from the sphere (the middle of a face, at distance 1/sqrt 3) a step in the plane shows
+    // under the largest angle: 0.5 sqrt(2) / 2047 times sqrt 3, and 10 % for the slant of the face.
     constexpr double bound = 0.5 * 1.41422 / 2047.0 * 1.7321 * 1.1;
     double worst = 0.0, squares = 0.0;
     constexpr std::uint32_t count = 200000;
@@ -91,8 +92,8 @@ TEST(Packing, valuesAreHeldToHalfACode) {
     };
     for (std::uint32_t i = 0; i <= 1000; ++i) {
         const float value = float(i) / 1000.0f;
-        const GBufferSurface held =
-            roundTrip({.baseColor = glm::vec3(value, 0.5f, 1.0f - value), .metallic = value, .roughness = value});
+        const GBufferSurface held = roundTrip(
+            {.baseColor = glm::vec3(value, 0.5f, 1.0f - value), .metallic = value, .roughness = value});
         ASSERT_NEAR(held.metallic, value, half);
         ASSERT_NEAR(held.roughness, value, half);
         ASSERT_NEAR(encoded(held.baseColor.r), encoded(value), half);
@@ -137,7 +138,8 @@ std::vector<double> shadingError(BrdfModel model, std::uint32_t index, double lo
     surface.roughness = float(low + (high - low) * uniform(36));
     const glm::vec3 eye = directionOf(37, index), toLight = directionOf(39, index);
     constexpr float leastCosine = 0.05f;
-    if (glm::dot(surface.normal, eye) < leastCosine || glm::dot(surface.normal, toLight) < leastCosine) return {};
+    if (glm::dot(surface.normal, eye) < leastCosine || glm::dot(surface.normal, toLight) < leastCosine)
+        return {};
     PlacedLight light = directionalLight(-toLight, glm::vec3(1.0f));
     const auto radiance = [&](const GBufferSurface& of) {
         const SurfacePoint point{glm::dvec3(0), of.normal, of.baseColor, of.metallic, of.roughness};

@@ -1,8 +1,8 @@
 #pragma once
 
 // Vectors of floats as wide as the instruction set this file is compiled for. Included only by
-// tile_kernel_code.h, which is compiled once for each instruction set: everything here has internal linkage, so
-// that no two variants of a function can meet in the linker.
+// tile_kernel_code.h, which is compiled once for each instruction set: everything here has internal linkage,
+// so that no two variants of a function can meet in the linker.
 
 #include <cstdint>
 
@@ -85,16 +85,19 @@ inline Floats min(Floats a, Floats b) {
 
 #if defined(__AVX2__)
 
-// The hardware's 12 or 14 bits, and one step of Newton's method: all but the last bits of a float. Infinite
-// for 0, as the exact ones.
+// The hardware's 12 or 14 bits, and one step of Newton's method in the form that rounds least: all but the
+// last bit of a float. For numbers over 1e-30.
+
 inline Floats rsqrt(Floats a) {
     const Floats r = roughRsqrt(a);
-    return r * (1.5f - 0.5f * a * r * r);
+    const Floats remainder = 1.0f - (a * r) * r;
+    return r + (0.5f * r) * remainder;
 }
 
 inline Floats reciprocal(Floats a) {
     const Floats r = roughReciprocal(a);
-    return r * (2.0f - a * r);
+    const Floats remainder = 1.0f - a * r;
+    return r + r * remainder;
 }
 
 #else
@@ -114,6 +117,14 @@ inline Floats reciprocal(Floats a) {
 /// The square root of a number that is over 1e-30.
 inline Floats squareRoot(Floats a) {
     return a * rsqrt(a);
+}
+
+/// The value as it is: keeps the compiler from fusing the product `a` into a sum that follows.
+inline Floats rounded(Floats a) {
+#if defined(__AVX2__)
+    __asm__("" : "+v"(a));
+#endif
+    return a;
 }
 
 inline Floats absolute(Floats a) {

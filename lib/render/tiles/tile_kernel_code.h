@@ -1,8 +1,9 @@
 #pragma once
 
-// The kernels of the technique `tiles` on the CPU. Each tile_kernel_*.cpp includes this once and is compiled for its own instruction set, with
-// CANDELA_TILE_KERNEL naming the table it defines. Everything here has internal linkage, and no inline function of a library is used, so that
-// no code for one instruction set can end up in the place of another's.
+// The kernels of the technique `tiles` on the CPU. Each tile_kernel_*.cpp includes this once and is compiled
+// for its own instruction set, with CANDELA_TILE_KERNEL naming the table it defines. Everything here has
+// internal linkage, and no inline function of a library is used, so that no code for one instruction set can
+// end up in the place of another's.
 
 #include "render/tiles/tile_kernel.h"
 
@@ -36,10 +37,16 @@ inline BlockPixels fetchPixels(const TileFrame& frame, int left, int bottom) {
     return pixels;
 }
 
+/// The product of a vector and a number, rounded as shaders/lib/frame.glsl rounds it.
+inline Vec3 roundedProduct(Vec3 a, Floats b) {
+    return {rounded(a.x * b), rounded(a.y * b), rounded(a.z * b)};
+}
+
 inline Vec3 positionOf(const TileFrame& frame, const BlockPixels& pixels, int first) {
-    const Vec3 ray = splat3(frame.rayCorner) + splat3(frame.rayStepX) * load(pixels.x + first) +
-                     splat3(frame.rayStepY) * load(pixels.y + first);
-    return splat3(frame.eye) + ray * (frame.nearPlane / load(pixels.depth + first));
+    const Vec3 ray = splat3(frame.rayCorner) +
+                     roundedProduct(splat3(frame.rayStepX), load(pixels.x + first)) +
+                     roundedProduct(splat3(frame.rayStepY), load(pixels.y + first));
+    return splat3(frame.eye) + roundedProduct(ray, frame.nearPlane / load(pixels.depth + first));
 }
 
 inline Ints loadWords(const std::uint32_t* from) {

@@ -253,8 +253,8 @@ std::vector<Case> brokenMeshes() {
 
 std::vector<Case> brokenData() {
     const std::string view = R"("bufferViews":[{"buffer":0,"byteOffset":4,"byteLength":8}],"accessors":
-        [{"bufferView":0,"type":"VEC3","componentType":5126,"count":1}],"meshes":[{"primitives":[{"attributes":
-        {"POSITION":0}}]}],"nodes":[{"mesh":0}])";
+        [{"bufferView":0,"type":"VEC3","componentType":5126,"count":1}],"meshes":[{"primitives":
+        [{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}])";
     return {
         {"noUri", document(R"("buffers":[{"byteLength":4}])"), {"buffer 0", "has no URI"}},
         {"shortBuffer",
@@ -281,7 +281,8 @@ std::vector<Case> brokenData() {
          {"texture 0, source", "image 0 does not exist"}},
         {"imageWithNothing",
          document(
-             R"("images":[{"name":"i"}],"textures":[{"source":0}],"materials":[{"normalTexture":{"index":0}}])"),
+             R"("images":[{"name":"i"}],"textures":[{"source":0}],
+                      "materials":[{"normalTexture":{"index":0}}])"),
          {"image 0 'i'", "neither"}},
         {"textureIndex",
          withMaterial(R"({"name":"m","normalTexture":{"index":3}})"),

@@ -1,0 +1,33 @@
+// The box around the surfaces of each tile; one group a tile.
+
+#include "lib/tiles.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = SURFACE_UNIT) uniform usampler2D surfaceTexture;
+layout(binding = DEPTH_UNIT) uniform sampler2D depthTexture;
+
+shared vec3 lows[64];
+shared vec3 highs[64];
+
+const float NOWHERE = 1.0e30;
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    uint lane = gl_LocalInvocationIndex;
+    bool surface = all(lessThan(pixel, frame.size.xy)) && texelFetch(surfaceTexture, pixel, 0).y != 0u;
+    vec3 position = worldPosition(pixel, surface ? texelFetch(depthTexture, pixel, 0).x : 1.0);
+    lows[lane] = surface ? position : vec3(NOWHERE);
+    highs[lane] = surface ? position : vec3(-NOWHERE);
+    for (uint half_ = 32u; half_ > 0u; half_ >>= 1) {
+        barrier();
+        if (lane < half_) {
+            lows[lane] = min(lows[lane], lows[lane + half_]);
+            highs[lane] = max(highs[lane], highs[lane + half_]);
+        }
+    }
+    if (lane != 0u) return;
+    uint tile = gl_WorkGroupID.y * uint(tileGrid().x) + gl_WorkGroupID.x;
+    tileBoxes[tile] = TileBox(vec4(lows[0], lows[0].x < NOWHERE ? 1.0 : 0.0), vec4(highs[0], 0.0));
+    tileCounts[tile] = 0u;
+}

@@ -1,0 +1,64 @@
+// Shades each pixel of a tile by the lights of its list: the G-buffer is read once and the radiance written once.
+
+#include "lib/tiles.glsl"
+#include "lib/surface.glsl"
+#include "lib/lights.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(rgba32f, binding = RADIANCE_IMAGE) uniform image2D radianceImage;
+layout(location = KEEPS_EMISSION_LOCATION) uniform bool keepsEmission;
+
+// Turns of one loop: some rasterisers end a longer one without a word.
+const int TURNS = 32768;
+
+vec3 localLight(ShadingPoint point, int index) {
+    LocalLight light = fetchLight(index);
+    if (!isLit(point, light)) return vec3(0.0);
+    if (index < frame.lightCounts.x) return pointLight(point, light, 1.0);
+    return spotLight(point, light, texelFetch(coneRecords, index - frame.lightCounts.x));
+}
+
+vec3 listedLights(ShadingPoint point, int first, int end) {
+    vec3 sum = vec3(0.0);
+    for (int part = first; part < end; part += TURNS) {
+        int last = min(part + TURNS, end);
+        for (int i = part; i < last; ++i) sum += localLight(point, int(tileLists[i]));
+    }
+    return sum;
+}
+
+vec3 allLocalLights(ShadingPoint point) {
+    vec3 sum = vec3(0.0);
+    int end = frame.lightCounts.x + frame.lightCounts.y;
+    for (int part = 0; part < end; part += TURNS) {
+        int last = min(part + TURNS, end);
+        for (int i = part; i < last; ++i) sum += localLight(point, i);
+    }
+    return sum;
+}
+
+vec3 directionalLights(ShadingPoint point) {
+    vec3 sum = vec3(0.0);
+    int first = frame.lightCounts.x + frame.lightCounts.y;
+    for (int i = first; i < first + frame.lightCounts.z; ++i) {
+        sum += directionalLight(point, texelFetch(lightRecords, i * LIGHT_TEXELS).xyz,
+                                texelFetch(lightRecords, i * LIGHT_TEXELS + 1).rgb);
+    }
+    return sum;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, frame.size.xy))) return;
+    vec3 radiance = keepsEmission ? imageLoad(radianceImage, pixel).rgb : vec3(0.0);
+    ShadingPoint point;
+    if (fetchShadingPoint(pixel, point)) {
+        uint tile = gl_WorkGroupID.y * uint(tileGrid().x) + gl_WorkGroupID.x;
+        uint start = tileStarts[tile], end = start + tileCounts[tile];
+        bool listed = end <= uint(tileLists.length());
+        radiance += listed ? listedLights(point, int(start), int(end)) : allLocalLights(point);
+        radiance += directionalLights(point);
+    }
+    imageStore(radianceImage, pixel, vec4(radiance, 0.0));
+}

@@ -1,0 +1,247 @@
+// The shaders: each stage compiles alone, each program links, and C++ and GLSL agree on what they share.
+
+#include "gl/program.h"
+#include "gl/shader_source.h"
+#include "render/layout.h"
+
+#include <candela/context.h>
+#include <candela/error.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace candela::test {
+namespace {
+
+using Definitions = std::vector<std::string>;
+
+bool isStage(std::string_view name) {
+    return name.ends_with(".vert") || name.ends_with(".frag") || name.ends_with(".comp");
+}
+
+/// What lib/render may define for a stage, whether or not the stage reads it.
+std::vector<Definitions> combinations() {
+    std::vector<Definitions> all;
+    for (const char* model : {"BRDF BRDF_COURSE", "BRDF BRDF_GLTF"}) {
+        for (const char* kind : {"SPOT 0", "SPOT 1"}) all.push_back({model, kind});
+    }
+    return all;
+}
+
+/// A pair of stages that lib/render links.
+struct Pair {
+    std::string vertex, fragment;
+    std::string appended{};
+};
+
+const std::vector<Pair> pairs{
+    {"surface_plain.vert", "surface_plain.frag"},
+    {"surface_textured.vert", "surface_textured.frag"},
+    {"fullscreen_triangle.vert", "fullscreen.frag"},
+    {"fullscreen_triangle.vert", "depth_copy.frag"},
+    {"light_volume.vert", "light_volume.frag"},
+    {"light_volume.vert", "light_volume_mark.frag"},
+    {"light_volume.vert", "light_volume_count.frag"},
+    {"fullscreen_triangle.vert", "display.frag",
+     "vec4 displayTransform(vec4 radiance) { return radiance; }\n"},
+};
+
+GLenum kindOf(std::string_view name) {
+    return name.ends_with(".vert")   ? GL_VERTEX_SHADER
+           : name.ends_with(".frag") ? GL_FRAGMENT_SHADER
+                                     : GL_COMPUTE_SHADER;
+}
+
+/// What the compiler says; empty when it takes the text.
+std::string compilerMessage(GLenum kind, const std::string& text) {
+    const GLuint shader = glCreateShader(kind);
+    const char* texts[] = {text.c_str()};
+    glShaderSource(shader, 1, texts, nullptr);
+    glCompileShader(shader);
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    std::string message(2000, '\0');
+    GLsizei length = 0;
+    glGetShaderInfoLog(shader, GLsizei(message.size()), &length, message.data());
+    message.resize(static_cast<std::size_t>(length));
+    glDeleteShader(shader);
+    return compiled == GL_TRUE ? "" : "not compiled: " + message;
+}
+
+/// Sets CANDELA_SHADER_DIR to a folder with a copy of the shaders.
+class ShaderFolder {
+  public:
+    ShaderFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "candela-shaders-XXXXXX").string();
+        path_ = mkdtemp(name.data());
+        for (const gl::EmbeddedShader& shader : gl::embeddedShaders())
+            write(std::string(shader.name), shader.text);
+        setenv("CANDELA_SHADER_DIR", path_.c_str(), 1);
+    }
+    ShaderFolder(const ShaderFolder&) = delete;
+    ShaderFolder& operator=(const ShaderFolder&) = delete;
+    ~ShaderFolder() {
+        unsetenv("CANDELA_SHADER_DIR");
+        std::filesystem::remove_all(path_);
+    }
+
+    void write(const std::string& name, std::string_view text) const {
+        std::filesystem::create_directories((path_ / name).parent_path());
+        std::ofstream(path_ / name) << text;
+    }
+    void remove(const std::string& name) const { std::filesystem::remove(path_ / name); }
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+class ProgramTest : public testing::Test {
+  protected:
+    static std::string errorOf(const std::string& vertex, const std::string& fragment) {
+        try {
+            gl::Program({{vertex, {}, {}}, {fragment, {}, {}}}, "test");
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::environment);
+            return error.what();
+        }
+        return {};
+    }
+
+    Context context_ = Context::createHeadless();
+};
+
+TEST_F(ProgramTest, everyStageCompilesAlone) {
+    int stages = 0;
+    for (const gl::EmbeddedShader& shader : gl::embeddedShaders()) {
+        if (!isStage(shader.name)) continue;
+        ++stages;
+        for (const Definitions& definitions : combinations()) {
+            const std::string name(shader.name);
+            EXPECT_EQ(compilerMessage(kindOf(name), gl::assembleShader(name, definitions)), "")
+                << name << " with " << testing::PrintToString(definitions);
+        }
+    }
+    EXPECT_GE(stages, 12);
+}
+
+TEST_F(ProgramTest, everyStageBelongsToAProgramOfTheTable) {
+    for (const gl::EmbeddedShader& shader : gl::embeddedShaders()) {
+        if (!isStage(shader.name) || shader.name.ends_with(".comp")) continue;
+        const bool known = std::ranges::any_of(pairs, [&](const Pair& pair) {
+            return pair.vertex == shader.name || pair.fragment == shader.name;
+        });
+        EXPECT_TRUE(known) << shader.name << ": a new stage has to be added to this test's table";
+    }
+}
+
+TEST_F(ProgramTest, everyProgramLinksWithoutAnError) {
+    for (const Pair& pair : pairs) {
+        for (const Definitions& definitions : combinations()) {
+            const gl::Program program(
+                {{pair.vertex, definitions, {}}, {pair.fragment, definitions, pair.appended}}, "test");
+            EXPECT_NE(program.name(), 0u);
+        }
+    }
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+TEST_F(ProgramTest, compileTestFindsABrokenShader) {
+    EXPECT_NE(compilerMessage(GL_VERTEX_SHADER, "#version 450 core\nvoid main() { gl_Position = 1; }\n"), "");
+}
+
+GLint memberOffset(GLuint program, const std::string& member) {
+    const GLuint index = glGetProgramResourceIndex(program, GL_UNIFORM, ("frame." + member).c_str());
+    if (index == GL_INVALID_INDEX) return -1;
+    constexpr GLenum property = GL_OFFSET;
+    GLint offset = -1;
+    glGetProgramResourceiv(program, GL_UNIFORM, index, 1, &property, 1, nullptr, &offset);
+    return offset;
+}
+
+GLint blockSize(GLuint program) {
+    const GLuint block = glGetProgramResourceIndex(program, GL_UNIFORM_BLOCK, "FrameBlock");
+    if (block == GL_INVALID_INDEX) return -1;
+    constexpr GLenum property = GL_BUFFER_DATA_SIZE;
+    GLint size = -1;
+    glGetProgramResourceiv(program, GL_UNIFORM_BLOCK, block, 1, &property, 1, nullptr, &size);
+    return size;
+}
+
+TEST_F(ProgramTest, frameUniformsLieWhereCppPutsThem) {
+    using Frame = layout::FrameUniforms;
+    const std::vector<std::pair<std::string, std::size_t>> members{
+        {"clipFromWorld", offsetof(Frame, clipFromWorld)},
+        {"eye", offsetof(Frame, eye)},
+        {"rayCorner", offsetof(Frame, rayCorner)},
+        {"rayStepX", offsetof(Frame, rayStepX)},
+        {"rayStepY", offsetof(Frame, rayStepY)},
+        {"workingFromRed", offsetof(Frame, workingFromRed)},
+        {"workingFromGreen", offsetof(Frame, workingFromGreen)},
+        {"workingFromBlue", offsetof(Frame, workingFromBlue)},
+        {"size", offsetof(Frame, size)},
+        {"lightCounts", offsetof(Frame, lightCounts)},
+    };
+    int programs = 0;
+    for (const Pair& pair : pairs) {
+        const gl::Program program(
+            {{pair.vertex, combinations()[0], {}}, {pair.fragment, combinations()[0], pair.appended}},
+            "test");
+        if (blockSize(program.name()) < 0) continue;
+        ++programs;
+        EXPECT_EQ(blockSize(program.name()), GLint(sizeof(Frame))) << pair.fragment;
+        for (const auto& [member, offset] : members)
+            EXPECT_EQ(memberOffset(program.name(), member), GLint(offset)) << pair.fragment << ", " << member;
+    }
+    EXPECT_GE(programs, 5);
+}
+
+TEST_F(ProgramTest, folderOfTheEnvironmentReplacesTheShadersInside) {
+    const ShaderFolder folder;
+    EXPECT_EQ(errorOf("fullscreen_triangle.vert", "depth_copy.frag"), "");
+    folder.write("lib/frame.glsl", "const int onlyInThisFolder = 1;\n");
+    EXPECT_NE(gl::assembleShader("surface_plain.vert").find("onlyInThisFolder"), std::string::npos);
+}
+
+TEST_F(ProgramTest, brokenShaderIsAnErrorWithItsNameAndTheCompilersMessage) {
+    const ShaderFolder folder;
+    folder.write("depth_copy.frag", "void main() { gl_FragDepth = notDeclaredAnywhere; }\n");
+    const std::string text = errorOf("fullscreen_triangle.vert", "depth_copy.frag");
+    EXPECT_NE(text.find("depth_copy.frag"), std::string::npos) << text;
+    EXPECT_NE(text.find("notDeclaredAnywhere"), std::string::npos) << text;
+}
+
+TEST_F(ProgramTest, stagesThatDoNotFitAreAnErrorWithTheLinkersMessage) {
+    const ShaderFolder folder;
+    folder.write("depth_copy.frag", "void missing();\nvoid main() { missing(); }\n");
+    const std::string text = errorOf("fullscreen_triangle.vert", "depth_copy.frag");
+    EXPECT_NE(text.find("depth_copy.frag"), std::string::npos) << text;
+    EXPECT_NE(text.find("missing"), std::string::npos) << text;
+}
+
+TEST_F(ProgramTest, shaderThatIsMissingIsAnErrorWithItsPath) {
+    const ShaderFolder folder;
+    folder.remove("lib/frame.glsl");
+    const std::string text = errorOf("surface_plain.vert", "surface_plain.frag");
+    EXPECT_NE(text.find((folder.path() / "lib/frame.glsl").string()), std::string::npos) << text;
+    EXPECT_NE(text.find("CANDELA_SHADER_DIR"), std::string::npos) << text;
+}
+
+TEST_F(ProgramTest, includesAreTakenOnceAndDefinitionsComeFirst) {
+    const ShaderFolder folder;
+    folder.write("a.glsl", "#include \"b.glsl\"\nA\n");
+    folder.write("b.glsl", "#include \"a.glsl\"\nB\n");
+    folder.write("main.vert", "#include \"a.glsl\"\n#include \"b.glsl\"\nMAIN\n");
+    EXPECT_EQ(gl::assembleShader("main.vert", {"ONE 1", "TWO 2"}),
+              "#version 450 core\n#define ONE 1\n#define TWO 2\nB\nA\nMAIN\n");
+}
+
+}  // namespace
+}  // namespace candela::test

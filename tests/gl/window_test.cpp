@@ -1,0 +1,112 @@
+// A GLFW window whose context candela adopts and whose framebuffer it draws into.
+
+#include "small_scene.h"
+#include "virtual_display.h"
+
+#include <candela/color.h>
+#include <candela/context.h>
+
+#include <gtest/gtest.h>
+
+#include <epoxy/gl.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <memory>
+
+namespace candela::test {
+namespace {
+
+constexpr int width = 96, height = 64;
+
+class WindowTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!display_.whyNot().empty()) GTEST_SKIP() << display_.whyNot();
+        if (glfwInit() != GLFW_TRUE) GTEST_SKIP() << "GLFW does not start: " << reason();
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_VISIBLE, GLFW_TRUE);
+        glfwWindowHint(GLFW_RESIZABLE, GLFW_FALSE);
+        window_ = glfwCreateWindow(width, height, "candela", nullptr, nullptr);
+        if (window_ == nullptr) GTEST_SKIP() << "GLFW makes no window with OpenGL 4.5: " << reason();
+        glfwMakeContextCurrent(window_);
+    }
+    void TearDown() override {
+        if (window_ != nullptr) glfwDestroyWindow(window_);
+        glfwTerminate();
+    }
+
+    static std::string reason() {
+        const char* text = nullptr;
+        glfwGetError(&text);
+        return text != nullptr ? text : "no reason given";
+    }
+
+    /// What the window's back buffer holds: RGBA, rows from the top.
+    static std::vector<std::uint8_t> backBuffer() {
+        std::vector<std::uint8_t> pixels(std::size_t{4} * width * height), flipped;
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+        glReadBuffer(GL_BACK);
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+        constexpr std::ptrdiff_t row = std::ptrdiff_t{4} * width;
+        for (std::ptrdiff_t y = height; y-- > 0;)
+            flipped.insert(flipped.end(), pixels.begin() + y * row, pixels.begin() + (y + 1) * row);
+        return flipped;
+    }
+
+    VirtualDisplay display_;
+    GLFWwindow* window_ = nullptr;
+};
+
+TEST_F(WindowTest, showsThePictureInItsFramebuffer) {
+    const LitScene made = smallScene();
+    const DisplayTransform transform = ColorConfig::builtIn().displayTransform({});
+    const Context context = Context::adoptCurrent();
+    Renderer renderer(context);
+    GpuScene scene(context, made.scene);
+    scene.setLights(made.lights);
+    for (const Technique technique : {Technique::volumes, Technique::fullscreen}) {
+        glClearColor(1.0f, 0.0f, 1.0f, 1.0f);
+        glClear(GL_COLOR_BUFFER_BIT);
+        renderer.render(scene, smallFrame(made, technique, width, height));
+        renderer.display(transform, {});
+        std::vector<std::uint8_t> seen = backBuffer(), expected = renderer.displayPicture(transform);
+        // A window may have no alpha.
+        for (std::size_t i = 3; i < seen.size(); i += 4) seen[i] = expected[i] = 0;
+        EXPECT_EQ(seen, expected);
+        glfwSwapBuffers(window_);
+        glfwPollEvents();
+    }
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+TEST_F(WindowTest, standsBesideAHeadlessContext) {
+    const LitScene made = smallScene();
+    const Context adopted = Context::adoptCurrent();
+    Renderer windowRenderer(adopted);
+    const GpuScene windowScene(adopted, made.scene);
+    windowRenderer.render(windowScene, smallFrame(made, Technique::volumes));
+    const std::vector<float> reference = windowRenderer.radiance().rgba;
+    // A thread has one current context: the window's has to go before EGL takes another.
+    glfwMakeContextCurrent(nullptr);
+    {
+        const Context headless = Context::createHeadless();
+        Renderer renderer(headless);
+        const GpuScene scene(headless, made.scene);
+        renderer.render(scene, smallFrame(made, Technique::volumes));
+        const std::vector<float> pixels = renderer.radiance().rgba;
+        if (adopted.renderer() == headless.renderer()) {
+            EXPECT_EQ(pixels, reference);
+        }
+    }
+    glfwMakeContextCurrent(window_);
+    windowRenderer.render(windowScene, smallFrame(made, Technique::volumes));
+    EXPECT_EQ(windowRenderer.radiance().rgba, reference);
+}
+
+}  // namespace
+}  // namespace candela::test
