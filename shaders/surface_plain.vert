@@ -14,7 +14,7 @@ layout(location = 2) flat out float roughness;
 
 void main() {
     gl_Position = frame.clipFromWorld * vec4(instancePosition(draw.x, position), 1.0);
-    worldNormal = normalize(instanceNormal(draw.x, normal));
+    worldNormal = unitOrZero(instanceNormal(draw.x, normal));
     packedBaseColor = materialWords(draw.y, 3).x;
     roughness = materialTexel(draw.y, 1).y;
 }

@@ -19,11 +19,9 @@ layout(location = 4) flat out uint material;
 
 void main() {
     gl_Position = frame.clipFromWorld * vec4(instancePosition(draw.x, position), 1.0);
-    worldNormal = instanceNormal(draw.x, normal);
-    worldTangent = vec4(instanceDirection(draw.x, tangent.xyz), tangent.w);
-    // The unnormalised vectors interpolate as MikkTSpace wants them: unit length at the vertex, then linear.
-    worldNormal = normalize(worldNormal);
-    worldTangent.xyz = dot(worldTangent.xyz, worldTangent.xyz) > 0.0 ? normalize(worldTangent.xyz) : vec3(0.0);
+    // Unit length at the vertex, then linear and not normalised again: as MikkTSpace wants it.
+    worldNormal = unitOrZero(instanceNormal(draw.x, normal));
+    worldTangent = vec4(unitOrZero(instanceDirection(draw.x, tangent.xyz)), tangent.w * instanceHandedness(draw.x));
     uvs = vec4(uv0, uv1);
     vertexColor = color;
     material = draw.y;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -55,7 +56,7 @@ std::span<const GBufferChannel> gbufferChannels() {
 
 GBufferTexel packSurface(const GBufferSurface& surface) {
     const glm::vec3& n = surface.normal;
-    glm::vec2 p = glm::vec2(n) / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+    glm::vec2 p = glm::vec2(n) / std::max(std::abs(n.x) + std::abs(n.y) + std::abs(n.z), 1.0e-20f);
     if (n.z < 0.0f) p = octahedralFold(p);
     const glm::uvec2 code(glm::floor(glm::clamp(p, -1.0f, 1.0f) * 2047.0f + 2048.5f));
     const glm::vec3 color = glm::clamp(surface.baseColor, 0.0f, 1.0f);

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -29,13 +30,25 @@ Scene movingParts(const Scene& scene) {
     return parts;
 }
 
-/// The matrix of cofactors of the linear part: det(M) times the inverse transpose, defined for singular
-/// matrices too. Its sign is made that of the inverse transpose, so that normals of mirrored instances point
-/// outwards.
-glm::mat3 cofactor(const glm::mat4& m) {
-    const glm::vec3 x(m[0]), y(m[1]), z(m[2]);
-    const glm::mat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
-    return glm::dot(x, cofactors[0]) < 0.0f ? -cofactors : cofactors;
+struct NormalMatrix {
+    glm::mat3 matrix;
+    bool mirrored;  ///< The instance's matrix turns the winding round.
+};
+
+/// The matrix that takes normals to the world: the cofactors of the linear part, which are det(M) times the
+/// inverse transpose and defined for singular matrices too. The sign is that of the inverse transpose, so
+/// that normals of mirrored instances point outwards; the largest element is brought to 1, so that lengths of
+/// normals neither overflow nor vanish, however large or small the instance is.
+NormalMatrix normalMatrix(const glm::mat4& m) {
+    const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+    const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+    const bool mirrored = glm::dot(x, cofactors[0]) < 0.0;
+    double largest = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(cofactors[column][row]));
+    }
+    if (largest == 0.0) return {glm::mat3(0.0f), mirrored};
+    return {glm::mat3(cofactors * ((mirrored ? -1.0 : 1.0) / largest)), mirrored};
 }
 
 float largestScale(const glm::mat4& m) {
@@ -80,10 +93,12 @@ void GpuScene::State::uploadInstances(const std::vector<glm::mat4>& world) {
     for (std::size_t i = 0; i < instances.size(); ++i) {
         const glm::mat4& m = world[instances[i].node];
         const glm::mat4 rows = glm::transpose(m);
-        const glm::mat3 normalRows = glm::transpose(cofactor(m));
+        const NormalMatrix normals = normalMatrix(m);
+        const glm::mat3 normalRows = glm::transpose(normals.matrix);
         for (int row = 0; row < 3; ++row) records_.push_back(rows[row]);
-        for (int row = 0; row < 3; ++row) records_.emplace_back(normalRows[row], 0.0f);
-        mirrored.push_back(glm::determinant(glm::mat3(m)) < 0.0f);
+        const float handedness = normals.mirrored ? -1.0f : 1.0f;
+        for (int row = 0; row < 3; ++row) records_.emplace_back(normalRows[row], handedness);
+        mirrored.push_back(normals.mirrored);
         const MeshPlace& place = meshes.places()[instances[i].mesh];
         const glm::vec3 center(m * glm::vec4(place.center, 1.0f));
         instanceSpheres[i] = glm::vec4(center, place.radius * largestScale(m));

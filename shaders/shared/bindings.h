@@ -49,6 +49,6 @@ const int COLOR_ATTRIBUTE = 6;
 const int LIGHT_ATTRIBUTE = 1;          // uint an instance of a light volume: light
 
 // Texels a record.
-const int INSTANCE_TEXELS = 6;          // rows of the world matrix, then of its cofactor matrix
+const int INSTANCE_TEXELS = 6;          // rows of the world matrix, then of its cofactor matrix with the handedness in w
 const int MATERIAL_TEXELS = 12;
 const int LIGHT_TEXELS = 2;

@@ -19,10 +19,9 @@ class TechniqueTest : public DrawingTest {
   protected:
     /// Pixels of every technique against those of `fullscreen`.
     ///
-    /// Tolerance: all compute a light's share by the same text of GLSL from the same texels, so that only the
-    /// order of the sum and what the compiler makes of each program differ: relative 1e-5 is 80 roundings of
-    /// both. Sharp highlights magnify the roundings as the evaluator's test says, up to 1e-3 at roughness 0:
-    /// scenes here stay at roughness 0.05 and more, which magnifies by 10 at most (1 / (2 alpha) of a unit).
+    /// Tolerance: all follow the same steps on the same texels, so that only the order of the sum and the
+    /// rounding of each step differ. A highlight of width alpha magnifies what the half vector's angle has
+    /// lost, some four roundings of 2^-24, by 1 / alpha: 1e-4 at the least roughness here, 0.05.
     static constexpr double tolerance = 1.0e-4;
 
     static void expectSamePictures(const Scene& scene, std::span<const PlacedLight> lights, const View& view,
@@ -166,7 +165,7 @@ TEST_F(TechniqueTest, hugeAndTinyRanges) {
 
 TEST_F(TechniqueTest, oddPictureSizes) {
     const std::vector<PlacedLight> lights = mixedLights(40, 3.0f);
-    for (const auto [width, height] : {std::pair{1, 1}, {17, 9}, {1, 40}, {40, 1}, {65, 33}})
+    for (const auto& [width, height] : {std::pair{1, 1}, {17, 9}, {1, 40}, {40, 1}, {65, 33}})
         expectSamePictures(room(), lights, front, "odd size", width, height);
 }
 

@@ -131,6 +131,41 @@ inline Floats absolute(Floats a) {
     return max(a, -a);
 }
 
+/// Four lanes: a row of a block, or the channels of a pixel.
+typedef float Four __attribute__((vector_size(16)));
+
+inline Four fourOf(Floats v, int first) {
+    float lanes[laneCount];
+    store(lanes, v);
+    Four four;
+    __builtin_memcpy(&four, lanes + first, sizeof four);
+    return four;
+}
+
+/// The least of all lanes.
+inline float lowest(Floats v) {
+    Four least = fourOf(v, 0);
+    for (int first = 4; first < laneCount; first += 4) {
+        const Four next = fourOf(v, first);
+        least = least < next ? least : next;
+    }
+    const float a = least[0] < least[1] ? least[0] : least[1], b = least[2] < least[3] ? least[2] : least[3];
+    return a < b ? a : b;
+}
+
+/// table[index] in each lane.
+inline Floats lookUp(const float* table, Ints index) {
+#if defined(__AVX512F__)
+    return (Floats)_mm512_i32gather_ps((__m512i)index, table, 4);
+#elif defined(__AVX2__)
+    return (Floats)_mm256_i32gather_ps(table, (__m256i)index, 4);
+#else
+    Floats values;
+    for (int lane = 0; lane < laneCount; ++lane) values[lane] = table[index[lane]];
+    return values;
+#endif
+}
+
 struct Vec3 {
     Floats x, y, z;
 };

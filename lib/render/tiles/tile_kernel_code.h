@@ -22,19 +22,48 @@ struct BlockPixels {
     std::uint32_t word0[pixelsPerBlock], word1[pixelsPerBlock];
 };
 
+inline bool isWhole(const TileFrame& frame, int left, int bottom) {
+    return left + blockSize <= frame.width && bottom + blockSize <= frame.height;
+}
+
+inline void fetchPixel(const TileFrame& frame, std::int64_t from, BlockPixels& pixels, int to) {
+    pixels.word0[to] = frame.surfaces[2 * from];
+    pixels.word1[to] = frame.surfaces[2 * from + 1];
+    pixels.depth[to] = frame.depth[from];
+}
+
 inline BlockPixels fetchPixels(const TileFrame& frame, int left, int bottom) {
     BlockPixels pixels;
-    for (int i = 0; i < pixelsPerBlock; ++i) {
-        const int x = left + i % blockSize, y = bottom + i / blockSize;
-        const bool inside = x < frame.width && y < frame.height;
-        const std::int64_t at = inside ? static_cast<std::int64_t>(y) * frame.width + x : 0;
-        pixels.x[i] = static_cast<float>(x);
-        pixels.y[i] = static_cast<float>(y);
-        pixels.word0[i] = frame.surfaces[2 * at];
-        pixels.word1[i] = inside ? frame.surfaces[2 * at + 1] : 0;
-        pixels.depth[i] = pixels.word1[i] != 0 ? frame.depth[at] : 1.0f;
+    const bool whole = isWhole(frame, left, bottom);
+    for (int row = 0; row < blockSize; ++row) {
+        for (int column = 0; column < blockSize; ++column) {
+            pixels.x[row * blockSize + column] = static_cast<float>(left + column);
+            pixels.y[row * blockSize + column] = static_cast<float>(bottom + row);
+        }
+        const std::int64_t from = static_cast<std::int64_t>(bottom + row) * frame.width + left;
+        if (whole) {
+            for (int column = 0; column < blockSize; ++column)
+                fetchPixel(frame, from + column, pixels, row * blockSize + column);
+            continue;
+        }
+        for (int column = 0; column < blockSize; ++column) {
+            const int to = row * blockSize + column;
+            pixels.word1[to] = 0;
+            if (left + column < frame.width && bottom + row < frame.height)
+                fetchPixel(frame, from + column, pixels, to);
+        }
     }
     return pixels;
+}
+
+inline Ints loadWords(const std::uint32_t* from) {
+    Ints v;
+    __builtin_memcpy(&v, from, sizeof v);
+    return v;
+}
+
+inline Ints isSurface(const BlockPixels& pixels, int first) {
+    return loadWords(pixels.word1 + first) != 0;
 }
 
 /// The product of a vector and a number, rounded as shaders/lib/frame.glsl rounds it.
@@ -46,42 +75,29 @@ inline Vec3 positionOf(const TileFrame& frame, const BlockPixels& pixels, int fi
     const Vec3 ray = splat3(frame.rayCorner) +
                      roundedProduct(splat3(frame.rayStepX), load(pixels.x + first)) +
                      roundedProduct(splat3(frame.rayStepY), load(pixels.y + first));
-    return splat3(frame.eye) + roundedProduct(ray, frame.nearPlane / load(pixels.depth + first));
-}
-
-inline Ints loadWords(const std::uint32_t* from) {
-    Ints v;
-    __builtin_memcpy(&v, from, sizeof v);
-    return v;
+    const Floats depth = select(isSurface(pixels, first), load(pixels.depth + first), splat(1.0f));
+    return splat3(frame.eye) + roundedProduct(ray, frame.nearPlane / depth);
 }
 
 // ---- Boxes
 // ----------------------------------------------------------------------------------------------------
-
-inline float lowest(Floats v) {
-    float least = v[0];
-    for (int lane = 1; lane < laneCount; ++lane) least = v[lane] < least ? v[lane] : least;
-    return least;
-}
 
 /// The box around a block's surfaces: least x, y, z, greatest x, y, z. False when it has none.
 inline bool boxOfBlock(const TileFrame& frame, int left, int bottom, float* box) {
     const BlockPixels pixels = fetchPixels(frame, left, bottom);
     const Floats high = splat(nowhere);
     Vec3 low{high, high, high}, negated{high, high, high};
-    bool occupied = false;
     for (int first = 0; first < pixelsPerBlock; first += laneCount) {
-        const Ints surface = loadWords(pixels.word1 + first) != 0;
+        const Ints surface = isSurface(pixels, first);
         const Vec3 p = positionOf(frame, pixels, first);
         low = {min(low.x, select(surface, p.x, high)), min(low.y, select(surface, p.y, high)),
                min(low.z, select(surface, p.z, high))};
         negated = {min(negated.x, select(surface, -p.x, high)), min(negated.y, select(surface, -p.y, high)),
                    min(negated.z, select(surface, -p.z, high))};
-        for (int lane = 0; lane < laneCount; ++lane) occupied |= surface[lane] != 0;
     }
     box[0] = lowest(low.x), box[1] = lowest(low.y), box[2] = lowest(low.z);
     box[3] = -lowest(negated.x), box[4] = -lowest(negated.y), box[5] = -lowest(negated.z);
-    return occupied;
+    return box[0] < nowhere;
 }
 
 inline void joinChildren(TileScratch& scratch, int level, int x, int y) {
@@ -249,23 +265,36 @@ inline Surface unpackPixels(const TileFrame& frame, const BlockPixels& pixels, i
     const Ints word = loadWords(pixels.word1 + first);
     surface.normal = unpackNormal(word);
     surface.roughness = __builtin_convertvector((word >> 24) & 0xff, Floats) * (1.0f / 255.0f);
-    for (int lane = 0; lane < laneCount; ++lane) {
-        const std::uint32_t color = pixels.word0[first + lane];
-        surface.baseColor.x[lane] = frame.srgbDecode[color & 0xff];
-        surface.baseColor.y[lane] = frame.srgbDecode[(color >> 8) & 0xff];
-        surface.baseColor.z[lane] = frame.srgbDecode[(color >> 16) & 0xff];
-        surface.metallic[lane] = static_cast<float>(color >> 24) * (1.0f / 255.0f);
-    }
+    const Ints color = loadWords(pixels.word0 + first);
+    surface.baseColor = {lookUp(frame.srgbDecode, color & 0xff),
+                         lookUp(frame.srgbDecode, (color >> 8) & 0xff),
+                         lookUp(frame.srgbDecode, (color >> 16) & 0xff)};
+    surface.metallic = __builtin_convertvector((color >> 24) & 0xff, Floats) * (1.0f / 255.0f);
     return surface;
 }
 
-inline void addRadiance(const TileFrame& frame, const BlockPixels& pixels, int first, Vec3 sum) {
-    for (int lane = 0; lane < laneCount; ++lane) {
-        if (pixels.word1[first + lane] == 0) continue;
-        const auto x = static_cast<std::int64_t>(pixels.x[first + lane]),
-                   y = static_cast<std::int64_t>(pixels.y[first + lane]);
-        float* radiance = frame.radiance + 4 * (y * frame.width + x);
-        radiance[0] += sum.x[lane], radiance[1] += sum.y[lane], radiance[2] += sum.z[lane];
+inline void addPixel(const TileFrame& frame, std::int64_t at, Four radiance) {
+    Four sum;
+    __builtin_memcpy(&sum, frame.radiance + 4 * at, sizeof sum);
+    sum += radiance;
+    __builtin_memcpy(frame.radiance + 4 * at, &sum, sizeof sum);
+}
+
+/// Adds what `laneCount` pixels of the block, from `first` on, receive.
+inline void addRadiance(const TileFrame& frame, const BlockPixels& pixels, int left, int bottom, int first,
+                        Vec3 sum) {
+    const Ints surface = isSurface(pixels, first);
+    const Vec3 kept{select(surface, sum.x, Floats{}), select(surface, sum.y, Floats{}),
+                    select(surface, sum.z, Floats{})};
+    const bool whole = isWhole(frame, left, bottom);
+    for (int lane = 0; lane < laneCount; lane += blockSize) {
+        const int row = bottom + (first + lane) / blockSize;
+        const std::int64_t at = static_cast<std::int64_t>(row) * frame.width + left;
+        const Four x = fourOf(kept.x, lane), y = fourOf(kept.y, lane), z = fourOf(kept.z, lane);
+        for (int column = 0; column < blockSize; ++column) {
+            if (!whole && (row >= frame.height || left + column >= frame.width)) break;
+            addPixel(frame, at + column, Four{x[column], y[column], z[column], 0.0f});
+        }
     }
 }
 
@@ -288,7 +317,7 @@ void shadeBlock(const TileFrame& frame, int left, int bottom, const std::uint32_
             sum = sum +
                   directionalLight<model>(point, frame.records + 8 * (std::uint64_t{frame.localCount} + i));
         }
-        addRadiance(frame, pixels, first, sum);
+        addRadiance(frame, pixels, left, bottom, first, sum);
     }
 }
 
@@ -313,6 +342,19 @@ void shadeNode(const TileFrame& frame, int left, int bottom, int level, int x, i
     shadeBlock<model>(frame, left + x * blockSize, bottom + y * blockSize, list.index, count);
 }
 
+/// Asks for the tile's part of the G-buffer ahead of its use: blocks read a few bytes of many rows, which the
+/// processor does not foresee.
+void prefetchTile(const TileFrame& frame, int left, int bottom) {
+    constexpr int pixelsPerLine = 64 / (2 * sizeof(std::uint32_t));
+    for (int y = bottom; y < bottom + tileSize && y < frame.height; ++y) {
+        const std::int64_t at = static_cast<std::int64_t>(y) * frame.width + left;
+        for (int x = 0; x < tileSize; x += pixelsPerLine) {
+            __builtin_prefetch(frame.surfaces + 2 * (at + x));
+            if (x % (2 * pixelsPerLine) == 0) __builtin_prefetch(frame.depth + at + x);
+        }
+    }
+}
+
 void clearTile(const TileFrame& frame, int left, int bottom) {
     const int width = frame.width - left < tileSize ? frame.width - left : tileSize;
     for (int y = bottom; y < bottom + tileSize && y < frame.height; ++y) {
@@ -327,6 +369,7 @@ void shade(const TileFrame& frame, int tileX, int tileY, const std::uint32_t* li
     const int left = tileX * tileSize, bottom = tileY * tileSize;
     if (!frame.keepsEmission) clearTile(frame, left, bottom);
     if (count == 0 && frame.directionalCount == 0) return;
+    prefetchTile(frame, left, bottom);
     makeBoxes(frame, left, bottom, scratch);
     gatherLights(frame, lights, count, scratch.levels[boxLevels]);
     shadeNode<model>(frame, left, bottom, boxLevels - 1, 0, 0, count, scratch);

@@ -78,6 +78,7 @@ inline ShadingPoint shadingPoint(const TileFrame& frame, const Surface& surface)
     return point;
 }
 
+/// f(l, v), to be multiplied by nDotL = max(0, nDotRawL).
 template <Model model>
 inline Vec3 reflectance(const ShadingPoint& point, Vec3 l, Floats nDotRawL, Floats nDotL) {
     const Vec3 t = l + point.toEye;
@@ -102,10 +103,10 @@ inline Vec3 reflectance(const ShadingPoint& point, Vec3 l, Floats nDotRawL, Floa
     if constexpr (model == Model::course) {
         // diffuse (1 - F) + F specular, gathered by F.
         const Vec3 lobe{specular - point.diffuse.x, specular - point.diffuse.y, specular - point.diffuse.z};
-        return (point.diffuse + fresnel * lobe) * nDotL;
+        return point.diffuse + fresnel * lobe;
     } else {
         const Vec3 lobe = point.compensation * specular;
-        return (point.diffuse + fresnel * (lobe - point.diffuse)) * nDotL;
+        return point.diffuse + fresnel * (lobe - point.diffuse);
     }
 }
 
@@ -125,14 +126,16 @@ inline Vec3 localLight(const ShadingPoint& point, const float* record, const flo
         const Floats ramp = min(max(cone[3] - dot(l, splat3(cone)), splat(0.0f)), splat(1.0f));
         scale = scale * ramp * ramp;
     }
-    return reflectance<model>(point, l, nDotRawL, max(nDotRawL, splat(0.0f))) * (splat3(record + 4) * scale);
+    const Floats nDotL = max(nDotRawL, splat(0.0f));
+    return reflectance<model>(point, l, nDotRawL, nDotL) * (splat3(record + 4) * (scale * nDotL));
 }
 
 template <Model model>
 inline Vec3 directionalLight(const ShadingPoint& point, const float* record) {
     const Vec3 l = splat3(record);
     const Floats nDotRawL = dot(point.normal, l);
-    return reflectance<model>(point, l, nDotRawL, max(nDotRawL, splat(0.0f))) * splat3(record + 4);
+    const Floats nDotL = max(nDotRawL, splat(0.0f));
+    return reflectance<model>(point, l, nDotRawL, nDotL) * (splat3(record + 4) * nDotL);
 }
 
 }  // namespace
