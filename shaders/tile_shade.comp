@@ -8,9 +8,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba32f, binding = RADIANCE_IMAGE) uniform image2D radianceImage;
 layout(location = KEEPS_EMISSION_LOCATION) uniform bool keepsEmission;
-
-// Turns of one loop: some rasterisers end a longer one without a word.
-const int TURNS = 32768;
+// Which part of each list this dispatch walks: LIST_PART lights from part * LIST_PART on. The first part starts the sum, the others add to it.
+layout(location = LIST_PART_LOCATION) uniform int part;
 
 vec3 localLight(ShadingPoint point, int index) {
     LocalLight light = fetchLight(index);
@@ -19,22 +18,15 @@ vec3 localLight(ShadingPoint point, int index) {
     return spotLight(point, light, texelFetch(coneRecords, index - frame.lightCounts.x));
 }
 
-vec3 listedLights(ShadingPoint point, int first, int end) {
+vec3 listedLights(ShadingPoint point, int start, int first, int end) {
     vec3 sum = vec3(0.0);
-    for (int part = first; part < end; part += TURNS) {
-        int last = min(part + TURNS, end);
-        for (int i = part; i < last; ++i) sum += localLight(point, int(tileLists[i]));
-    }
+    for (int i = first; i < end; ++i) sum += localLight(point, int(tileLists[start + i]));
     return sum;
 }
 
-vec3 allLocalLights(ShadingPoint point) {
+vec3 allLocalLights(ShadingPoint point, int first, int end) {
     vec3 sum = vec3(0.0);
-    int end = frame.lightCounts.x + frame.lightCounts.y;
-    for (int part = 0; part < end; part += TURNS) {
-        int last = min(part + TURNS, end);
-        for (int i = part; i < last; ++i) sum += localLight(point, i);
-    }
+    for (int i = first; i < end; ++i) sum += localLight(point, i);
     return sum;
 }
 
@@ -51,14 +43,16 @@ vec3 directionalLights(ShadingPoint point) {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, frame.size.xy))) return;
-    vec3 radiance = keepsEmission ? imageLoad(radianceImage, pixel).rgb : vec3(0.0);
+    uint tile = gl_WorkGroupID.y * uint(tileGrid().x) + gl_WorkGroupID.x;
+    bool listed = isListed(tile);
+    int count = listed ? int(tileCounts[tile]) : frame.lightCounts.x + frame.lightCounts.y;
+    int first = part * LIST_PART, end = min(first + LIST_PART, count);
+    if (part > 0 && first >= end) return;
+    vec3 radiance = keepsEmission || part > 0 ? imageLoad(radianceImage, pixel).rgb : vec3(0.0);
     ShadingPoint point;
     if (fetchShadingPoint(pixel, point)) {
-        uint tile = gl_WorkGroupID.y * uint(tileGrid().x) + gl_WorkGroupID.x;
-        uint start = tileStarts[tile], end = start + tileCounts[tile];
-        bool listed = end <= uint(tileLists.length());
-        radiance += listed ? listedLights(point, int(start), int(end)) : allLocalLights(point);
-        radiance += directionalLights(point);
+        radiance += listed ? listedLights(point, int(tileStarts[tile]), first, end) : allLocalLights(point, first, end);
+        if (part == 0) radiance += directionalLights(point);
     }
     imageStore(radianceImage, pixel, vec4(radiance, 0.0));
 }

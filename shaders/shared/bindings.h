@@ -28,11 +28,13 @@ const int TILE_COUNTS_STORAGE = 1;
 const int TILE_STARTS_STORAGE = 2;
 const int TILE_LISTS_STORAGE = 3;
 const int TILE_TOTAL_STORAGE = 4;
+const int TILE_GROUPS_STORAGE = 5;
 const int RADIANCE_IMAGE = 0;
 
 // Uniform locations.
 const int FIRST_LIGHT_LOCATION = 0;     // tile_scatter: the first light of a dispatch
 const int KEEPS_EMISSION_LOCATION = 0;  // tile_shade: is emission in the radiance target?
+const int LIST_PART_LOCATION = 1;       // tile_shade: which part of the lists
 const int LIGHT_RANGES_LOCATION = 0;    // fullscreen: first and end of points and spots; then those of directional lights
 const int DIRECTIONALS_LOCATION = 1;
 const int EXPOSURE_LOCATION = 0;        // display: factor before the transform
@@ -47,6 +49,9 @@ const int UV0_ATTRIBUTE = 4;
 const int UV1_ATTRIBUTE = 5;
 const int COLOR_ATTRIBUTE = 6;
 const int LIGHT_ATTRIBUTE = 1;          // uint an instance of a light volume: light
+
+// Lights that a loop of tile_shade walks at most: llvmpipe ends an invocation's loops after 65,535 turns without a word.
+const int LIST_PART = 32768;
 
 // Texels a record.
 const int INSTANCE_TEXELS = 6;          // rows of the world matrix, then of its cofactor matrix with the handedness in w

@@ -14,7 +14,13 @@ constexpr int tilePixels = 8;     // TILE of shaders/lib/tiles.glsl
 constexpr int scatterGroup = 64;  // lights a group of tile_scatter.comp
 constexpr std::size_t boxBytes = 32;
 constexpr std::size_t totalBytes = 16;
+constexpr std::size_t groupBytes = 12;  // of an indirect dispatch
 constexpr std::size_t firstListEntries = std::size_t{1} << 20;
+
+/// Into how many parts the longest list that there may be falls.
+std::size_t partsOf(const LightCounts& counts) {
+    return static_cast<std::size_t>(std::max(counts.points + counts.spots, 1) - 1) / layout::LIST_PART + 1;
+}
 
 void storageBarrier() {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -33,6 +39,7 @@ ComputeTiles::ComputeTiles()
       startBuffer_("tile starts"),
       listBuffer_("tile lists"),
       totalBuffer_("tile total"),
+      groupBuffer_("tile groups"),
       readbackBuffer_("tile total, read back") {
     listBuffer_.reserve(firstListEntries * sizeof(std::uint32_t));
     totalBuffer_.reserve(totalBytes);
@@ -59,7 +66,8 @@ void ComputeTiles::growLists() {
     if (needed > listBuffer_.capacity()) listBuffer_.reserve(needed + needed / 4);
 }
 
-void ComputeTiles::bindStorage(const Grid& grid) {
+void ComputeTiles::bindStorage(const Grid& grid, const LightCounts& counts) {
+    groupBuffer_.reserve(partsOf(counts) * groupBytes);
     boxBuffer_.reserve(grid.tiles() * boxBytes);
     countBuffer_.reserve(grid.tiles() * sizeof(std::uint32_t));
     startBuffer_.reserve(grid.tiles() * sizeof(std::uint32_t));
@@ -68,6 +76,7 @@ void ComputeTiles::bindStorage(const Grid& grid) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::TILE_STARTS_STORAGE, startBuffer_.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::TILE_LISTS_STORAGE, listBuffer_.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::TILE_TOTAL_STORAGE, totalBuffer_.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::TILE_GROUPS_STORAGE, groupBuffer_.name());
 }
 
 void ComputeTiles::scatter(const gl::Program& program, const LightCounts& counts) const {
@@ -82,11 +91,25 @@ void ComputeTiles::scatter(const gl::Program& program, const LightCounts& counts
     storageBarrier();
 }
 
+void ComputeTiles::shade(const LightingInputs& inputs) const {
+    glUseProgram(shade_.get(inputs.brdf).name());
+    glUniform1i(layout::KEEPS_EMISSION_LOCATION, inputs.emissionDrawn ? 1 : 0);
+    glBindImageTexture(layout::RADIANCE_IMAGE, inputs.targets.radiance.name(), 0, GL_FALSE, 0, GL_READ_WRITE,
+                       GL_RGBA32F);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groupBuffer_.name());
+    glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+    for (std::size_t part = 0; part < partsOf(inputs.lights.counts()); ++part) {
+        glUniform1i(layout::LIST_PART_LOCATION, static_cast<GLint>(part));
+        glDispatchComputeIndirect(static_cast<GLintptr>(part * groupBytes));
+        glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    }
+}
+
 void ComputeTiles::render(const LightingInputs& inputs, gl::PassTimer& timer) {
     const gl::PassTimer::Scope pass(timer, "lighting");
     const Grid grid = gridOf(inputs);
     growLists();
-    bindStorage(grid);
+    bindStorage(grid, inputs.lights.counts());
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     glUseProgram(boxes_.name());
     glDispatchCompute(grid.columns, grid.rows, 1);
@@ -96,11 +119,7 @@ void ComputeTiles::render(const LightingInputs& inputs, gl::PassTimer& timer) {
     glDispatchCompute(1, 1, 1);
     storageBarrier();
     scatter(fill_, inputs.lights.counts());
-    glUseProgram(shade_.get(inputs.brdf).name());
-    glUniform1i(layout::KEEPS_EMISSION_LOCATION, inputs.emissionDrawn ? 1 : 0);
-    glBindImageTexture(layout::RADIANCE_IMAGE, inputs.targets.radiance.name(), 0, GL_FALSE, 0, GL_READ_WRITE,
-                       GL_RGBA32F);
-    glDispatchCompute(grid.columns, grid.rows, 1);
+    shade(inputs);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                     GL_BUFFER_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
     if (totalCopied_ != nullptr) return;

@@ -33,12 +33,14 @@ class ComputeTiles final : public LightingTechnique {
     static Grid gridOf(const LightingInputs& inputs);
     /// Grows the lists to what the last frame that has ended by now needed; does not wait for it.
     void growLists();
-    void bindStorage(const Grid& grid);
+    void bindStorage(const Grid& grid, const LightCounts& counts);
+    void shade(const LightingInputs& inputs) const;
     void scatter(const gl::Program& program, const LightCounts& counts) const;
 
     gl::Program boxes_, count_, prefix_, fill_;
     ModelPrograms shade_;
-    gl::Buffer boxBuffer_, countBuffer_, startBuffer_, listBuffer_, totalBuffer_, readbackBuffer_;
+    gl::Buffer boxBuffer_, countBuffer_, startBuffer_, listBuffer_, totalBuffer_, groupBuffer_,
+        readbackBuffer_;
     GLsync totalCopied_ = nullptr;
 };
 
