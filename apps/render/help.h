@@ -43,7 +43,7 @@ constexpr const char* brdf =
     "Reflection model: course (GGX with Schlick-Smith), or gltf (height-correlated,\n"
     "energy-compensated). Default: course";
 constexpr const char* technique =
-    "How lights come to pixels: auto, volumes, or fullscreen (every light at every\n"
+    "How lights come to pixels: auto, tiles, volumes, or fullscreen (every light at every\n"
     "pixel, the reference). All give the same picture. Default: auto";
 
 constexpr const char* ocio = "OpenColorIO config. Default: the file $OCIO names, else a built-in one";

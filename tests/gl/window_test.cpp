@@ -1,6 +1,7 @@
 // A GLFW window whose context candela adopts and whose framebuffer it draws into.
 
 #include "small_scene.h"
+#include "techniques.h"
 #include "virtual_display.h"
 
 #include <candela/color.h>
@@ -69,7 +70,7 @@ TEST_F(WindowTest, showsThePictureInItsFramebuffer) {
     Renderer renderer(context);
     GpuScene scene(context, made.scene);
     scene.setLights(made.lights);
-    for (const Technique technique : {Technique::volumes, Technique::fullscreen}) {
+    for (const Technique technique : techniques) {
         glClearColor(1.0f, 0.0f, 1.0f, 1.0f);
         glClear(GL_COLOR_BUFFER_BIT);
         renderer.render(scene, smallFrame(made, technique, width, height));

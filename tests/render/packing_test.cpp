@@ -119,6 +119,40 @@ TEST(Packing, secondWordIsNeverZeroForASurface) {
     EXPECT_NE(packSurface({.normal = glm::vec3(0.0f)}).y, 0u) << "a normal without length";
 }
 
+/// The cells of the rows of docs/gbuffer.md that have as many as the channel table.
+std::vector<std::vector<std::string>> documentedRows() {
+    std::ifstream document(CANDELA_TEST_DATA "/../../docs/gbuffer.md");
+    std::vector<std::vector<std::string>> rows;
+    for (std::string line; std::getline(document, line);) {
+        if (!line.starts_with("| `")) continue;
+        std::vector<std::string> cells;
+        for (std::size_t at = 2; at < line.size();) {
+            const std::size_t end = line.find(" |", at);
+            if (end == std::string::npos) break;
+            cells.push_back(line.substr(at, end - at));
+            at = end + 3;
+        }
+        if (cells.size() == 4) rows.push_back(cells);
+    }
+    return rows;
+}
+
+TEST(ChannelTable, isThatOfTheDocument) {
+    std::vector<std::vector<std::string>> expected;
+    for (const GBufferChannel& channel : gbufferChannels())
+        expected.push_back(
+            {"`" + std::string(channel.name) + "`", channel.meaning, channel.encoding, channel.format});
+    EXPECT_EQ(documentedRows(), expected);
+}
+
+TEST(ChannelTable, namesOfFilesBeginWithTheChannels) {
+    for (const GBufferChannel& channel : gbufferChannels()) {
+        EXPECT_FALSE(channel.exrChannels.empty());
+        for (const std::string name : channel.exrChannels)
+            EXPECT_TRUE(name == channel.name || name.starts_with(std::string(channel.name) + ".")) << name;
+    }
+}
+
 /// What packing costs in shading, for one band of roughness.
 struct Band {
     double low, high;
@@ -126,8 +160,8 @@ struct Band {
 };
 
 /// The light that a random surface sends to a random eye, exact and packed; relative difference of the green
-/// channel. Empty where the light or the eye is below 3 degrees over the surface, where little is seen and
-/// ratios mean nothing.
+/// channel. Empty where the light or the eye is less than 3 degrees above the surface, where little is seen
+/// and ratios mean nothing.
 std::vector<double> shadingError(BrdfModel model, std::uint32_t index, double low, double high) {
     const auto uniform = [&](std::uint32_t seed) { return double(hashed(seed, index)); };
     GBufferSurface surface;
