@@ -43,8 +43,9 @@ constexpr const char* brdf =
     "Reflection model: course (GGX with Schlick-Smith), or gltf (height-correlated,\n"
     "energy-compensated). Default: course";
 constexpr const char* technique =
-    "How lights come to pixels: auto, tiles, volumes, or fullscreen (every light at every\n"
-    "pixel, the reference). All give the same picture. Default: auto";
+    "How lights come to pixels: auto, tiles (binned to the screen), volumes\n"
+    "(rasterised), or fullscreen (every light at every pixel, the reference). All\n"
+    "give the same picture. Default: auto";
 
 constexpr const char* ocio = "OpenColorIO config. Default: the file $OCIO names, else a built-in one";
 constexpr const char* display = "Display of the config that a .png is made for. Default: the config's";

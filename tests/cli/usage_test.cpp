@@ -31,7 +31,7 @@ TEST(Usage, EveryMistakeIsNamed) {
         BadUsage{{"plaza:1", "--size", "64x36", "--size", "32x18"}, "--size"},
         BadUsage{{"plaza:1", "-o", "picture.jpg"}, ".png or .exr"},
         BadUsage{{"plaza:1", "-o", "picture"}, ".png or .exr"},
-        BadUsage{{"plaza:1", "--technique", "magic"}, "auto, volumes, fullscreen"},
+        BadUsage{{"plaza:1", "--technique", "magic"}, "auto, volumes, tiles, fullscreen"},
         BadUsage{{"plaza:1", "--brdf", "phong"}, "course, gltf"},
         BadUsage{{"plaza:1", "--eye", "0,0,1"}, "--eye needs --target"},
         BadUsage{{"plaza:1", "--target", "0,0,1"}, "--target needs --eye"},
