@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -52,8 +53,8 @@ class DisplayPassTest : public testing::Test {
     }
 
     /// The largest difference between the pass and OpenColorIO's CPU processor, dither taken into account.
-    double worstDifference(const DisplayTransform& transform) {
-        std::vector<float> radiance = test::Ramps::all();
+    double worstDifference(const DisplayTransform& transform,
+                           std::vector<float> radiance = test::Ramps::all()) {
         const int height = int((radiance.size() / 4 + width - 1) / width);
         radiance.resize(std::size_t(width) * height * 4, 0.0f);
         const std::vector<float> actual = shown(radiance, transform), added = dither(height);
@@ -76,6 +77,10 @@ class DisplayPassTest : public testing::Test {
                                     << "': worst at " << testing::PrintToString(worstPixel_);
     }
 
+    void use(DisplayPass::Baking baking) { pass_ = std::make_unique<DisplayPass>(baking); }
+    const DisplayPass& pass() const { return *pass_; }
+    bool isSoftware() const { return context_.isSoftware(); }
+
   private:
     template <typename T>
     std::vector<T> drawn(const std::vector<float>& rgba, const DisplayTransform& transform, GLenum format,
@@ -85,7 +90,7 @@ class DisplayPassTest : public testing::Test {
         glTextureSubImage2D(radiance.name(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, rgba.data());
         const gl::Texture codes = gl::Texture::target2d(format, width, height, "test codes");
         const gl::Framebuffer framebuffer({&codes}, nullptr, "test framebuffer");
-        pass_.render({radiance, width, height, transform, {framebuffer.name(), 0, 0}});
+        pass_->render({radiance, width, height, transform, {framebuffer.name(), 0, 0}});
         std::vector<T> result(rgba.size());
         glGetTextureImage(codes.name(), 0, GL_RGBA, type, GLsizei(result.size() * sizeof(T)), result.data());
         EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
@@ -93,7 +98,7 @@ class DisplayPassTest : public testing::Test {
     }
 
     Context context_ = Context::createHeadless();
-    DisplayPass pass_;
+    std::unique_ptr<DisplayPass> pass_ = std::make_unique<DisplayPass>();
     std::vector<float> worstPixel_;
 };
 
@@ -153,6 +158,50 @@ TEST_F(DisplayPassTest, blackAndWhiteHaveNoNoise) {
         for (std::size_t i = 0; i < codes.size(); ++i)
             ASSERT_EQ(codes[i], i % 4 == 3 ? 255 : level * 255) << i;
     }
+}
+
+/// The ACES views: all of the built-in config's that baking serves.
+std::vector<DisplayChoice> bakedChoices() {
+    std::vector<DisplayChoice> choices;
+    for (const std::string& display : ColorConfig::builtIn().displays())
+        choices.push_back({display, "ACES 1.0 SDR", "", 0.0});
+    return choices;
+}
+
+// A quarter of a code is what `BakedTransform` allows its tables; the exact steps' rounding is on top.
+constexpr double bakedTolerance = 0.25 / 255.0 + chainRounding;
+
+TEST_F(DisplayPassTest, bakedShaderAgreesWithCpu) {
+    use(DisplayPass::Baking::always);
+    for (const DisplayChoice& choice : bakedChoices()) {
+        const DisplayTransform transform = ColorConfig::builtIn().displayTransform(choice);
+        EXPECT_LE(worstDifference(transform), bakedTolerance) << choice.display;
+        EXPECT_LE(worstDifference(transform, test::Ramps().scattered(60000).rgba()), bakedTolerance)
+            << choice.display;
+        EXPECT_TRUE(pass().isBaked(transform)) << choice.display;
+    }
+}
+
+TEST_F(DisplayPassTest, bakingIsLeftToWhereItIsAllowedAndHasSomethingToWin) {
+    const DisplayTransform aces = builtIn("sRGB", "ACES 1.0 SDR"), plain = builtIn("sRGB", "Un-tone-mapped"),
+                           raw = builtIn("sRGB", "Raw");
+    shown(filled(16, 0.5f), aces);
+    EXPECT_FALSE(pass().isBaked(aces)) << "exact unless asked for";
+    use(DisplayPass::Baking::always);
+    for (const DisplayTransform& cheap : {plain, raw}) {
+        shown(filled(16, 0.5f), cheap);
+        EXPECT_FALSE(pass().isBaked(cheap)) << cheap.choice().view;
+    }
+}
+
+TEST_F(DisplayPassTest, theFasterFormIsFoundByTiming) {
+    if (!isSoftware()) GTEST_SKIP() << "which form is faster is known of software rasterisers only";
+    use(DisplayPass::Baking::whereFaster);
+    // Baked takes about half of the time, and has to take three quarters at most.
+    const DisplayTransform aces = builtIn("sRGB", "ACES 1.0 SDR");
+    const std::vector<float> first = shown(filled(1024, 0.5f), aces);
+    EXPECT_TRUE(pass().isBaked(aces));
+    EXPECT_EQ(shown(filled(1024, 0.5f), aces), first) << "the choice is kept";
 }
 
 }  // namespace

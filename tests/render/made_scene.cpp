@@ -112,4 +112,10 @@ float hashed(std::uint32_t seed, std::uint32_t index) {
     return static_cast<float>((h ^ h >> 16) >> 8) / 16777216.0f;
 }
 
+glm::vec3 hashedDirection(std::uint32_t seed, std::uint32_t index) {
+    const double z = 2.0 * hashed(seed, index) - 1.0, side = std::sqrt(1.0 - z * z);
+    const double angle = 2.0 * std::numbers::pi * hashed(seed + 1, index);
+    return glm::vec3(side * std::cos(angle), side * std::sin(angle), z);
+}
+
 }  // namespace candela::test

@@ -35,4 +35,7 @@ PlacedLight directionalLight(const glm::vec3& direction, const glm::vec3& illumi
 /// A number from 0 to 1 that depends on `seed` and `index` alone.
 float hashed(std::uint32_t seed, std::uint32_t index);
 
+/// A direction, evenly spread over the sphere; takes the numbers of `seed` and `seed + 1`.
+glm::vec3 hashedDirection(std::uint32_t seed, std::uint32_t index);
+
 }  // namespace candela::test
