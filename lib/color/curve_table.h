@@ -10,7 +10,7 @@ namespace candela {
 /// A function of one number, or of each channel of a colour, as a table of straight pieces that are found by
 /// the bits of a floating-point number: no logarithm is needed to spread them evenly over the octaves.
 ///
-/// The table reaches from 0 to `end`. Below, and above, the function has to be flat.
+/// The table reaches from 0 to `end`; below and above it keeps the values of its ends. NaN gives either.
 class CurveTable {
   public:
     static constexpr float end = 131072.0f;  ///< Twice the largest radiance.

@@ -26,11 +26,18 @@ struct LookupTexture {
 struct DisplayShader {
     std::string glsl;
     std::vector<LookupTexture> textures;
+    /// Values of the `samplerBuffer candelaCurves`, two floats (RG32F) a texel; empty where there is none.
+    std::vector<float> curves;
 };
 
 /// The shader of a transform. Made once a transform, on the first call, from any thread; the reference lives
 /// as long as the transform. Throws `Error` (unsupported) when the transform needs what a shader cannot be
 /// given.
 const DisplayShader& displayShader(const DisplayTransform& transform);
+
+/// The same transform with its curves baked into tables (see color/baked_transform.h and docs/color.md), or
+/// null where baking has nothing to win or would err by more than a quarter of an 8-bit code. Made once a
+/// transform, as `displayShader`. Whether it is faster depends on the device.
+const DisplayShader* bakedDisplayShader(const DisplayTransform& transform);
 
 }  // namespace candela

@@ -6,6 +6,7 @@
 #include "color/ocio.h"
 
 #include <mutex>
+#include <optional>
 
 namespace candela {
 
@@ -17,6 +18,8 @@ struct DisplayTransform::State {
     OCIO::ConstCPUProcessorRcPtr cpu;
     mutable std::once_flag shaderOnce;
     mutable DisplayShader shader;
+    mutable std::once_flag bakedOnce;
+    mutable std::optional<DisplayShader> baked;
 };
 
 }  // namespace candela

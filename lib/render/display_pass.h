@@ -17,7 +17,13 @@ namespace candela {
 /// dither after it.
 class DisplayPass {
   public:
-    DisplayPass();
+    /// Whether a transform's curves may be baked into tables; see docs/color.md.
+    enum class Baking {
+        never,        ///< The exact shader, on GPUs.
+        whereFaster,  ///< The faster of the two, found by timing both on a transform's first use.
+        always,       ///< Wherever the transform can be baked: for tests.
+    };
+    explicit DisplayPass(Baking baking = Baking::never);
     ~DisplayPass();
 
     struct Inputs {
@@ -27,14 +33,22 @@ class DisplayPass {
         FrameTarget target;
     };
     void render(const Inputs& inputs);
+    /// Whether `transform`, which was shown before, is shown through its baked form.
+    bool isBaked(const DisplayTransform& transform) const;
 
   private:
+    struct DisplayProgram;
     struct Prepared;
-    const Prepared& prepare(const DisplayTransform& transform);
+    Prepared* find(const DisplayTransform& transform) const;
+    Prepared& prepare(const Inputs& inputs);
+    void bake(Prepared& prepared, const Inputs& inputs);
+    bool isWorthIt(const DisplayProgram& exact, const DisplayProgram& baked, const Inputs& inputs) const;
+    void draw(const DisplayProgram& program, const Inputs& inputs) const;
 
+    Baking baking_;
     gl::VertexArray vertexArray_;
     std::vector<std::unique_ptr<Prepared>>
-        prepared_;  ///< One a transform that was shown; the text of its shader tells them apart.
+        prepared_;  ///< One a transform that was shown; the text of its exact shader tells them apart.
 };
 
 }  // namespace candela

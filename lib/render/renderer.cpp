@@ -58,6 +58,7 @@ struct Renderer::State {
         : timer(context.isSoftware() ? gl::PassTimer::Clock::wallAroundFinish
                                      : gl::PassTimer::Clock::gpuQueries),
           lighting(context),
+          display(context.isSoftware() ? DisplayPass::Baking::whereFaster : DisplayPass::Baking::never),
           frameBuffer("frame uniforms") {}
 
     void resize(int width, int height);
