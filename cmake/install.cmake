@@ -5,7 +5,7 @@
 target_link_libraries(candela INTERFACE $<INSTALL_INTERFACE:glm::glm>)
 
 install(TARGETS candela EXPORT candelaTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS candela-render RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS candela-render candela-bench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/candela ${PROJECT_BINARY_DIR}/include/candela
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 

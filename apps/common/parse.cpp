@@ -2,8 +2,10 @@
 
 #include "usage_error.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace {
@@ -77,4 +79,34 @@ glm::vec3 parsePoint(std::string_view option, std::string_view text) {
         point[axis] = static_cast<float>(*value);
     }
     return point;
+}
+
+std::pair<int, int> parseSize(const std::string& text) {
+    constexpr int largestSide = 16384;
+    const std::size_t cross = text.find('x');
+    if (cross == text.npos)
+        throw UsageError("--size \"" + text + "\": expected WIDTHxHEIGHT, such as 1280x720");
+    return {static_cast<int>(parseInteger("--size", text.substr(0, cross), 1, largestSide)),
+            static_cast<int>(parseInteger("--size", text.substr(cross + 1), 1, largestSide))};
+}
+
+candela::DeviceChoice parseDevice(const std::string& text) {
+    if (text == "software") return {.index = std::nullopt, .softwareOnly = true};
+    if (text.empty() || !std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; }))
+        throw UsageError("--device \"" + text +
+                         "\": expected \"software\" or a number that --list devices shows");
+    return {.index = static_cast<int>(parseInteger("--device", text, 0, std::numeric_limits<int>::max())),
+            .softwareOnly = false};
+}
+
+candela::Technique parseTechnique(const std::string& text) {
+    using enum candela::Technique;
+    return parseWord("--technique", text, std::array{automatic, volumes, tiles, fullscreen},
+                     [](candela::Technique technique) { return candela::toString(technique); });
+}
+
+candela::BrdfModel parseBrdf(const std::string& text) {
+    using enum candela::BrdfModel;
+    return parseWord("--brdf", text, std::array{course, gltf},
+                     [](candela::BrdfModel model) { return candela::toString(model); });
 }

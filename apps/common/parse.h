@@ -1,10 +1,18 @@
 #pragma once
 
+#include "usage_error.h"
+
+#include <candela/brdf.h>
+#include <candela/context.h>
+#include <candela/renderer.h>
+
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// Strict readers of option values: the whole text has to be the value. Each throws `UsageError` that names
@@ -25,3 +33,24 @@ double parseNumberBetween(std::string_view option, std::string_view text, double
 
 /// "X,Y,Z", finite numbers.
 glm::vec3 parsePoint(std::string_view option, std::string_view text);
+
+/// "WIDTHxHEIGHT", each from 1 to 16384.
+std::pair<int, int> parseSize(const std::string& text);
+
+/// "software", or the number of a device.
+candela::DeviceChoice parseDevice(const std::string& text);
+
+candela::Technique parseTechnique(const std::string& text);
+candela::BrdfModel parseBrdf(const std::string& text);
+
+/// The one of `values` that `toString` calls `text`. Throws `UsageError` that lists the words there are.
+template <typename Value, std::size_t Count, typename Name>
+Value parseWord(const std::string& option, const std::string& text, const std::array<Value, Count>& values,
+                Name&& name) {
+    std::string words;
+    for (const Value value : values) {
+        if (text == name(value)) return value;
+        words += (words.empty() ? "" : ", ") + std::string(name(value));
+    }
+    throw UsageError(option + " \"" + text + "\": expected one of " + words);
+}

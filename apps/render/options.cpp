@@ -14,36 +14,12 @@
 #include <iostream>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 namespace {
 
-constexpr int largestSide = 16384;
 constexpr int lastFrameNumber = 9'999'999;
 constexpr double mostStops = 64.0;
-
-/// The one of `values` that `toString` calls `text`. Throws `UsageError` that lists the words there are.
-template <typename Value, std::size_t Count, typename Name>
-Value parseWord(const std::string& option, const std::string& text, const std::array<Value, Count>& values,
-                Name&& name) {
-    std::string words;
-    for (const Value value : values) {
-        if (text == name(value)) return value;
-        words += (words.empty() ? "" : ", ") + std::string(name(value));
-    }
-    throw UsageError(option + " \"" + text + "\": expected one of " + words);
-}
-
-candela::Technique parseTechnique(const std::string& text) {
-    using enum candela::Technique;
-    return parseWord("--technique", text, std::array{automatic, volumes, tiles, fullscreen},
-                     [](candela::Technique technique) { return candela::toString(technique); });
-}
-
-candela::BrdfModel parseBrdf(const std::string& text) {
-    using enum candela::BrdfModel;
-    return parseWord("--brdf", text, std::array{course, gltf},
-                     [](candela::BrdfModel model) { return candela::toString(model); });
-}
 
 ListKind parseListKind(const std::string& text) {
     using enum ListKind;
@@ -61,14 +37,6 @@ PictureFormat parseFormat(const std::filesystem::path& output) {
     if (ending == ".png") return PictureFormat::png;
     if (ending == ".exr") return PictureFormat::exr;
     throw UsageError("-o \"" + output.string() + "\": expected a file name that ends in .png or .exr");
-}
-
-void parseSize(const std::string& text, Options& options) {
-    const std::size_t cross = text.find('x');
-    if (cross == text.npos)
-        throw UsageError("--size \"" + text + "\": expected WIDTHxHEIGHT, such as 1280x720");
-    options.width = static_cast<int>(parseInteger("--size", text.substr(0, cross), 1, largestSide));
-    options.height = static_cast<int>(parseInteger("--size", text.substr(cross + 1), 1, largestSide));
 }
 
 ScatterChoice parseScatter(const std::string& text) {
@@ -92,15 +60,6 @@ FrameRange parseFrames(const std::string& text) {
     range.last =
         static_cast<int>(parseInteger("--frames", text.substr(dash + 1), range.first, lastFrameNumber));
     return range;
-}
-
-candela::DeviceChoice parseDevice(const std::string& text) {
-    if (text == "software") return {.index = std::nullopt, .softwareOnly = true};
-    if (text.empty() || !std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; }))
-        throw UsageError("--device \"" + text +
-                         "\": expected \"software\" or a number that --list devices shows");
-    return {.index = static_cast<int>(parseInteger("--device", text, 0, std::numeric_limits<int>::max())),
-            .softwareOnly = false};
 }
 
 std::vector<std::string> parseAovs(const std::string& text) {
@@ -141,7 +100,9 @@ void declareScene(CLI::App& app, Options& options) {
 void declarePicture(CLI::App& app, Options& options, Pending& pending) {
     app.add_option("-o,--output", options.output, help::output)->type_name("FILE")->group("Picture");
     app.add_option_function<std::string>(
-           "--size", [&](const std::string& text) { parseSize(text, options); }, help::size)
+           "--size",
+           [&](const std::string& text) { std::tie(options.width, options.height) = parseSize(text); },
+           help::size)
         ->type_name("WxH")
         ->group("Picture");
     app.add_option("--aov", pending.aovs, help::aov)->type_name("all|LIST")->group("Picture");

@@ -1,5 +1,6 @@
 #include "render_command.h"
 
+#include "frame_path.h"
 #include "output_file.h"
 #include "picture.h"
 #include "progress.h"

@@ -15,8 +15,11 @@
 
 namespace {
 
+/// What its messages begin with.
+const std::string programName = std::filesystem::path(CANDELA_COMMAND).filename().string() + ": ";
+
 [[noreturn]] void startCommand(const std::vector<std::string>& arguments, const CommandSetting& setting) {
-    std::vector<std::string> words{CANDELA_RENDER};
+    std::vector<std::string> words{CANDELA_COMMAND};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
@@ -113,7 +116,7 @@ void expectFault(const CommandResult& result, const std::string& file, const std
     EXPECT_EQ(result.exitCode, 1);
     EXPECT_EQ(result.out, "");
     expectOneLine(result.err);
-    EXPECT_TRUE(result.err.starts_with("candela-render: " + file + ": ")) << result.err;
+    EXPECT_TRUE(result.err.starts_with(programName + file + ": ")) << result.err;
     EXPECT_NE(result.err.find(reason), std::string::npos) << result.err << "lacks: " << reason;
 }
 
@@ -121,7 +124,7 @@ void expectUsageError(const CommandResult& result, const std::string& reason) {
     EXPECT_EQ(result.exitCode, 2);
     EXPECT_EQ(result.out, "");
     expectOneLine(result.err);
-    EXPECT_TRUE(result.err.starts_with("candela-render: ")) << result.err;
+    EXPECT_TRUE(result.err.starts_with(programName)) << result.err;
     EXPECT_NE(result.err.find(reason), std::string::npos) << result.err << "lacks: " << reason;
 }
 

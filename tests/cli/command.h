@@ -19,14 +19,14 @@ struct CommandSetting {
     std::function<void(int)> whileRunning = [](int) {};  ///< Runs here, with the child's process id.
 };
 
-/// Runs candela-render with `arguments`, its output going into pipes. Of our environment it gets neither
-/// $OCIO nor $CANDELA_PLUGIN_PATH.
+/// Runs the program under test (CANDELA_COMMAND of the build) with `arguments`, its output going into pipes.
+/// Of our environment it gets neither $OCIO nor $CANDELA_PLUGIN_PATH.
 CommandResult runCommand(const std::vector<std::string>& arguments, const CommandSetting& setting = {});
 
 /// Runs it on a terminal of its own; `out` is what appeared there, standard output and error together.
 CommandResult runOnTerminal(const std::vector<std::string>& arguments, const CommandSetting& setting = {});
 
-/// Expects exit code 1 and exactly one line on standard error, "candela-render: FILE: ...", that contains
+/// Expects exit code 1 and exactly one line on standard error, "PROGRAM: FILE: ...", that contains
 /// `reason`; nothing on standard output.
 void expectFault(const CommandResult& result, const std::string& file, const std::string& reason);
 

@@ -1,0 +1,123 @@
+#include "bench_options.h"
+
+#include "parse.h"
+
+#include <candela/version.h>
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace {
+
+constexpr const char* description =
+    "Measures how fast candela lights a scene, and checks that its techniques draw the same picture.\n";
+
+constexpr const char* footer =
+    "Examples:\n"
+    "  candela-bench --json r.json                                  the plaza with 4096 lights\n"
+    "  candela-bench --lights 64,1024,16384 --technique all --json r.json --plot r.svg\n"
+    "                                                               every technique, as a plot too\n"
+    "  candela-bench --baseline --lights 4096 --json r.json         against textbook programs\n"
+    "\n"
+    "The table's columns are explained in docs/benchmarks.md.\n"
+    "\n"
+    "Exit codes:\n"
+    "  0  done\n"
+    "  1  the scene, another file or this machine is at fault, or the pictures do not agree; one line says "
+    "which, what and why\n"
+    "  2  wrong usage";
+
+std::vector<std::uint64_t> parseLights(const std::string& text) {
+    std::vector<std::uint64_t> counts;
+    for (const std::string& part : splitAtCommas(text)) {
+        counts.push_back(static_cast<std::uint64_t>(parseInteger("--lights", part, 0, 16'000'000)));
+    }
+    return counts;
+}
+
+void parseTechniques(const std::string& text, BenchOptions& options) {
+    options.compares = text == "all";
+    if (options.compares) {
+        using enum candela::Technique;
+        options.techniques = {tiles, volumes, fullscreen};
+        return;
+    }
+    options.techniques.clear();
+    for (const std::string& part : splitAtCommas(text)) options.techniques.push_back(parseTechnique(part));
+}
+
+void declare(CLI::App& app, BenchOptions& options, std::string& json) {
+    app.add_option("--scene", options.scene,
+                   "plaza, cloud, rooms, outside (the plaza's lights, all behind the camera),\n"
+                   "hidden (the plaza and as many lights again that reach no visible surface),\n"
+                   "or a file. Default: plaza")
+        ->type_name("NAME|FILE");
+    app.add_option_function<std::string>(
+           "--lights", [&](const std::string& text) { options.lights = parseLights(text); },
+           "Numbers of lights, separated by commas; a file gets them strewn over its\n"
+           "box. Default: 4096, a file's own")
+        ->type_name("N,N,...");
+    app.add_option_function<std::string>(
+           "--technique", [&](const std::string& text) { parseTechniques(text, options); },
+           "Some of auto, volumes, tiles, fullscreen, separated by commas; or all,\n"
+           "which also compares their pictures. Default: auto")
+        ->type_name("LIST|all");
+    app.add_option_function<std::string>(
+           "--brdf", [&](const std::string& text) { options.brdf = parseBrdf(text); },
+           "Reflection model: course or gltf. Default: course")
+        ->type_name("WORD");
+    app.add_flag_callback(
+        "--baseline", [&] { options.baseline = Baseline::with; },
+        "Also the programs a graphics programmer writes in a day: textbook_volumes,\n"
+        "textbook_fullscreen, and bare, which draws the geometry alone");
+    app.add_option_function<std::string>(
+           "--size",
+           [&](const std::string& text) { std::tie(options.width, options.height) = parseSize(text); },
+           "Width and height in pixels. Default: 1280x720")
+        ->type_name("WxH");
+    app.add_option_function<std::string>(
+           "--frames",
+           [&](const std::string& text) {
+               options.frames = static_cast<int>(parseInteger("--frames", text, 1, 10'000));
+           },
+           "Frames that each median is of; fewer when a frame takes seconds. Default: 20")
+        ->type_name("N");
+    app.add_option("--view", options.view, "View of the built-in colour config. Default: the config's")
+        ->type_name("NAME");
+    app.add_option("--json", json, "Where the results go. Needed")->type_name("FILE");
+    app.add_option("--plot", options.plot, "Also draw lighting time against the number of lights")
+        ->type_name("FILE.svg");
+    app.add_option("--plugin-path", options.pluginFolders, "Search this folder for plugins first")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+    app.add_option_function<std::string>(
+           "--device", [&](const std::string& text) { options.device = parseDevice(text); },
+           "A device of candela-render --list devices, or the software rasteriser")
+        ->type_name("N|software");
+    app.add_flag("--quiet", options.quiet, "Print no table");
+}
+
+}  // namespace
+
+std::optional<BenchOptions> parseBenchOptions(int argc, const char* const* argv) {
+    BenchOptions options;
+    std::string json;
+    CLI::App app(description, "candela-bench");
+    app.get_formatter()->column_width(28);
+    app.set_help_flag("-h,--help", "Show this help");
+    app.set_version_flag("--version", "candela " CANDELA_VERSION, "Show the version");
+    app.footer(footer);
+    declare(app, options, json);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {
+        app.exit(asked, std::cout, std::cerr);
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(error.what());
+    }
+    if (json.empty()) throw UsageError("--json is missing: name the file that the results go to");
+    options.json = json;
+    return options;
+}

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <candela/brdf.h>
+#include <candela/context.h>
+#include <candela/renderer.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Are the textbook programs and the bare one measured too?
+enum class Baseline { without, with };
+
+struct BenchOptions {
+    std::string scene = "plaza";
+    std::vector<std::uint64_t> lights;  ///< Empty: a scale of the scene's own.
+    std::vector<candela::Technique> techniques{candela::Technique::automatic};
+    bool compares = false;  ///< --technique all: pictures are compared and must agree.
+    candela::BrdfModel brdf = candela::BrdfModel::course;
+    Baseline baseline = Baseline::without;
+    int width = 1280, height = 720;
+    int frames = 20;
+    std::optional<std::string> view;  ///< Of the built-in config's default display.
+    std::filesystem::path json;
+    std::optional<std::filesystem::path> plot;
+    std::vector<std::filesystem::path> pluginFolders;
+    candela::DeviceChoice device;
+    bool quiet = false;
+};
+
+/// None when the user asked for help or the version, which has been printed. Throws `UsageError`.
+std::optional<BenchOptions> parseBenchOptions(int argc, const char* const* argv);

@@ -1,0 +1,69 @@
+#include "bench_scene.h"
+
+#include <candela/import.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace {
+
+constexpr std::array madeScenes{"plaza", "cloud", "rooms"};
+
+candela::View viewOf(const candela::Scene& scene, const BenchOptions& options,
+                     const std::vector<glm::mat4>& world) {
+    if (!scene.cameras.empty()) return cameraView(scene, 0, world);
+    return frameBounds(worldBounds(scene, world),
+                       static_cast<float>(options.width) / static_cast<float>(options.height));
+}
+
+BenchScene place(const std::string& name, candela::Scene scene, const BenchOptions& options) {
+    const std::vector<glm::mat4> world = worldTransforms(scene);
+    BenchScene made{name, {}, placeLights(scene, world), viewOf(scene, options, world)};
+    made.scene = std::move(scene);
+    return made;
+}
+
+/// The lights of the plaza, turned round the camera to lie behind it.
+void moveBehind(std::vector<candela::PlacedLight>& lights, const candela::View& view) {
+    for (candela::PlacedLight& light : lights) {
+        light.position = 2.0f * view.eye() - light.position + glm::vec3(view.worldFromCamera[2]) * 4.0f;
+    }
+}
+
+/// As many lights again, deep enough under the ground that none reaches it: they lie in the frustum, behind
+/// what is seen.
+void addHidden(std::vector<candela::PlacedLight>& lights) {
+    const std::size_t count = lights.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        candela::PlacedLight hidden = lights[i];
+        hidden.position.y = -hidden.position.y - hidden.range - 1.0f;
+        lights.push_back(hidden);
+    }
+}
+
+}  // namespace
+
+BenchScene loadBenchScene(const candela::PluginRegistry& plugins, const BenchOptions& options,
+                          std::optional<std::uint64_t> lights) {
+    const std::string count = std::to_string(lights.value_or(4096));
+    if (std::ranges::find(madeScenes, options.scene) != madeScenes.end()) {
+        return place(options.scene, importScene(plugins, options.scene + ":" + count).scene, options);
+    }
+    if (options.scene == "outside" || options.scene == "hidden") {
+        BenchScene made = place(options.scene, importScene(plugins, "plaza:" + count).scene, options);
+        if (options.scene == "outside") moveBehind(made.lights, made.view);
+        if (options.scene == "hidden") addHidden(made.lights);
+        return made;
+    }
+    candela::Scene scene = importScene(plugins, options.scene).scene;
+    if (lights) {
+        const candela::Bounds bounds = worldBounds(scene, worldTransforms(scene));
+        const glm::vec3 size = glm::max(bounds.max - bounds.min, glm::vec3(1.0e-3f));
+        const float range = 2.0f * std::cbrt(size.x * size.y * size.z /
+                                             static_cast<float>(std::max<std::uint64_t>(*lights, 1)));
+        scene.lights.clear();
+        scatterLights(scene.lights, bounds, static_cast<std::uint32_t>(*lights), range, 0.1f * range * range);
+    }
+    return place(options.scene, std::move(scene), options);
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "bench_options.h"
+
+#include <candela/plugin_registry.h>
+#include <candela/scene.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A scene to measure.
+struct BenchScene {
+    std::string name;
+    candela::Scene scene;
+    std::vector<candela::PlacedLight> lights;
+    candela::View view;
+};
+
+/// The scene of the options with `lights` lights; with none given, a file's own. Throws `candela::Error`.
+BenchScene loadBenchScene(const candela::PluginRegistry& plugins, const BenchOptions& options,
+                          std::optional<std::uint64_t> lights);

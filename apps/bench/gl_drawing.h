@@ -1,0 +1,73 @@
+#pragma once
+
+#include <candela/camera.h>
+#include <candela/scene.h>
+
+#include <epoxy/gl.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// A texture that is drawn into, of one picture's size.
+class Target {
+  public:
+    Target(GLenum format, int width, int height);
+    Target(const Target&) = delete;
+    Target& operator=(const Target&) = delete;
+    ~Target();
+
+    GLuint name() const { return name_; }
+
+  private:
+    GLuint name_ = 0;
+};
+
+/// An RGBA8 picture with its framebuffer: what a finished frame is shown in.
+class Screen {
+  public:
+    Screen(int width, int height);
+    Screen(const Screen&) = delete;
+    Screen& operator=(const Screen&) = delete;
+    ~Screen();
+
+    GLuint framebuffer() const { return framebuffer_; }
+    GLuint texture() const { return color_.name(); }
+
+  private:
+    Target color_;
+    GLuint framebuffer_ = 0;
+};
+
+/// Waits until all that was drawn is done.
+void finishDrawing();
+
+/// Compiles and links. Throws `candela::Error` (environment) with the compiler's message.
+GLuint makeProgram(const std::string& vertexText, const std::string& fragmentText);
+
+/// The meshes of a scene as plain vertex and index buffers, drawn one submesh after the other with uniforms:
+/// location 0 the world matrix, 1 the base colour, 2 metallic and roughness. Textures are left out.
+class SceneGeometry {
+  public:
+    explicit SceneGeometry(const candela::Scene& scene);
+    SceneGeometry(const SceneGeometry&) = delete;
+    SceneGeometry& operator=(const SceneGeometry&) = delete;
+    ~SceneGeometry();
+
+    void draw() const;
+
+  private:
+    struct Draw {
+        glm::mat4 world;
+        glm::vec3 color;
+        glm::vec2 metallicRoughness;
+        std::uint32_t count;
+        std::uintptr_t offset;
+        std::int32_t baseVertex;
+    };
+    std::vector<Draw> draws_;
+    GLuint vertexArray_ = 0, vertices_ = 0, indices_ = 0;
+};
+
+/// An ordinary projection with a far plane, as textbooks have it, times the view.
+glm::mat4 textbookClipFromWorld(const candela::View& view, int width, int height);

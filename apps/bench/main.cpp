@@ -1,0 +1,144 @@
+/// candela-bench: measures lighting, and compares techniques. See --help and docs/benchmarks.md.
+
+#include "bare_program.h"
+#include "bench_options.h"
+#include "bench_scene.h"
+#include "candela_program.h"
+#include "comparison.h"
+#include "measure.h"
+#include "output_file.h"
+#include "plot.h"
+#include "progress.h"
+#include "textbook_program.h"
+#include "usage_error.h"
+
+#include <candela/error.h>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <optional>
+
+namespace {
+
+enum ExitCode { done = 0, inputOrEnvironmentAtFault = 1, wrongUsage = 2 };
+
+/// Beyond so many pairs the reference technique takes minutes: it is left out of --technique all, and the
+/// next one is the reference.
+constexpr double mostReferencePairs = 2.0e10;
+
+bool isAffordable(candela::Technique technique, const BenchScene& scene, const BenchOptions& options) {
+    const double pairs =
+        static_cast<double>(options.width) * options.height * static_cast<double>(scene.lights.size());
+    return technique != candela::Technique::fullscreen || pairs <= mostReferencePairs;
+}
+
+std::vector<candela::Technique> techniquesFor(const BenchScene& scene, const BenchOptions& options) {
+    std::vector<candela::Technique> techniques = options.techniques;
+    if (options.compares)
+        std::erase_if(techniques, [&](candela::Technique t) { return !isAffordable(t, scene, options); });
+    return techniques;
+}
+
+/// The pairs that are lit are the scene's, whichever program draws it.
+void copyLitPairs(Result& result, const Result& candelas) {
+    result.pairsLit = candelas.pairsLit;
+    result.lightsVisible = candelas.lightsVisible;
+}
+
+class Bench {
+  public:
+    Bench(const BenchOptions& options, const candela::Context& context)
+        : options_(options), context_(context), progress_(options.quiet ? Talk::quiet : Talk::normal) {}
+
+    void measureScene(const BenchScene& scene) {
+        const std::vector<candela::Technique> techniques = techniquesFor(scene, options_);
+        // The last technique is the reference of all: `fullscreen` where it is affordable.
+        std::optional<Reference> reference;
+        const std::size_t first = results_.size();
+        for (auto technique = techniques.rbegin(); technique != techniques.rend(); ++technique) {
+            const auto program = makeCandelaProgram(context_, scene, options_, *technique);
+            add(*program, scene, toString(*technique), reference);
+        }
+        std::reverse(results_.begin() + static_cast<std::ptrdiff_t>(first), results_.end());
+        if (options_.baseline == Baseline::with) measureBaseline(scene, results_[first], reference);
+    }
+
+    const std::vector<Result>& results() const { return results_; }
+    void clearProgress() { progress_.clear(); }
+
+  private:
+    void add(Program& program, const BenchScene& scene, const std::string& name,
+             std::optional<Reference>& reference) {
+        progress_.show("measuring " + scene.name + " with " + std::to_string(scene.lights.size()) +
+                       " lights: " + name);
+        Result result = measure(program, scene, options_, name);
+        std::vector<float> picture = program.picture();
+        if (!picture.empty() && reference) compare(result, picture, *reference);
+        if (!picture.empty() && !reference && (options_.compares || options_.baseline == Baseline::with)) {
+            reference = Reference{result.technique, std::move(picture)};
+        }
+        results_.push_back(result);
+    }
+
+    void measureBaseline(const BenchScene& scene, const Result candelas,
+                         std::optional<Reference>& reference) {
+        const auto textbook = [&](TextbookLighting lighting, const char* name) {
+            const auto program = makeTextbookProgram(scene, options_, lighting);
+            add(*program, scene, name, reference);
+            copyLitPairs(results_.back(), candelas);
+        };
+        textbook(TextbookLighting::volumes, "textbook_volumes");
+        if (fitsTextbookLoop(scene)) textbook(TextbookLighting::fullscreen, "textbook_fullscreen");
+        const auto bare = makeBareProgram(scene, options_);
+        add(*bare, scene, "bare", reference);
+    }
+
+    const BenchOptions& options_;
+    const candela::Context& context_;
+    Progress progress_;
+    std::vector<Result> results_;
+};
+
+void runBench(const BenchOptions& options) {
+    checkWritable(options.json);
+    if (options.plot) checkWritable(*options.plot);
+    const candela::PluginRegistry plugins(options.pluginFolders);
+    const candela::Context context = candela::Context::createHeadless(options.device);
+    Bench bench(options, context);
+    std::vector<std::optional<std::uint64_t>> counts(options.lights.begin(), options.lights.end());
+    if (counts.empty()) counts.emplace_back();
+    for (const auto& count : counts) bench.measureScene(loadBenchScene(plugins, options, count));
+    bench.clearProgress();
+    writeText(options.json, resultsJson(context.renderer(), bench.results()));
+    if (options.plot) writeText(*options.plot, plotSvg(context.renderer(), bench.results()));
+    if (!options.quiet)
+        std::cout << context.renderer() << ", " << options.width << "x" << options.height << "\n"
+                  << resultsTable(bench.results());
+}
+
+int report(std::string text, ExitCode code) {
+    std::ranges::replace(text, '\n', ' ');
+    std::cerr << "candela-bench: " << text << std::endl;
+    return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const std::optional<BenchOptions> options = parseBenchOptions(argc, argv);
+        if (options) runBench(*options);
+        if (!std::cout.flush())
+            throw candela::Error(candela::ErrorKind::environment, "standard output", "cannot be written");
+        return done;
+    } catch (const UsageError& error) {
+        return report(std::string(error.what()) + "; --help shows the options", wrongUsage);
+    } catch (const std::bad_alloc&) {
+        return report("there is not enough memory", inputOrEnvironmentAtFault);
+    } catch (const std::exception& error) {
+        return report(error.what(), inputOrEnvironmentAtFault);
+    }
+}

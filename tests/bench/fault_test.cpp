@@ -1,0 +1,50 @@
+// Input or environment at fault: exit code 1, one line, and no file is left half written.
+#include "command.h"
+#include "temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+CommandResult runIn(const TemporaryFolder& folder, std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--lights", "4", "--size", "16x16", "--frames", "1"});
+    return runCommand(arguments, {.folder = folder.path()});
+}
+
+TEST(BenchFault, ASceneThatIsNotThere) {
+    const TemporaryFolder folder;
+    expectFault(runIn(folder, {"--scene", "missing.glb", "--json", "r.json"}), "missing.glb", "");
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(BenchFault, AFolderThatIsNotThere) {
+    const TemporaryFolder folder;
+    expectFault(runIn(folder, {"--json", "nowhere/r.json"}), "nowhere/r.json", "does not exist");
+    expectFault(runIn(folder, {"--json", "r.json", "--plot", "nowhere/r.svg"}), "nowhere/r.svg",
+                "does not exist");
+    EXPECT_TRUE(folder.names().empty()) << "told before anything is measured";
+}
+
+TEST(BenchFault, AViewThatIsNotThere) {
+    const TemporaryFolder folder;
+    const CommandResult result = runIn(folder, {"--json", "r.json", "--view", "Nice"});
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_NE(result.err.find("Nice"), std::string::npos) << result.err;
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(BenchFault, APluginFolderThatIsNotThere) {
+    const TemporaryFolder folder;
+    const CommandResult result = runIn(folder, {"--json", "r.json", "--plugin-path", "nowhere"});
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_NE(result.err.find("nowhere"), std::string::npos) << result.err;
+}
+
+TEST(BenchFault, ResultsReplaceOlderOnesWhole) {
+    const TemporaryFolder folder;
+    folder.write("r.json", "older");
+    expectDone(runIn(folder, {"--json", "r.json", "--quiet"}));
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"r.json"});
+}
+
+}  // namespace

@@ -1,0 +1,111 @@
+// The JSON that other programs read.
+#include "bench_run.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+const Names contractKeys{"scene",      "lights",    "technique",      "width",
+                         "height",     "frame_ms",  "geometry_ms",    "lighting_ms",
+                         "display_ms", "pairs_lit", "pairs_evaluated"};
+
+void expectContract(const Json& result) {
+    const Names keys = keysOf(result);
+    ASSERT_GE(keys.size(), contractKeys.size());
+    EXPECT_EQ(Names(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(contractKeys.size())),
+              contractKeys);
+    EXPECT_TRUE(result["scene"].is_string());
+    EXPECT_TRUE(result["technique"].is_string());
+    for (const char* key : {"lights", "width", "height", "pairs_lit", "pairs_evaluated"})
+        EXPECT_TRUE(result[key].is_number_unsigned()) << key;
+    for (const char* key : {"frame_ms", "geometry_ms", "lighting_ms", "display_ms"}) {
+        ASSERT_TRUE(result[key].is_number()) << key;
+        EXPECT_GE(result[key].get<double>(), 0.0) << key;
+    }
+    EXPECT_GT(result["frame_ms"].get<double>(), 0.0);
+}
+
+TEST(BenchResults, KeysAreThoseOfTheContract) {
+    const Json bench = benchOf({"--lights", "16,64", "--technique", "all", "--baseline"});
+    EXPECT_EQ(keysOf(bench), (Names{"renderer", "setup", "results"}));
+    EXPECT_FALSE(bench["renderer"].get<std::string>().empty());
+    EXPECT_EQ(keysOf(bench["setup"]), (Names{"version", "cpu", "cores", "system", "opengl", "brdf", "view"}));
+    EXPECT_EQ(bench["setup"]["version"], CANDELA_VERSION);
+    for (const Json& result : bench["results"]) expectContract(result);
+}
+
+TEST(BenchResults, ARowForEachNumberOfLightsAndTechnique) {
+    const Json bench = benchOf({"--lights", "16,64", "--technique", "volumes,tiles"});
+    std::vector<std::pair<int, std::string>> rows;
+    for (const Json& result : bench["results"]) rows.emplace_back(result["lights"], result["technique"]);
+    EXPECT_EQ(rows, (std::vector<std::pair<int, std::string>>{
+                        {16, "volumes"}, {16, "tiles"}, {64, "volumes"}, {64, "tiles"}}));
+}
+
+TEST(BenchResults, ValuesAreThoseOfTheDrawing) {
+    const Json bench = benchOf({"--lights", "64", "--technique", "volumes,tiles,fullscreen"});
+    const Json volumes = resultsOf(bench, "volumes").at(0), fullscreen = resultsOf(bench, "fullscreen").at(0),
+               tiles = resultsOf(bench, "tiles").at(0);
+    for (const Json& result : {volumes, tiles, fullscreen}) {
+        EXPECT_EQ(result["scene"], "plaza");
+        EXPECT_EQ(result["width"], 160);
+        EXPECT_EQ(result["height"], 90);
+        EXPECT_EQ(result["frames"], 2);
+        EXPECT_EQ(result["lights_dropped"], 0);
+        // What is lit is the scene's, not the technique's.
+        EXPECT_EQ(result["pairs_lit"], volumes["pairs_lit"]);
+        EXPECT_GT(result["pairs_lit"].get<int>(), 0);
+        EXPECT_GE(result["pairs_evaluated"].get<int>(), result["pairs_lit"].get<int>());
+        EXPECT_LE(result["lights_visible"].get<int>(), 64);
+    }
+    EXPECT_LT(tiles["pairs_evaluated"].get<int>(), fullscreen["pairs_evaluated"].get<int>());
+}
+
+TEST(BenchResults, AutoNamesTheTechniqueUsed) {
+    const Json bench = benchOf({"--lights", "16"});
+    ASSERT_EQ(bench["results"].size(), 1u);
+    EXPECT_NE(bench["results"][0]["technique"], "auto");
+}
+
+TEST(BenchResults, TheBaselineIsOfTheSameScene) {
+    const Json bench = benchOf({"--lights", "64", "--technique", "volumes", "--baseline"});
+    ASSERT_EQ(bench["results"].size(), 4u);
+    const Json volumes = bench["results"][0];
+    for (const char* name : {"textbook_volumes", "textbook_fullscreen"}) {
+        const Json textbook = resultsOf(bench, name).at(0);
+        EXPECT_EQ(textbook["lights"], 64);
+        EXPECT_EQ(textbook["pairs_lit"], volumes["pairs_lit"]) << name;
+        EXPECT_GT(textbook["lighting_ms"].get<double>(), 0.0) << name;
+        // Everything is evaluated that is lit, but for a pixel in a thousand at edges: half floats and a
+        // depth of 24 bits put a few on the other side.
+        EXPECT_GT(textbook["pairs_evaluated"].get<double>(), 0.999 * volumes["pairs_lit"].get<double>())
+            << name;
+    }
+    const Json bare = resultsOf(bench, "bare").at(0);
+    EXPECT_EQ(bare["lighting_ms"], 0.0);
+    EXPECT_EQ(bare["pairs_evaluated"], 0);
+}
+
+// A light that reaches nothing must not be counted as lit, in either scene of such lights.
+TEST(BenchResults, LightsOutOfReachLightNothing) {
+    const Json outside =
+        benchOf({"--scene", "outside", "--lights", "64", "--technique", "volumes"})["results"][0];
+    EXPECT_EQ(outside["lights"], 64);
+    EXPECT_EQ(outside["lights_visible"], 0);
+    EXPECT_EQ(outside["pairs_lit"], 0);
+    EXPECT_EQ(outside["reference_lights"], 0);
+    EXPECT_GE(outside["reference_lighting_ms"].get<double>(), 0.0);
+    EXPECT_GT(outside["copy_ms"].get<double>(), 0.0);
+
+    const Json plaza = benchOf({"--lights", "64", "--technique", "volumes"})["results"][0];
+    const Json hidden =
+        benchOf({"--scene", "hidden", "--lights", "64", "--technique", "volumes"})["results"][0];
+    EXPECT_EQ(hidden["lights"], 128) << "as many again";
+    EXPECT_EQ(hidden["pairs_lit"], plaza["pairs_lit"]);
+    EXPECT_EQ(hidden["reference_lights"], 64);
+    EXPECT_GT(hidden["reference_lighting_ms"].get<double>(), 0.0);
+}
+
+}  // namespace

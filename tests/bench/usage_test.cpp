@@ -1,0 +1,61 @@
+// What the command line itself gets wrong: exit code 2, one line.
+#include "command.h"
+#include "temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace {
+
+struct BadUsage {
+    std::vector<std::string> arguments;
+    std::string reason;
+};
+
+TEST(BenchUsage, EveryMistakeIsNamed) {
+    const std::array mistakes{
+        BadUsage{{}, "--json is missing"},
+        BadUsage{{"--json"}, "--json"},
+        BadUsage{{"--json", "r.json", "--no-such-option"}, "--no-such-option"},
+        BadUsage{{"--json", "r.json", "plaza"}, "plaza"},
+        BadUsage{{"--json", "r.json", "--lights", "many"}, "whole number from 0 to 16000000"},
+        BadUsage{{"--json", "r.json", "--lights", "64,"}, "whole number"},
+        BadUsage{{"--json", "r.json", "--lights", "-1"}, "whole number"},
+        BadUsage{{"--json", "r.json", "--lights", "16000001"}, "whole number"},
+        BadUsage{{"--json", "r.json", "--technique", "magic"}, "auto, volumes, tiles, fullscreen"},
+        BadUsage{{"--json", "r.json", "--technique", "volumes,"}, "--technique"},
+        BadUsage{{"--json", "r.json", "--technique", "tiles,tiles"}, "twice"},
+        BadUsage{{"--json", "r.json", "--brdf", "phong"}, "course, gltf"},
+        BadUsage{{"--json", "r.json", "--baseline", "--brdf", "gltf"}, "course"},
+        BadUsage{{"--json", "r.json", "--size", "640"}, "WIDTHxHEIGHT"},
+        BadUsage{{"--json", "r.json", "--size", "0x5"}, "whole number from 1 to 16384"},
+        BadUsage{{"--json", "r.json", "--frames", "0"}, "whole number from 1"},
+        BadUsage{{"--json", "r.json", "--device", "gpu"}, "software"},
+        BadUsage{{"--json", "r.json", "--scene", ""}, "--scene"},
+        BadUsage{{"--json", "r.json", "--scene", "plaza:many"}, "whole number"},
+    };
+    const TemporaryFolder folder;
+    for (const BadUsage& mistake : mistakes) {
+        SCOPED_TRACE(mistake.reason);
+        expectUsageError(runCommand(mistake.arguments, {.folder = folder.path()}), mistake.reason);
+    }
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(BenchUsage, HelpNamesEveryOption) {
+    const CommandResult result = runCommand({"--help"});
+    expectDone(result);
+    for (const char* option :
+         {"--scene", "--lights", "--technique", "--size", "--frames", "--json", "--plot", "--baseline",
+          "--device", "--plugin-path", "--brdf", "--view", "--quiet", "--version"})
+        EXPECT_NE(result.out.find(option), std::string::npos) << option;
+}
+
+TEST(BenchUsage, VersionIsTheLibrarys) {
+    const CommandResult result = runCommand({"--version"});
+    expectDone(result);
+    EXPECT_EQ(result.out, "candela " CANDELA_VERSION "\n");
+}
+
+}  // namespace
