@@ -1,6 +1,6 @@
 #include "bench_options.h"
 
-#include "parse.h"
+#include "common/parse.h"
 
 #include <candela/version.h>
 

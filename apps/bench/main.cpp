@@ -4,13 +4,13 @@
 #include "bench_options.h"
 #include "bench_scene.h"
 #include "candela_program.h"
+#include "common/output_file.h"
+#include "common/progress.h"
+#include "common/usage_error.h"
 #include "comparison.h"
 #include "measure.h"
-#include "output_file.h"
 #include "plot.h"
-#include "progress.h"
 #include "textbook_program.h"
-#include "usage_error.h"
 
 #include <candela/error.h>
 

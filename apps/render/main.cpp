@@ -1,9 +1,9 @@
 /// candela-render: draws a scene into a picture file. See --help.
 
+#include "common/usage_error.h"
 #include "list.h"
 #include "options.h"
 #include "render_command.h"
-#include "usage_error.h"
 
 #include <candela/error.h>
 

@@ -1,8 +1,8 @@
 #include "options.h"
 
+#include "common/parse.h"
+#include "common/usage_error.h"
 #include "help.h"
-#include "parse.h"
-#include "usage_error.h"
 
 #include <candela/version.h>
 

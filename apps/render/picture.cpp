@@ -1,6 +1,6 @@
 #include "picture.h"
 
-#include "deferred_signals.h"
+#include "common/deferred_signals.h"
 
 #include <candela/image_file.h>
 

@@ -1,9 +1,9 @@
 #include "render_command.h"
 
+#include "common/output_file.h"
+#include "common/progress.h"
 #include "frame_path.h"
-#include "output_file.h"
 #include "picture.h"
-#include "progress.h"
 #include "scene_box.h"
 #include "stats.h"
 #include "view_choice.h"
