@@ -12,7 +12,7 @@ layout(location = 3) uniform mat4 clipFromWorld;
 layout(location = 0) out vec3 worldNormal;
 void main() {
     worldNormal = mat3(world) * normal;
-    gl_Position = clipFromWorld * world * vec4(position, 1.0);
+    gl_Position = clipFromWorld * (world * vec4(position, 1.0));
 }
 )";
 
@@ -26,8 +26,9 @@ void main() { color = vec4(baseColor * (0.5 + 0.5 * worldNormal.y), metallicRoug
 
 class BareProgram final : public Program {
   public:
-    BareProgram(const BenchScene& scene, const BenchOptions& options)
-        : geometry_(scene.scene),
+    BareProgram(const candela::Context& context, const BenchScene& scene, const BenchOptions& options)
+        : clock_(context),
+          geometry_(scene.scene),
           screen_(options.width, options.height),
           depth_(GL_DEPTH_COMPONENT24, options.width, options.height),
           program_(makeProgram(vertexText, fragmentText)),
@@ -38,7 +39,8 @@ class BareProgram final : public Program {
     }
     ~BareProgram() override { glDeleteProgram(program_); }
 
-    std::vector<candela::PassTime> draw() override {
+    FrameTimes draw() override {
+        clock_.start();
         glBindFramebuffer(GL_FRAMEBUFFER, screen_.framebuffer());
         glViewport(0, 0, width_, height_);
         glEnable(GL_DEPTH_TEST);
@@ -47,14 +49,15 @@ class BareProgram final : public Program {
         glUseProgram(program_);
         glUniformMatrix4fv(3, 1, GL_FALSE, &clipFromWorld_[0][0]);
         geometry_.draw();
-        finishDrawing();
-        return {};
+        clock_.lap("geometry");
+        return clock_.times();
     }
 
     void count(Result&) override {}
     std::vector<float> picture() override { return {}; }
 
   private:
+    PassClock clock_;
     SceneGeometry geometry_;
     Screen screen_;
     Target depth_;
@@ -65,6 +68,7 @@ class BareProgram final : public Program {
 
 }  // namespace
 
-std::unique_ptr<Program> makeBareProgram(const BenchScene& scene, const BenchOptions& options) {
-    return std::make_unique<BareProgram>(scene, options);
+std::unique_ptr<Program> makeBareProgram(const candela::Context& context, const BenchScene& scene,
+                                         const BenchOptions& options) {
+    return std::make_unique<BareProgram>(context, scene, options);
 }

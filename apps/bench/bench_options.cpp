@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 
 namespace {
@@ -44,7 +45,19 @@ void parseTechniques(const std::string& text, BenchOptions& options) {
         return;
     }
     options.techniques.clear();
-    for (const std::string& part : splitAtCommas(text)) options.techniques.push_back(parseTechnique(part));
+    for (const std::string& part : splitAtCommas(text)) {
+        const candela::Technique technique = parseTechnique(part);
+        if (std::ranges::find(options.techniques, technique) != options.techniques.end())
+            throw UsageError("--technique \"" + text + "\": " + part + " stands there twice");
+        options.techniques.push_back(technique);
+    }
+}
+
+void checkTogether(const BenchOptions& options) {
+    if (options.json.empty()) throw UsageError("--json is missing: name the file that the results go to");
+    if (options.scene.empty()) throw UsageError("--scene \"\": expected a name or a file");
+    if (options.baseline == Baseline::with && options.brdf != candela::BrdfModel::course)
+        throw UsageError("--baseline draws with the model course only: leave --brdf out");
 }
 
 void declare(CLI::App& app, BenchOptions& options, std::string& json) {
@@ -117,7 +130,7 @@ std::optional<BenchOptions> parseBenchOptions(int argc, const char* const* argv)
     } catch (const CLI::ParseError& error) {
         throw UsageError(error.what());
     }
-    if (json.empty()) throw UsageError("--json is missing: name the file that the results go to");
     options.json = json;
+    checkTogether(options);
     return options;
 }

@@ -19,7 +19,7 @@ candela::View viewOf(const candela::Scene& scene, const BenchOptions& options,
 
 BenchScene place(const std::string& name, candela::Scene scene, const BenchOptions& options) {
     const std::vector<glm::mat4> world = worldTransforms(scene);
-    BenchScene made{name, {}, placeLights(scene, world), viewOf(scene, options, world)};
+    BenchScene made{name, {}, placeLights(scene, world), viewOf(scene, options, world), {}};
     made.scene = std::move(scene);
     return made;
 }
@@ -52,6 +52,7 @@ BenchScene loadBenchScene(const candela::PluginRegistry& plugins, const BenchOpt
     }
     if (options.scene == "outside" || options.scene == "hidden") {
         BenchScene made = place(options.scene, importScene(plugins, "plaza:" + count).scene, options);
+        made.referenceLights = options.scene == "outside" ? 0 : made.lights.size();
         if (options.scene == "outside") moveBehind(made.lights, made.view);
         if (options.scene == "hidden") addHidden(made.lights);
         return made;

@@ -15,6 +15,8 @@ struct BenchScene {
     candela::Scene scene;
     std::vector<candela::PlacedLight> lights;
     candela::View view;
+    /// Set where the cost of the lights after the first so many is asked for.
+    std::optional<std::size_t> referenceLights;
 };
 
 /// The scene of the options with `lights` lights; with none given, a file's own. Throws `candela::Error`.

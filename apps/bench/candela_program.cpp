@@ -2,25 +2,30 @@
 
 #include "gl_drawing.h"
 
+#include <chrono>
+
 namespace {
 
 class CandelaProgram final : public Program {
   public:
     CandelaProgram(const candela::Context& context, const BenchScene& scene, const BenchOptions& options,
                    candela::Technique technique)
-        : renderer_(context),
+        : clock_(context),
+          renderer_(context),
           scene_(context, scene.scene),
           transform_(transformOf(options)),
-          screen_(options.width, options.height) {
+          screen_(options.width, options.height),
+          lights_(scene.lights) {
         scene_.setLights(scene.lights);
         inputs_ = {options.width, options.height, scene.view, options.brdf, technique};
     }
 
-    std::vector<candela::PassTime> draw() override {
+    FrameTimes draw() override {
+        clock_.start();
         renderer_.render(scene_, inputs_);
         renderer_.display(transform_, {.framebuffer = screen_.framebuffer()});
-        finishDrawing();
-        return renderer_.passTimes();
+        clock_.lap("frame");
+        return {clock_.times().frame, renderer_.passTimes()};
     }
 
     void count(Result& result) override {
@@ -31,6 +36,14 @@ class CandelaProgram final : public Program {
         result.lightsVisible = pairs.lightsVisible;
         result.lightsDropped = pairs.lightsDropped;
         result.lightListBytes = pairs.lightListBytes;
+        result.picture = medianOf([&] {
+            renderer_.render(scene_, inputs_);
+            renderer_.displayPicture(transform_);
+        });
+        result.setLights = medianOf([&] {
+            scene_.setLights(lights_);
+            glFinish();
+        });
     }
 
     std::vector<float> picture() override {
@@ -44,16 +57,31 @@ class CandelaProgram final : public Program {
     }
 
   private:
+    /// Wall-clock milliseconds of what ends in memory or on the device, of five.
+    template <typename Work>
+    static double medianOf(Work&& work) {
+        std::vector<double> times;
+        for (int i = 0; i < 5; ++i) {
+            const auto start = std::chrono::steady_clock::now();
+            work();
+            times.push_back(
+                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        }
+        return median(times);
+    }
+
     static candela::DisplayTransform transformOf(const BenchOptions& options) {
         candela::DisplayChoice choice;
         choice.view = options.view.value_or("");
         return candela::ColorConfig::builtIn().displayTransform(choice);
     }
 
+    PassClock clock_;
     candela::Renderer renderer_;
     candela::GpuScene scene_;
     candela::DisplayTransform transform_;
     Screen screen_;
+    std::vector<candela::PlacedLight> lights_;
     candela::FrameInputs inputs_;
 };
 

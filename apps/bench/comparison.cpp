@@ -2,25 +2,52 @@
 
 #include <candela/error.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
-double allowedDifference(const std::string& technique) {
-    return technique.starts_with("textbook") ? 5.0e-2 : 1.0e-5;
+namespace {
+
+/// Half a step of half floats at the farthest light's coordinates, metres.
+double positionRounding(const BenchScene& scene) {
+    float farthest = 1.0f;
+    for (const candela::PlacedLight& light : scene.lights)
+        for (int axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(light.position[axis]));
+    return std::exp2(std::floor(std::log2(static_cast<double>(farthest))) - 11.0);
 }
 
-void compare(Result& result, const std::vector<float>& picture, const Reference& reference) {
-    double difference = 0.0, sum = 0.0;
+double shortestRange(const BenchScene& scene) {
+    float shortest = 1.0e9f;
+    for (const candela::PlacedLight& light : scene.lights)
+        if (light.range > 0.0f) shortest = std::min(shortest, light.range);
+    return static_cast<double>(shortest);
+}
+
+}  // namespace
+
+double allowedDifference(const std::string& technique, const BenchScene& scene) {
+    if (!technique.starts_with("textbook")) return 1.0e-5;
+    return 0.02 + 4.0 * std::sqrt(3.0) * positionRounding(scene) / shortestRange(scene);
+}
+
+void compare(Result& result, const std::vector<float>& picture, const Reference& reference, double allowed) {
+    double total = 0.0, most = 0.0, sum = 0.0;
     for (std::size_t i = 0; i < picture.size(); ++i) {
-        difference += std::abs(static_cast<double>(picture[i]) - static_cast<double>(reference.picture[i]));
-        sum += static_cast<double>(reference.picture[i]);
+        const double other = static_cast<double>(reference.picture[i]);
+        const double difference = std::abs(static_cast<double>(picture[i]) - other);
+        total += difference;
+        most = std::max(most, difference);
+        sum += other;
     }
-    result.difference = sum > 0.0 ? difference / sum : difference;
-    result.reference = reference.technique;
-    if (*result.difference <= allowedDifference(result.technique)) return;
+    // A black picture has no mean to compare with: the difference is then absolute.
+    const auto values = static_cast<double>(picture.size());
+    const double scale = sum > 0.0 ? values / sum : 1.0;
+    result.difference = Difference{reference.technique, scale * most, scale * total / values};
+    // Not a number is no agreement.
+    if (result.difference->mean <= allowed) return;
     std::ostringstream text;
     text << "with " << result.lights << " lights, " << result.technique << " draws another picture than "
-         << reference.technique << ": they differ by " << *result.difference << " of the mean, "
-         << allowedDifference(result.technique) << " is allowed";
+         << reference.technique << ": they differ by " << result.difference->mean << " of the mean, "
+         << allowed << " is allowed";
     throw candela::Error(candela::ErrorKind::badInput, result.scene, text.str());
 }

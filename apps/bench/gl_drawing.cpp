@@ -49,10 +49,6 @@ Screen::~Screen() {
     glDeleteFramebuffers(1, &framebuffer_);
 }
 
-void finishDrawing() {
-    glFinish();
-}
-
 GLuint makeProgram(const std::string& vertexText, const std::string& fragmentText) {
     const GLuint program = glCreateProgram();
     const GLuint vertex = compileStage(GL_VERTEX_SHADER, vertexText),
@@ -62,7 +58,11 @@ GLuint makeProgram(const std::string& vertexText, const std::string& fragmentTex
     glLinkProgram(program);
     glDeleteShader(vertex);
     glDeleteShader(fragment);
-    return program;
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (linked == GL_TRUE) return program;
+    glDeleteProgram(program);
+    throw candela::Error(candela::ErrorKind::environment, "textbook shader", "this device can not link it");
 }
 
 SceneGeometry::SceneGeometry(const candela::Scene& scene) {

@@ -39,9 +39,6 @@ class Screen {
     GLuint framebuffer_ = 0;
 };
 
-/// Waits until all that was drawn is done.
-void finishDrawing();
-
 /// Compiles and links. Throws `candela::Error` (environment) with the compiler's message.
 GLuint makeProgram(const std::string& vertexText, const std::string& fragmentText);
 

@@ -10,6 +10,7 @@
 #include "comparison.h"
 #include "measure.h"
 #include "plot.h"
+#include "setup.h"
 #include "textbook_program.h"
 
 #include <candela/error.h>
@@ -60,7 +61,8 @@ class Bench {
         const std::size_t first = results_.size();
         for (auto technique = techniques.rbegin(); technique != techniques.rend(); ++technique) {
             const auto program = makeCandelaProgram(context_, scene, options_, *technique);
-            add(*program, scene, toString(*technique), reference);
+            const auto companion = makeCompanion(scene, *technique);
+            add(*program, companion.get(), scene, toString(*technique), reference);
         }
         std::reverse(results_.begin() + static_cast<std::ptrdiff_t>(first), results_.end());
         if (options_.baseline == Baseline::with) measureBaseline(scene, results_[first], reference);
@@ -70,13 +72,22 @@ class Bench {
     void clearProgress() { progress_.clear(); }
 
   private:
-    void add(Program& program, const BenchScene& scene, const std::string& name,
+    /// The program that draws the scene with its reference lights alone; none where none are named.
+    std::unique_ptr<Program> makeCompanion(const BenchScene& scene, candela::Technique technique) const {
+        if (!scene.referenceLights) return nullptr;
+        BenchScene fewer = scene;
+        fewer.lights.resize(*scene.referenceLights);
+        return makeCandelaProgram(context_, fewer, options_, technique);
+    }
+
+    void add(Program& program, Program* companion, const BenchScene& scene, const std::string& name,
              std::optional<Reference>& reference) {
         progress_.show("measuring " + scene.name + " with " + std::to_string(scene.lights.size()) +
                        " lights: " + name);
-        Result result = measure(program, scene, options_, name);
+        Result result = measure(program, companion, scene, options_, name);
         std::vector<float> picture = program.picture();
-        if (!picture.empty() && reference) compare(result, picture, *reference);
+        if (!picture.empty() && reference)
+            compare(result, picture, *reference, allowedDifference(result.technique, scene));
         if (!picture.empty() && !reference && (options_.compares || options_.baseline == Baseline::with)) {
             reference = Reference{result.technique, std::move(picture)};
         }
@@ -86,14 +97,15 @@ class Bench {
     void measureBaseline(const BenchScene& scene, const Result candelas,
                          std::optional<Reference>& reference) {
         const auto textbook = [&](TextbookLighting lighting, const char* name) {
-            const auto program = makeTextbookProgram(scene, options_, lighting);
-            add(*program, scene, name, reference);
+            const auto program = makeTextbookProgram(context_, scene, options_, lighting);
+            add(*program, nullptr, scene, name, reference);
             copyLitPairs(results_.back(), candelas);
         };
         textbook(TextbookLighting::volumes, "textbook_volumes");
-        if (fitsTextbookLoop(scene)) textbook(TextbookLighting::fullscreen, "textbook_fullscreen");
-        const auto bare = makeBareProgram(scene, options_);
-        add(*bare, scene, "bare", reference);
+        if (fitsTextbookLoop(scene) && isAffordable(candela::Technique::fullscreen, scene, options_))
+            textbook(TextbookLighting::fullscreen, "textbook_fullscreen");
+        const auto bare = makeBareProgram(context_, scene, options_);
+        add(*bare, nullptr, scene, "bare", reference);
     }
 
     const BenchOptions& options_;
@@ -112,7 +124,7 @@ void runBench(const BenchOptions& options) {
     if (counts.empty()) counts.emplace_back();
     for (const auto& count : counts) bench.measureScene(loadBenchScene(plugins, options, count));
     bench.clearProgress();
-    writeText(options.json, resultsJson(context.renderer(), bench.results()));
+    writeText(options.json, resultsJson(context.renderer(), setupJson(options), bench.results()));
     if (options.plot) writeText(*options.plot, plotSvg(context.renderer(), bench.results()));
     if (!options.quiet)
         std::cout << context.renderer() << ", " << options.width << "x" << options.height << "\n"

@@ -2,10 +2,10 @@
 
 #include "bench_options.h"
 #include "bench_scene.h"
+#include "pass_clock.h"
 #include "results.h"
 
-#include <chrono>
-#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,16 +14,23 @@ class Program {
   public:
     virtual ~Program() = default;
 
-    /// Draws a frame and waits for its end. Returns the time of each pass, in milliseconds, where it knows
-    /// them.
-    virtual std::vector<candela::PassTime> draw() = 0;
+    /// Draws a frame, waits for its end, and says what it took.
+    virtual FrameTimes draw() = 0;
     /// Fills in what was counted, outside of timed frames.
     virtual void count(Result& result) = 0;
     /// The last frame's radiance, RGB, for comparing pictures. Empty for a program that makes none.
     virtual std::vector<float> picture() = 0;
 };
 
-/// Draws the program's frames and takes medians: after one frame that is not counted, `frames` frames, or as
-/// many as ten seconds allow.
-Result measure(Program& program, const BenchScene& scene, const BenchOptions& options,
+/// Draws the program's frames and takes medians: after one frame that is not counted, as many frames as the
+/// options say, but at most ten seconds long when they are three or more, and never over a minute.
+/// With a `companion`, which draws the scene's first `referenceLights` lights, the two take turns, so that
+/// what else the machine does falls on both; the lighting time of the companion is the result's `reference`.
+Result measure(Program& program, Program* companion, const BenchScene& scene, const BenchOptions& options,
                const std::string& technique);
+
+/// The median of some numbers, at least one.
+double median(std::vector<double> values);
+
+/// Milliseconds that a plain copy of the lights' array takes: what rejecting them all is compared with.
+double measureCopy(const std::vector<candela::PlacedLight>& lights);

@@ -38,27 +38,77 @@ std::string shareText(const Result& result) {
         100.0 * static_cast<double>(*result.pairsLit) / static_cast<double>(*result.pairsEvaluated), 0);
 }
 
+// The first eleven keys are the contract.
+Json rowOf(const Result& result) {
+    Json row{{"scene", result.scene},
+             {"lights", result.lights},
+             {"technique", result.technique},
+             {"width", result.width},
+             {"height", result.height},
+             {"frame_ms", result.frame},
+             {"geometry_ms", result.geometry.value_or(0.0)},
+             {"lighting_ms", result.lighting.value_or(0.0)},
+             {"display_ms", result.display.value_or(0.0)},
+             {"pairs_lit", result.pairsLit.value_or(0)},
+             {"pairs_evaluated", result.pairsEvaluated.value_or(0)},
+             {"frames", result.frames}};
+    put(row, "lights_visible", result.lightsVisible);
+    put(row, "lights_dropped", result.lightsDropped);
+    put(row, "light_list_bytes", result.lightListBytes);
+    put(row, "picture_ms", result.picture);
+    put(row, "set_lights_ms", result.setLights);
+    if (result.reference) {
+        row["reference_lights"] = result.reference->lights;
+        row["reference_lighting_ms"] = result.reference->lighting;
+    }
+    put(row, "copy_ms", result.copy);
+    if (result.difference)
+        row["difference"] = {{"from", result.difference->from},
+                             {"max", result.difference->max},
+                             {"mean", result.difference->mean}};
+    return row;
+}
+
+/// What the lights beyond the reference's cost, in words.
+std::string referenceText(const Result& result) {
+    const double more = result.lighting.value_or(0.0) - result.reference->lighting;
+    std::string text = result.technique + ", " + std::to_string(result.lights) + " lights against " +
+                       std::to_string(result.reference->lights) + ": " + fixedText(more, 3) + " ms more";
+    if (result.reference->lights > 0)
+        text += ", " + fixedText(100.0 * more / result.reference->lighting, 1) + " %";
+    if (result.reference->lights == 0 && result.copy && *result.copy > 0.0)
+        text += ", " + fixedText(more / *result.copy, 2) + " plain copies of their array (" +
+                fixedText(result.copy, 3) + " ms)";
+    return text + "\n";
+}
+
+bool isCandelas(const Result& result) {
+    return result.technique != "bare" && !result.technique.starts_with("textbook");
+}
+
+/// How many times as long as candela the textbook lights, and candela's frame against the bare one. Empty
+/// when they were not measured with as many lights.
+std::string baselineText(const Result& candelas, const std::vector<Result>& results) {
+    std::string text;
+    for (const Result& other : results) {
+        if (other.lights != candelas.lights || isCandelas(other)) continue;
+        if (other.technique == "bare")
+            text += ", frame " + fixedText(candelas.frame / other.frame, 2) + " times bare";
+        else if (candelas.lighting.value_or(0.0) > 0.0)
+            text += ", lighting " + fixedText(*other.lighting / *candelas.lighting, 1) +
+                    " times as fast as " + other.technique;
+    }
+    if (text.empty()) return text;
+    return candelas.technique + ", " + std::to_string(candelas.lights) + " lights: " + text.substr(2) + "\n";
+}
+
 }  // namespace
 
-std::string resultsJson(const std::string& renderer, const std::vector<Result>& results) {
+std::string resultsJson(const std::string& renderer, const std::string& setup,
+                        const std::vector<Result>& results) {
     Json rows = Json::array();
-    for (const Result& result : results) {
-        Json row{{"scene", result.scene},   {"lights", result.lights}, {"technique", result.technique},
-                 {"width", result.width},   {"height", result.height}, {"frames", result.frames},
-                 {"frame_ms", result.frame}};
-        put(row, "geometry_ms", result.geometry);
-        put(row, "lighting_ms", result.lighting);
-        put(row, "display_ms", result.display);
-        put(row, "pairs_lit", result.pairsLit);
-        put(row, "pairs_evaluated", result.pairsEvaluated);
-        put(row, "lights_visible", result.lightsVisible);
-        put(row, "lights_dropped", result.lightsDropped);
-        put(row, "light_list_bytes", result.lightListBytes);
-        put(row, "difference", result.difference);
-        if (!result.reference.empty()) row["difference_from"] = result.reference;
-        rows.push_back(std::move(row));
-    }
-    const Json json{{"renderer", renderer}, {"results", std::move(rows)}};
+    for (const Result& result : results) rows.push_back(rowOf(result));
+    const Json json{{"renderer", renderer}, {"setup", Json::parse(setup)}, {"results", std::move(rows)}};
     constexpr int indent = 2;
     return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -78,7 +128,11 @@ std::string resultsTable(const std::vector<Result>& results) {
         line({r.scene, std::to_string(r.lights), " " + r.technique, fixedText(r.frame, 2),
               fixedText(r.geometry, 2), fixedText(r.lighting, 2), fixedText(r.display, 2),
               millionsText(r.pairsLit), millionsText(r.pairsEvaluated), shareText(r), rateText(r),
-              fixedText(r.difference, 6)});
+              r.difference ? fixedText(r.difference->mean, 6) : "-"});
+    }
+    for (const Result& result : results) {
+        if (result.reference) table << referenceText(result);
+        if (isCandelas(result)) table << baselineText(result, results);
     }
     return table.str();
 }

@@ -5,6 +5,7 @@
 
 #include <candela/error.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -112,8 +113,10 @@ class Sphere {
 
 class TextbookProgram final : public Program {
   public:
-    TextbookProgram(const BenchScene& scene, const BenchOptions& options, TextbookLighting lighting)
-        : lighting_(lighting),
+    TextbookProgram(const candela::Context& context, const BenchScene& scene, const BenchOptions& options,
+                    TextbookLighting lighting)
+        : clock_(context),
+          lighting_(lighting),
           width_(options.width),
           height_(options.height),
           eye_(scene.view.eye()),
@@ -149,9 +152,15 @@ class TextbookProgram final : public Program {
         glDeleteVertexArrays(1, &emptyVertexArray_);
     }
 
-    std::vector<candela::PassTime> draw() override {
-        return {timed("geometry", [&] { drawGeometry(); }), timed("lighting", [&] { drawLighting(); }),
-                timed("display", [&] { drawDisplay(); })};
+    FrameTimes draw() override {
+        clock_.start();
+        drawGeometry();
+        clock_.lap("geometry");
+        drawLighting();
+        clock_.lap("lighting");
+        drawDisplay();
+        clock_.lap("display");
+        return clock_.times();
     }
 
     void count(Result& result) override {
@@ -209,14 +218,6 @@ class TextbookProgram final : public Program {
 
     std::size_t pixels() const {
         return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-    }
-
-    static candela::PassTime timed(const char* name, const std::function<void()>& pass) {
-        const auto start = std::chrono::steady_clock::now();
-        pass();
-        finishDrawing();
-        return {name,
-                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()};
     }
 
     void drawGeometry() const {
@@ -278,6 +279,7 @@ class TextbookProgram final : public Program {
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 
+    PassClock clock_;
     TextbookLighting lighting_;
     int width_, height_;
     glm::vec3 eye_;
@@ -298,7 +300,7 @@ bool fitsTextbookLoop(const BenchScene& scene) {
     return scene.lights.size() <= 65'535;
 }
 
-std::unique_ptr<Program> makeTextbookProgram(const BenchScene& scene, const BenchOptions& options,
-                                             TextbookLighting lighting) {
-    return std::make_unique<TextbookProgram>(scene, options, lighting);
+std::unique_ptr<Program> makeTextbookProgram(const candela::Context& context, const BenchScene& scene,
+                                             const BenchOptions& options, TextbookLighting lighting) {
+    return std::make_unique<TextbookProgram>(context, scene, options, lighting);
 }

@@ -13,8 +13,8 @@ enum class TextbookLighting {
 /// A deferred renderer in its textbook form: a G-buffer of position (RGBA16F), normal (RGBA16F) and colour
 /// (RGBA8), lighting into RGBA16F. Point lights and untextured materials only: throws `candela::Error`
 /// (unsupported) for a scene with others.
-std::unique_ptr<Program> makeTextbookProgram(const BenchScene& scene, const BenchOptions& options,
-                                             TextbookLighting lighting);
+std::unique_ptr<Program> makeTextbookProgram(const candela::Context& context, const BenchScene& scene,
+                                             const BenchOptions& options, TextbookLighting lighting);
 
 /// May the full-screen loop run over so many lights? Software rasterisers end it at 65,535 turns without a
 /// word.

@@ -57,27 +57,36 @@ float geometrySmith(float nDotL, float nDotV, float roughness) {
 
 vec3 fresnelSchlick(float cosTheta, vec3 f0) { return f0 + (1.0 - f0) * pow(1.0 - cosTheta, 5.0); }
 
-vec3 shade(ivec2 pixel, vec3 lightPosition, float range, vec3 intensity) {
+struct Surface {
+    vec3 position, normal, color;
+    float roughness, metallic;
+    bool covered;
+};
+
+Surface readSurface() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 position = texelFetch(positions, pixel, 0);
-    if (position.a == 0.0) return vec3(0.0);
-    vec4 normalRoughness = texelFetch(normals, pixel, 0);
-    vec4 colorMetallic = texelFetch(colors, pixel, 0);
-    vec3 toLight = lightPosition - position.xyz;
+    vec4 normal = texelFetch(normals, pixel, 0);
+    vec4 color = texelFetch(colors, pixel, 0);
+    return Surface(position.xyz, normalize(normal.xyz), color.rgb, normal.w, color.a, position.a != 0.0);
+}
+
+vec3 shade(Surface s, vec3 lightPosition, float range, vec3 intensity) {
+    vec3 toLight = lightPosition - s.position;
     float distance = length(toLight);
-    if (distance > range) return vec3(0.0);
-    vec3 n = normalize(normalRoughness.xyz);
-    vec3 v = normalize(eye - position.xyz);
+    if (!s.covered || distance > range) return vec3(0.0);
+    vec3 v = normalize(eye - s.position);
     vec3 l = toLight / distance;
     vec3 h = normalize(l + v);
-    float nDotL = max(dot(n, l), 0.0);
-    float nDotV = max(dot(n, v), 1e-4);
-    float roughness = normalRoughness.w, alpha = max(roughness * roughness, 1e-3);
-    vec3 f0 = mix(vec3(0.04), colorMetallic.rgb, colorMetallic.a);
+    float nDotL = max(dot(s.normal, l), 0.0);
+    float nDotV = max(dot(s.normal, v), 1e-4);
+    float alpha = max(s.roughness * s.roughness, 1e-3);
+    vec3 f0 = mix(vec3(0.04), s.color, s.metallic);
     vec3 f = fresnelSchlick(max(dot(v, h), 0.0), f0);
-    float d = distributionGgx(max(dot(n, h), 0.0), alpha);
-    float g = geometrySmith(nDotL, nDotV, roughness);
+    float d = distributionGgx(max(dot(s.normal, h), 0.0), alpha);
+    float g = geometrySmith(nDotL, nDotV, s.roughness);
     vec3 specular = f * d * g / (4.0 * max(nDotL, 1e-6) * nDotV);
-    vec3 diffuse = (1.0 - f) * (1.0 - colorMetallic.a) * colorMetallic.rgb / PI;
+    vec3 diffuse = (1.0 - f) * (1.0 - s.metallic) * s.color / PI;
     float window = max(1.0 - pow(distance / range, 4.0), 0.0);
     return (diffuse + specular) * intensity * (window / (distance * distance)) * nDotL;
 }
@@ -92,10 +101,11 @@ layout(binding = 3) uniform samplerBuffer lights;
 layout(location = 5) uniform int lightCount;
 layout(location = 0) out vec4 radiance;
 void main() {
+    Surface surface = readSurface();
     vec3 sum = vec3(0.0);
     for (int i = 0; i < lightCount; ++i) {
         vec4 place = texelFetch(lights, 2 * i);
-        sum += shade(ivec2(gl_FragCoord.xy), place.xyz, place.w, texelFetch(lights, 2 * i + 1).rgb);
+        sum += shade(surface, place.xyz, place.w, texelFetch(lights, 2 * i + 1).rgb);
     }
     radiance = vec4(sum, 1.0);
 }
@@ -120,7 +130,7 @@ layout(location = 0) flat in vec4 lightPlace;
 layout(location = 1) flat in vec3 lightIntensity;
 layout(location = 0) out vec4 radiance;
 void main() {
-    radiance = vec4(shade(ivec2(gl_FragCoord.xy), lightPlace.xyz, lightPlace.w, lightIntensity), 1.0);
+    radiance = vec4(shade(readSurface(), lightPlace.xyz, lightPlace.w, lightIntensity), 1.0);
 }
 )";
 

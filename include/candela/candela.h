@@ -22,3 +22,4 @@
 #include <candela/renderer.h>
 #include <candela/scene.h>
 #include <candela/version.h>
+#include <candela/whole_file.h>

@@ -1,7 +1,7 @@
 #include <candela/error.h>
 #include <candela/image_file.h>
 
-#include "base/whole_file.h"
+#include <candela/whole_file.h>
 
 #include <png.h>
 

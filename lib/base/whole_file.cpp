@@ -1,4 +1,4 @@
-#include "base/whole_file.h"
+#include <candela/whole_file.h>
 
 #include <candela/error.h>
 

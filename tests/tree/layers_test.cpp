@@ -41,9 +41,9 @@ TEST_F(LayersOfAMadeTree, SoundFilesPass) {
     write("include/candela/plugin.h", "#include <stddef.h>\n#include <stdint.h>\n");
     write("include/candela/candela.h", "#include <candela/renderer.h>\n#include <candela/plugin.h>\n");
     write("lib/base/error.cpp",
-          "#include <candela/error.h>\n#include \"base/whole_file.h\"\n#include <png.h>\n");
+          "#include <candela/error.h>\n#include \"base/thread_pool.h\"\n#include <png.h>\n");
     write("lib/import/host.cpp", "#include \"scene/normals.h\"\n#include <candela/plugin.h>\n");
-    write("lib/gl/program.cpp", "#include <epoxy/gl.h>\n#include \"base/whole_file.h\"\n");
+    write("lib/gl/program.cpp", "#include <epoxy/gl.h>\n#include \"base/thread_pool.h\"\n");
     write("lib/render/upload.cpp",
           "#include \"gl/buffer.h\"\n#include <candela/scene.h>\n#include \"shared/frame.h\"\n");
     write("plugins/plaza/plaza.cpp",
@@ -111,8 +111,8 @@ TEST_F(LayersOfAMadeTree, EachWrongArrowIsFound) {
         {"lib/util/text.h", "", "lib/util/text.h:1: a folder that is no layer"},
         {"plugins/gltf/read.cpp", "#include <candela/scene.h>\n",
          "plugins/gltf/read.cpp:1: a plugin must not include candela/scene.h"},
-        {"plugins/gltf/read.cpp", "#include \"base/whole_file.h\"\n",
-         "plugins/gltf/read.cpp:1: a plugin must not include base/whole_file.h"},
+        {"plugins/gltf/read.cpp", "#include \"base/thread_pool.h\"\n",
+         "plugins/gltf/read.cpp:1: a plugin must not include base/thread_pool.h"},
         {"plugins/gltf/read.cpp", "#include <scene/limits.h>\n",
          "plugins/gltf/read.cpp:1: a plugin must not include scene/limits.h"},
         {"plugins/gltf/read.cpp", "#include \"../gltf2/other.h\"\n",

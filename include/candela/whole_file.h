@@ -1,5 +1,7 @@
 #pragma once
 
+#include <candela/export.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -14,6 +16,6 @@ namespace candela {
 /// replaced and is written straight.
 ///
 /// Throws `Error` (environment) that names the file, and the folder if that is at fault.
-void writeWholeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
+CANDELA_API void writeWholeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 }  // namespace candela
