@@ -1,5 +1,6 @@
 #include "candela_program.h"
 
+#include "common/median.h"
 #include "gl_drawing.h"
 
 #include <chrono>

@@ -6,7 +6,7 @@
 #include "candela_program.h"
 #include "common/output_file.h"
 #include "common/progress.h"
-#include "common/usage_error.h"
+#include "common/run_program.h"
 #include "comparison.h"
 #include "measure.h"
 #include "plot.h"
@@ -16,15 +16,11 @@
 #include <candela/error.h>
 
 #include <algorithm>
-#include <exception>
 #include <iostream>
 #include <memory>
-#include <new>
 #include <optional>
 
 namespace {
-
-enum ExitCode { done = 0, inputOrEnvironmentAtFault = 1, wrongUsage = 2 };
 
 /// Beyond so many pairs the reference technique takes minutes: it is left out of --technique all, and the
 /// next one is the reference.
@@ -131,26 +127,11 @@ void runBench(const BenchOptions& options) {
                   << resultsTable(bench.results());
 }
 
-int report(std::string text, ExitCode code) {
-    std::ranges::replace(text, '\n', ' ');
-    std::cerr << "candela-bench: " << text << std::endl;
-    return code;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
+    return runProgram("candela-bench", [&] {
         const std::optional<BenchOptions> options = parseBenchOptions(argc, argv);
         if (options) runBench(*options);
-        if (!std::cout.flush())
-            throw candela::Error(candela::ErrorKind::environment, "standard output", "cannot be written");
-        return done;
-    } catch (const UsageError& error) {
-        return report(std::string(error.what()) + "; --help shows the options", wrongUsage);
-    } catch (const std::bad_alloc&) {
-        return report("there is not enough memory", inputOrEnvironmentAtFault);
-    } catch (const std::exception& error) {
-        return report(error.what(), inputOrEnvironmentAtFault);
-    }
+    });
 }

@@ -1,5 +1,7 @@
 #include "measure.h"
 
+#include "common/median.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cstring>
@@ -30,12 +32,6 @@ bool isEnough(std::size_t frames, double seconds, const BenchOptions& options) {
 }
 
 }  // namespace
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 double measureCopy(const std::vector<candela::PlacedLight>& lights) {
     std::vector<candela::PlacedLight> copy(lights.size());

@@ -29,8 +29,5 @@ class Program {
 Result measure(Program& program, Program* companion, const BenchScene& scene, const BenchOptions& options,
                const std::string& technique);
 
-/// The median of some numbers, at least one.
-double median(std::vector<double> values);
-
 /// Milliseconds that a plain copy of the lights' array takes: what rejecting them all is compared with.
 double measureCopy(const std::vector<candela::PlacedLight>& lights);

@@ -1,5 +1,7 @@
 #include "stats.h"
 
+#include "common/median.h"
+
 #include <candela/version.h>
 
 #include <nlohmann/json.hpp>
@@ -9,12 +11,6 @@
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 /// The median of each pass over all drawings, in the order they run.
 Json passTimes(const std::vector<FrameTiming>& timings) {

@@ -128,7 +128,7 @@ StateGuard::StateGuard() {
     glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     glDepthRangef(0.0f, 1.0f);
     glBlendEquation(GL_FUNC_ADD);
-    // Depth from 0 to 1: the reversed depth of DESIGN.md needs the float format's precision near 0.
+    // Depth from 0 to 1: reversed depth needs the float format's precision near 0.
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
 
