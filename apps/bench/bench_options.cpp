@@ -56,6 +56,10 @@ void parseTechniques(const std::string& text, BenchOptions& options) {
 void checkTogether(const BenchOptions& options) {
     if (options.json.empty()) throw UsageError("--json is missing: name the file that the results go to");
     if (options.scene.empty()) throw UsageError("--scene \"\": expected a name or a file");
+    const bool measuresLights = !options.lights.empty() || options.compares || options.plot || options.view ||
+                                options.baseline == Baseline::with;
+    if (options.scene == cageScene && measuresLights)
+        throw UsageError("--scene cages measures no lights: it takes --frames, --json and --device only");
     if (options.baseline == Baseline::with && options.brdf != candela::BrdfModel::course)
         throw UsageError("--baseline draws with the model course only: leave --brdf out");
 }
@@ -64,7 +68,8 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
     app.add_option("--scene", options.scene,
                    "plaza, cloud, rooms, outside (the plaza's lights, all behind the camera),\n"
                    "hidden (the plaza and as many lights again that reach no visible surface),\n"
-                   "or a file. Default: plaza")
+                   "cages (moving and refining a subdivision cage, against OpenSubdiv), or a\n"
+                   "file. Default: plaza")
         ->type_name("NAME|FILE");
     app.add_option_function<std::string>(
            "--lights", [&](const std::string& text) { options.lights = parseLights(text); },

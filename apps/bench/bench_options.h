@@ -13,6 +13,9 @@
 /// Are the textbook programs and the bare one measured too?
 enum class Baseline { without, with };
 
+/// The scene that measures moving a subdivision cage, and no lights.
+constexpr const char* cageScene = "cages";
+
 struct BenchOptions {
     std::string scene = "plaza";
     std::vector<std::uint64_t> lights;  ///< Empty: a scale of the scene's own.

@@ -1,10 +1,11 @@
 #include "bench_scene.h"
 
+#include "common/scene_box.h"
+
 #include <candela/import.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace {
 
@@ -59,12 +60,10 @@ BenchScene loadBenchScene(const candela::PluginRegistry& plugins, const BenchOpt
     }
     candela::Scene scene = importScene(plugins, options.scene).scene;
     if (lights) {
-        const candela::Bounds bounds = worldBounds(scene, worldTransforms(scene));
-        const glm::vec3 size = glm::max(bounds.max - bounds.min, glm::vec3(1.0e-3f));
-        const float range = 2.0f * std::cbrt(size.x * size.y * size.z /
-                                             static_cast<float>(std::max<std::uint64_t>(*lights, 1)));
         scene.lights.clear();
-        scatterLights(scene.lights, bounds, static_cast<std::uint32_t>(*lights), range, 0.1f * range * range);
+        ScatterChoice choice;
+        choice.count = static_cast<std::uint32_t>(*lights);
+        addScatteredLights(scene, choice, options.scene);
     }
     return place(options.scene, std::move(scene), options);
 }

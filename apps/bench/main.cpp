@@ -3,6 +3,7 @@
 #include "bare_program.h"
 #include "bench_options.h"
 #include "bench_scene.h"
+#include "cages/cage_bench.h"
 #include "candela_program.h"
 #include "common/output_file.h"
 #include "common/progress.h"
@@ -110,11 +111,19 @@ class Bench {
     std::vector<Result> results_;
 };
 
+void runCageBench(const BenchOptions& options, const candela::PluginRegistry& plugins,
+                  const candela::Context& context) {
+    const CageResult result = measureCages(plugins, context, options);
+    writeText(options.json, cageResultJson(context.renderer(), setupJson(options), result));
+    if (!options.quiet) std::cout << context.renderer() << "\n" << cageResultTable(result);
+}
+
 void runBench(const BenchOptions& options) {
     checkWritable(options.json);
     if (options.plot) checkWritable(*options.plot);
     const candela::PluginRegistry plugins(options.pluginFolders);
     const candela::Context context = candela::Context::createHeadless(options.device);
+    if (options.scene == cageScene) return runCageBench(options, plugins, context);
     Bench bench(options, context);
     std::vector<std::optional<std::uint64_t>> counts(options.lights.begin(), options.lights.end());
     if (counts.empty()) counts.emplace_back();

@@ -43,11 +43,12 @@ candela::DeviceChoice parseDevice(const std::string& text);
 candela::Technique parseTechnique(const std::string& text);
 candela::BrdfModel parseBrdf(const std::string& text);
 
-/// The one of `values` that `toString` calls `text`. Throws `UsageError` that lists the words there are.
+/// The one of `values` that `name` calls `text`. Throws `UsageError` that lists the words there are, after
+/// those of `more`, which the caller takes himself.
 template <typename Value, std::size_t Count, typename Name>
 Value parseWord(const std::string& option, const std::string& text, const std::array<Value, Count>& values,
-                Name&& name) {
-    std::string words;
+                Name&& name, std::string more = "") {
+    std::string words = std::move(more);
     for (const Value value : values) {
         if (text == name(value)) return value;
         words += (words.empty() ? "" : ", ") + std::string(name(value));

@@ -17,10 +17,10 @@ std::string joined(const std::vector<std::string>& parts, const std::string& bef
     return text;
 }
 
-std::string takes(const candela::PluginReport& report) {
-    std::string text = joined(report.extensions, ".");
-    for (const std::string& scheme : report.schemes) text += " " + scheme + ":";
-    return text.empty() ? "" : ", reads" + text;
+std::string services(const candela::PluginReport& report) {
+    std::string read = joined(report.extensions, ".");
+    for (const std::string& scheme : report.schemes) read += " " + scheme + ":";
+    return (read.empty() ? "" : ", reads" + read) + (report.subdivides ? ", refines subdivision cages" : "");
 }
 
 void printPlugins(const Options& options) {
@@ -29,7 +29,7 @@ void printPlugins(const Options& options) {
         std::cout << report.file.string() << ": " << candela::toString(report.state);
         if (!report.name.empty()) std::cout << ", " << report.name << " " << report.version;
         if (report.state == candela::PluginState::loaded)
-            std::cout << takes(report) << ", " << report.description;
+            std::cout << services(report) << ", " << report.description;
         else
             std::cout << ", " << report.detail;
         std::cout << "\n";

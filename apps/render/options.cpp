@@ -12,14 +12,10 @@
 #include <array>
 #include <cctype>
 #include <iostream>
-#include <limits>
-#include <numbers>
-#include <tuple>
 
 namespace {
 
 constexpr int lastFrameNumber = 9'999'999;
-constexpr double mostStops = 64.0;
 
 ListKind parseListKind(const std::string& text) {
     using enum ListKind;
@@ -37,19 +33,6 @@ PictureFormat parseFormat(const std::filesystem::path& output) {
     if (ending == ".png") return PictureFormat::png;
     if (ending == ".exr") return PictureFormat::exr;
     throw UsageError("-o \"" + output.string() + "\": expected a file name that ends in .png or .exr");
-}
-
-ScatterChoice parseScatter(const std::string& text) {
-    const std::string option = "--scatter-lights";
-    const std::vector<std::string> parts = splitAtCommas(text);
-    if (parts.size() > 3) throw UsageError(option + " \"" + text + "\": expected N[,RANGE[,CANDELA]]");
-    ScatterChoice choice;
-    choice.count = static_cast<std::uint32_t>(
-        parseInteger(option, parts[0], 0, std::numeric_limits<std::int32_t>::max()));
-    if (parts.size() > 1) choice.range = static_cast<float>(parseNumberBetween(option, parts[1], 0.0, 1.0e9));
-    if (parts.size() > 2)
-        choice.candela = static_cast<float>(parseNumberBetween(option, parts[2], 0.0, 1.0e9));
-    return choice;
 }
 
 FrameRange parseFrames(const std::string& text) {
@@ -79,83 +62,13 @@ std::vector<std::string> parseAovs(const std::string& text) {
     return names;
 }
 
-/// The texts of options whose meaning hangs on another option.
-struct Pending {
-    std::optional<std::string> eye, target, aovs;
-};
-
-void declareScene(CLI::App& app, Options& options) {
-    app.add_option("SCENE", options.scene, help::scene)->type_name("")->group("Scene");
-    app.add_option_function<std::string>(
-           "--scatter-lights", [&](const std::string& text) { options.scatter = parseScatter(text); },
-           help::scatterLights)
-        ->type_name("N[,RANGE[,CANDELA]]")
-        ->group("Scene");
-    app.add_option("--plugin-path", options.pluginFolders, help::pluginPath)
-        ->type_name("DIR")
-        ->allow_extra_args(false)
-        ->group("Scene");
-}
-
-void declarePicture(CLI::App& app, Options& options, Pending& pending) {
+void declarePicture(CLI::App& app, Options& options, std::optional<std::string>& aovs) {
     app.add_option("-o,--output", options.output, help::output)->type_name("FILE")->group("Picture");
-    app.add_option_function<std::string>(
-           "--size",
-           [&](const std::string& text) { std::tie(options.width, options.height) = parseSize(text); },
-           help::size)
-        ->type_name("WxH")
-        ->group("Picture");
-    app.add_option("--aov", pending.aovs, help::aov)->type_name("all|LIST")->group("Picture");
+    app.add_option("--aov", aovs, help::aov)->type_name("all|LIST")->group("Picture");
     app.add_option_function<std::string>(
            "--frames", [&](const std::string& text) { options.frames = parseFrames(text); }, help::frames)
         ->type_name("A-B")
         ->group("Picture");
-    app.add_option_function<std::string>(
-           "--time", [&](const std::string& text) { options.time = parseNumber("--time", text); }, help::time)
-        ->type_name("S")
-        ->group("Picture");
-}
-
-void declareCamera(CLI::App& app, Options& options, Pending& pending) {
-    app.add_option("--camera", options.camera, help::camera)->type_name("NAME|INDEX")->group("Camera");
-    app.add_option("--eye", pending.eye, help::eye)->type_name("X,Y,Z")->group("Camera");
-    app.add_option("--target", pending.target, help::target)->type_name("X,Y,Z")->group("Camera");
-    app.add_option_function<std::string>(
-           "--fov",
-           [&](const std::string& text) {
-               const double degrees = parseNumberBetween("--fov", text, 0.0, 180.0);
-               options.verticalFov = static_cast<float>(degrees * std::numbers::pi / 180.0);
-           },
-           help::fov)
-        ->type_name("DEG")
-        ->group("Camera");
-}
-
-void declareLighting(CLI::App& app, Options& options) {
-    app.add_option_function<std::string>(
-           "--brdf", [&](const std::string& text) { options.brdf = parseBrdf(text); }, help::brdf)
-        ->type_name("WORD")
-        ->group("Lighting");
-    app.add_option_function<std::string>(
-           "--technique", [&](const std::string& text) { options.technique = parseTechnique(text); },
-           help::technique)
-        ->type_name("WORD")
-        ->group("Lighting");
-}
-
-void declareColor(CLI::App& app, Options& options) {
-    app.add_option("--ocio", options.ocio, help::ocio)->type_name("CONFIG")->group("Colour");
-    app.add_option("--display", options.display.display, help::display)->type_name("NAME")->group("Colour");
-    app.add_option("--view", options.display.view, help::view)->type_name("NAME")->group("Colour");
-    app.add_option("--look", options.display.look, help::look)->type_name("NAME")->group("Colour");
-    app.add_option_function<std::string>(
-           "--exposure",
-           [&](const std::string& text) {
-               options.display.exposure = parseNumberBetween("--exposure", text, -mostStops, mostStops);
-           },
-           help::exposure)
-        ->type_name("STOPS")
-        ->group("Colour");
 }
 
 void declareRunning(CLI::App& app, Options& options) {
@@ -171,42 +84,32 @@ void declareRunning(CLI::App& app, Options& options) {
         ->group("Asking");
 }
 
-void resolveEye(const Pending& pending, Options& options) {
-    if (pending.eye.has_value() != pending.target.has_value())
-        throw UsageError(pending.eye ? "--eye needs --target too" : "--target needs --eye too");
-    if (!pending.eye) return;
-    options.eye = EyeChoice{parsePoint("--eye", *pending.eye), parsePoint("--target", *pending.target)};
-    if (options.eye->eye == options.eye->target)
-        throw UsageError("--target \"" + *pending.target + "\": expected another point than --eye");
-}
-
-void resolve(const Pending& pending, Options& options) {
+void resolve(const std::optional<std::string>& aovs, Options& options) {
     if (options.list) return;
     if (options.scene.empty())
         throw UsageError("SCENE is missing: name a file such as room.glb, or plaza:4096");
-    resolveEye(pending, options);
     options.format = parseFormat(options.output);
-    if (pending.aovs) options.aovs = parseAovs(*pending.aovs);
-    if (pending.aovs && options.format != PictureFormat::exr)
-        throw UsageError("--aov needs an .exr picture: name one with -o");
+    const bool exr = options.format == PictureFormat::exr;
+    if (aovs) options.aovs = parseAovs(*aovs);
+    if (aovs && !exr) throw UsageError("--aov needs an .exr picture: name one with -o");
+    const ShowChoice& show = options.show;
+    if (exr && (show.show != candela::Show::picture || show.overlays.wireframe || show.overlays.cage))
+        throw UsageError("--show needs a .png picture; --aov puts such channels into an .exr");
 }
 
 }  // namespace
 
 std::optional<Options> parseOptions(int argc, const char* const* argv) {
     Options options;
-    Pending pending;
+    std::optional<std::string> aovs;
     CLI::App app(help::description, "candela-render");
     app.get_formatter()->column_width(32);
     app.get_formatter()->label("OPTIONS", "OPTION...");
     app.set_help_flag("-h,--help", help::help)->group("Asking");
     app.set_version_flag("--version", "candela " CANDELA_VERSION, help::version)->group("Asking");
     app.footer(help::footer);
-    declareScene(app, options);
-    declarePicture(app, options, pending);
-    declareCamera(app, options, pending);
-    declareLighting(app, options);
-    declareColor(app, options);
+    SceneOptionReader sceneOptions(app, options);
+    declarePicture(app, options, aovs);
     declareRunning(app, options);
     try {
         app.parse(argc, argv);
@@ -216,6 +119,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(error.what());
     }
-    resolve(pending, options);
+    resolve(aovs, options);
+    if (!options.list) sceneOptions.finish();
     return options;
 }

@@ -29,8 +29,6 @@ class Painter {
     void write(const std::filesystem::path& path);
 
   private:
-    void writeRadiance(const std::filesystem::path& path);
-
     candela::Renderer& renderer_;
     candela::GpuScene& scene_;
     const candela::ColorConfig& color_;

@@ -2,11 +2,11 @@
 
 #include "common/output_file.h"
 #include "common/progress.h"
+#include "common/scene_box.h"
+#include "common/view_choice.h"
 #include "frame_path.h"
 #include "picture.h"
-#include "scene_box.h"
 #include "stats.h"
-#include "view_choice.h"
 
 #include <candela/context.h>
 #include <candela/error.h>
@@ -62,8 +62,7 @@ std::optional<candela::DisplayTransform> chooseDisplay(Session& session, const c
     return std::nullopt;
 }
 
-candela::Scene readScene(Session& session) {
-    const candela::PluginRegistry plugins(session.options.pluginFolders);
+candela::Scene readScene(Session& session, const candela::PluginRegistry& plugins) {
     const auto progress = [&](double share) {
         session.progress.show("reading " + session.options.scene + ": " +
                               std::to_string(static_cast<int>(std::lround(share * 100.0))) + " %");
@@ -71,7 +70,8 @@ candela::Scene readScene(Session& session) {
     };
     candela::ImportedScene imported = candela::importScene(plugins, session.options.scene, progress);
     for (const std::string& note : imported.report.notes) session.note(note);
-    addScatteredLights(imported.scene, session.options, session.timeOf(session.frames().first));
+    if (session.options.scatter)
+        addScatteredLights(imported.scene, *session.options.scatter, session.options.scene);
     return std::move(imported.scene);
 }
 
@@ -81,6 +81,18 @@ void noteLights(Session& session, const candela::LightReport& report) {
     text << report.rangesAssigned << " lights without a range got one; what lies beyond it is at most "
          << report.irradianceCut << " lux at any point";
     session.note(text.str());
+}
+
+void noteMissingSubdivider(Session& session, const candela::CageReport& report) {
+    if (report.cages == 0 || report.subdivided) return;
+    session.note("no plugin refines subdivision cages (opensubdiv does): their polygons are drawn");
+}
+
+void noteHeldBack(Session& session, const candela::CageReport& report) {
+    if (report.heldBack == 0) return;
+    session.note(std::to_string(report.heldBack) +
+                 " cages are coarser than --subdivision-edge asks for: --subdivision-max-level or the "
+                 "limit of vertices a cage holds them back");
 }
 
 /// Draws frame after frame and writes each. Returns what the drawings took.
@@ -134,26 +146,31 @@ void renderPictures(const Options& options) {
     for (const std::string& note : color.notes()) session.note(note);
     const std::optional<candela::DisplayTransform> display = chooseDisplay(session, color);
 
-    const candela::Scene scene = readScene(session);
+    const candela::PluginRegistry plugins(options.pluginFolders);
+    const candela::Scene scene = readScene(session, plugins);
     const ViewChoice views(scene, options, session.timeOf(session.frames().first));
 
     session.progress.show("preparing the scene for drawing");
     const candela::Context context = candela::Context::createHeadless(options.device);
     candela::GpuSceneOptions upload;
     upload.workingFromRec709 = color.workingFromRec709();
+    upload.subdivider = plugins.subdivider();
+    upload.subdivision = options.subdivision;
     candela::GpuScene gpuScene(context, scene, upload);
     noteLights(session, gpuScene.lightReport());
+    noteMissingSubdivider(session, gpuScene.cageReport());
     candela::Renderer renderer(context);
     Painter painter(renderer, gpuScene, color, display, options);
 
     Stats stats;
     stats.timings = drawFrames(session, painter, gpuScene, scene, views);
+    noteHeldBack(session, gpuScene.cageReport());
     stats.renderer = context.renderer();
     stats.width = options.width;
     stats.height = options.height;
     stats.technique = renderer.technique();
     stats.brdf = options.brdf;
-    stats.triangles = gpuScene.triangleCount();
+    stats.triangles = gpuScene.triangleCount() + gpuScene.cageReport().triangles;
     stats.materials = gpuScene.materialCount();
     stats.lights = gpuScene.lightReport().lights;
     if (options.stats) {

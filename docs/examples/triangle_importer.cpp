@@ -35,6 +35,10 @@ bool addTriangles(const candela_host& host, const std::vector<float>& positions)
 }
 
 candela_status readTriangles(const candela_host& host, const candela_request& request) {
+    if (request.query) {
+        host.fail(host.self, "query", "a file of triangles takes none");
+        return CANDELA_FAILED;
+    }
     candela_bytes file{};
     if (host.read_file(host.self, request.name, &file) != CANDELA_OK) return CANDELA_FAILED;
 
@@ -66,7 +70,8 @@ const candela_plugin plugin{sizeof(candela_plugin),
                             "triangles",
                             "1.0",
                             "triangles in plain text",
-                            &importer};
+                            &importer,
+                            nullptr};  // It subdivides no cages.
 
 }  // namespace
 

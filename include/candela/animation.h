@@ -6,17 +6,18 @@
 
 namespace candela {
 
-enum class AnimationPath { translation, rotation, scale };
+enum class AnimationPath { translation, rotation, scale, morphWeights };
 enum class Interpolation { linear, step, cubicSpline };
 
 /// The values of one property of one node over time.
 struct AnimationChannel {
-    std::uint32_t node = 0;  ///< Index into `Scene::nodes`; the node's transform is a `Trs`.
+    /// Index into `Scene::nodes`. The node's transform is a `Trs`; or, for morph weights, it shows a cage.
+    std::uint32_t node = 0;
     AnimationPath path = AnimationPath::translation;
     Interpolation interpolation = Interpolation::linear;  ///< Linear is spherical for rotations.
     std::vector<float> times;                             ///< Seconds, strictly growing, at least one.
-    std::vector<float> values;  ///< 3 numbers a key, 4 (x, y, z, w) for rotations; cubic splines hold
-                                ///< in-tangent, value and out-tangent.
+    std::vector<float> values;  ///< 3 numbers a key, 4 (x, y, z, w) for rotations, one a morph target for
+                                ///< morph weights; cubic splines hold in-tangent, value and out-tangent.
 };
 
 /// Channels that play together. Before its first key a channel holds its first value, after its last key its

@@ -4,6 +4,7 @@
 
 #include <candela/animation.h>
 #include <candela/brdf.h>
+#include <candela/cage.h>
 #include <candela/camera.h>
 #include <candela/color.h>
 #include <candela/context.h>
@@ -19,7 +20,10 @@
 #include <candela/node.h>
 #include <candela/plugin.h>
 #include <candela/plugin_registry.h>
+#include <candela/refined_cage.h>
 #include <candela/renderer.h>
 #include <candela/scene.h>
+#include <candela/skin.h>
+#include <candela/subdivider.h>
 #include <candela/version.h>
 #include <candela/whole_file.h>

@@ -4,15 +4,30 @@
 #include <candela/context.h>
 #include <candela/export.h>
 #include <candela/scene.h>
+#include <candela/subdivider.h>
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 
 namespace candela {
+
+/// How far cages are refined.
+struct SubdivisionSettings {
+    /// All cages to this level, 1 to `greatestSubdivisionLevel`. None: a cage that states a level has that
+    /// one, every other follows its size on the screen.
+    std::optional<std::uint32_t> level;
+    float edgePixels = 8.0f;     ///< By size: the length that edges on the screen should have, over 0.
+    std::uint32_t maxLevel = 5;  ///< By size: the greatest level, 1 to `greatestSubdivisionLevel`.
+    /// By size: the most vertices that a cage may be refined to; its level stays as low as that needs, but is
+    /// at least 1.
+    std::uint64_t maxVertices = 2'000'000;
+};
 
 struct GpuSceneOptions {
     /// From linear Rec.709, in which scenes give colours, to the working space
@@ -20,6 +35,9 @@ struct GpuSceneOptions {
     glm::dmat3 workingFromRec709{1.0};
     /// A light without a range gets the distance at which its irradiance falls to this, in lux. Over 0.
     float irradianceThreshold = 0.005f;
+    /// Refines the cages (`PluginRegistry::subdivider`); none: their polygons are drawn.
+    std::optional<Subdivider> subdivider;
+    SubdivisionSettings subdivision;
 };
 
 /// What the scene's lights amount to after upload.
@@ -31,11 +49,24 @@ struct LightReport {
     double irradianceCut = 0.0;
 };
 
+/// What the scene's cages amount to as of the last frame (or the upload).
+struct CageReport {
+    std::uint64_t cages = 0;       ///< Nodes that show a cage.
+    bool subdivided = false;       ///< False where no subdivider is at hand: polygons are drawn.
+    std::uint64_t triangles = 0;   ///< Drawn for cages, those of a cage times the nodes that show it.
+    std::uint64_t tableBytes = 0;  ///< Memory of all weight tables made so far.
+    std::uint32_t lowestLevel = 0, highestLevel = 0;  ///< 0 without a subdivider or a frame.
+    std::uint64_t heldBack = 0;  ///< Cages whose level `maxLevel` or `maxVertices` keeps below what
+                                 ///< `edgePixels` asks for.
+    std::string evaluator;       ///< What moves the points: "compute" or "threads"; empty before a frame.
+};
+
 /// The uploaded twin of a `Scene`. The scene given to the constructor is not kept; what `setTime` and
 /// `setTransform` need of it is copied.
 class CANDELA_API GpuScene {
   public:
-    /// Uploads. Throws `Error` (limit) that names what does not fit the device.
+    /// Uploads. Throws `Error`: limit that names what does not fit the device, badInput when the subdivider
+    /// rejects a cage.
     GpuScene(const Context& context, const Scene& scene, const GpuSceneOptions& options = {});
     GpuScene(GpuScene&&) noexcept;
     GpuScene& operator=(GpuScene&&) noexcept;
@@ -49,8 +80,21 @@ class CANDELA_API GpuScene {
     void setTransform(std::uint32_t node, const glm::mat4& local);
     /// Poses all animated nodes as at `seconds`, and moves what hangs on them.
     void setTime(double seconds);
+    /// Moves the points of the cage that `node` shows to `points` (one a vertex of the cage, in the node's
+    /// frame); morph targets and skin move it no longer. Throws `Error` (badInput) when the node shows no
+    /// cage, the number of points differs or one of them is not finite.
+    void setCagePoints(std::uint32_t node, std::span<const glm::vec3> points);
+    /// Takes effect with the next frame. Throws `Error` (badInput) when a setting is out of its range.
+    void setSubdivision(const SubdivisionSettings& settings);
+    /// Replaces the numbers of a material; its textures and what decides the way it is drawn (textures, alpha
+    /// mode, sides, unlit) are replaced too. Throws `Error` (badInput) when it breaks what `Material` states.
+    void setMaterial(std::uint32_t index, const Material& material);
+    enum class Visibility { shown, hidden };
+    /// Shows or hides what the node itself shows; its children are not touched.
+    void setVisibility(std::uint32_t node, Visibility visibility);
 
     const LightReport& lightReport() const;
+    CageReport cageReport() const;
     std::uint64_t triangleCount() const;
     std::uint32_t materialCount() const;
 

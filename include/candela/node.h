@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace candela {
 
@@ -18,12 +19,20 @@ struct Trs {
     glm::vec3 scale{1.0f};
 };
 
+/// That a node shows a cage. A skinned cage stands where its joints are, not where its node is.
+struct ShownCage {
+    std::uint32_t cage = 0;             ///< Index into `Scene::cages`.
+    std::optional<std::uint32_t> skin;  ///< Index into `Scene::skins`.
+    std::vector<float> morphWeights;    ///< One a morph target of the cage; empty: all 0.
+};
+
 /// A node of the hierarchy. Parents stand before their children in `Scene::nodes`.
 struct Node {
     std::string name;
     std::optional<std::uint32_t> parent;  ///< Index into `Scene::nodes`, less than this node's own.
     std::variant<Trs, glm::mat4> transform = Trs{};  ///< Local; an affine matrix where the file gives one.
     std::optional<std::uint32_t> mesh;               ///< Index into `Scene::meshes`.
+    std::optional<ShownCage> cage;
 };
 
 }  // namespace candela

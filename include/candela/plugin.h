@@ -13,6 +13,7 @@
  *  - Errors: no C++ exception crosses this border. A host function that returns a negative index or a status
  * other than CANDELA_OK has recorded its reason; the importer then returns CANDELA_FAILED. The host treats
  * the import as failed even if the importer goes on.
+ *  - What came after version 1.0 says so. An importer checks that the host's `struct_size` reaches so far.
  *  - Units and conventions: metres, right-handed, +Y up, a camera or a spot looks along -Z of its node,
  * angles in radians, matrices column-major, counter-clockwise front faces, colours linear with Rec.709
  * primaries, texture coordinates with (0, 0) at the first texel of the first row.
@@ -29,13 +30,11 @@ extern "C" {
 #endif
 
 #define CANDELA_PLUGIN_MAJOR 1u
-#define CANDELA_PLUGIN_MINOR 0u
+#define CANDELA_PLUGIN_MINOR 1u
 
 typedef enum candela_status { CANDELA_OK = 0, CANDELA_FAILED = 1 } candela_status;
 
-/* ---- What an importer pushes
- * ------------------------------------------------------------------------------- */
-
+/* ---- What an importer pushes */
 typedef enum candela_pixel_format {
     CANDELA_PIXELS_RGBA8 = 0,  /* 4 × uint8_t, normalised; sRGB or linear, as the texture's use says */
     CANDELA_PIXELS_RGBA16 = 1, /* 4 × uint16_t, normalised, host byte order */
@@ -107,7 +106,7 @@ typedef struct candela_material {
 
 /* A run of a mesh's indices drawn with one material. */
 typedef struct candela_submesh {
-    uint32_t first_index, index_count; /* multiples of 3 */
+    uint32_t first_index, index_count; /* whole triangles, or whole polygons where the mesh has face_sizes */
     int32_t material; /* index of a pushed material, -1: the default material (white, rough, no metal) */
 } candela_submesh;
 
@@ -124,11 +123,103 @@ typedef struct candela_mesh {
     const float* uv0;       /* 2 a vertex */
     const float* uv1;       /* 2 a vertex */
     const float* colors;    /* 4 a vertex, linear Rec.709 and alpha: multiplies the base colour */
-    uint32_t index_count;   /* a multiple of 3 */
+    uint32_t index_count;   /* a multiple of 3, or the sum of face_sizes */
     const uint32_t* indices;
     uint32_t submesh_count;
     const candela_submesh* submeshes;
+    /* since 1.1: polygons, which the host cuts into triangles; they may be concave, but not have holes */
+    uint32_t face_count;
+    const uint32_t* face_sizes; /* corners of each face, 3 or more; NULL: all faces are triangles */
 } candela_mesh;
+
+/* ---- Subdivision cages (since 1.1) */
+typedef enum candela_scheme {
+    CANDELA_SCHEME_CATMULL_CLARK = 0,
+    CANDELA_SCHEME_LOOP = 1, /* triangles only */
+    CANDELA_SCHEME_BILINEAR = 2
+} candela_scheme;
+
+/* How the surface ends where the cage does. */
+typedef enum candela_boundary_interpolation {
+    CANDELA_BOUNDARY_NONE = 0, /* faces at a boundary have no surface */
+    CANDELA_BOUNDARY_EDGES = 1,
+    CANDELA_BOUNDARY_EDGES_AND_CORNERS = 2 /* and it passes through vertices that belong to one face only */
+} candela_boundary_interpolation;
+
+/* Where face-varying values are interpolated linearly, by OpenSubdiv's names. */
+typedef enum candela_face_varying_interpolation {
+    CANDELA_FACE_VARYING_NONE = 0, /* nowhere: smooth everywhere */
+    CANDELA_FACE_VARYING_CORNERS_ONLY = 1,
+    CANDELA_FACE_VARYING_CORNERS_PLUS1 = 2,
+    CANDELA_FACE_VARYING_CORNERS_PLUS2 = 3,
+    CANDELA_FACE_VARYING_BOUNDARIES = 4,
+    CANDELA_FACE_VARYING_ALL = 5
+} candela_face_varying_interpolation;
+
+typedef enum candela_crease_method {
+    CANDELA_CREASE_UNIFORM = 0,
+    CANDELA_CREASE_CHAIKIN = 1
+} candela_crease_method;
+
+typedef enum candela_triangle_subdivision {
+    CANDELA_TRIANGLE_CATMULL_CLARK = 0,
+    CANDELA_TRIANGLE_SMOOTH = 1
+} candela_triangle_subdivision;
+
+/* A control polyhedron of a subdivision surface. A corner is one vertex of one face; corners are counted face
+ * after face. Sharpness is 0 or more; 10 and more is infinite. */
+typedef struct candela_cage {
+    uint32_t struct_size;
+    const char* name;
+    candela_scheme scheme;
+    candela_boundary_interpolation boundary_interpolation;
+    candela_face_varying_interpolation face_varying_interpolation;
+    candela_crease_method crease_method;
+    candela_triangle_subdivision triangle_subdivision;
+    uint32_t vertex_count;
+    const float* positions; /* 3 a vertex, metres */
+    uint32_t face_count;
+    const uint32_t* face_sizes;    /* corners of each face, 3 to vertex_count */
+    const uint32_t* face_vertices; /* a vertex a corner */
+    uint32_t uv_count;             /* 0: no texture coordinates */
+    const float* uvs;              /* 2 each */
+    const uint32_t* face_uvs;      /* an index of uvs a corner */
+    uint32_t crease_count;
+    const uint32_t* crease_edges; /* 2 vertices a crease: an edge of the cage */
+    const float* crease_sharpness;
+    uint32_t corner_count; /* sharp vertices */
+    const uint32_t* corner_vertices;
+    const float* corner_sharpness;
+    uint32_t hole_count;
+    const uint32_t* holes;         /* faces that have no surface, but shape that of their neighbours */
+    const int32_t* face_materials; /* a pushed material a face, -1: the default; NULL: -1 for all */
+    uint32_t level;                /* 1 to 8: refine to this level; 0: by the size on the screen */
+    /* What moves the cage besides its node; a subdivider does not look at it. */
+    uint32_t influence_count;   /* joints a vertex; 0: no skin moves it */
+    const uint32_t* joints;     /* influence_count a vertex: indices into the skin's joints */
+    const float* joint_weights; /* influence_count a vertex, 0 or more; the host brings their sum to 1 */
+    uint32_t morph_target_count;
+    const float* morph_offsets; /* target after target, 3 a vertex, metres */
+} candela_cage;
+
+/* The joints that a cage's influences mean. */
+typedef struct candela_skin {
+    uint32_t struct_size;
+    const char* name;
+    uint32_t joint_count;               /* 1 or more */
+    const int32_t* joints;              /* pushed nodes */
+    const float* inverse_bind_matrices; /* 16 a joint, column-major, affine; NULL: identity */
+} candela_skin;
+
+/* That a node shows a cage. A skinned cage stands where its joints are, not where its node is. */
+typedef struct candela_shown_cage {
+    uint32_t struct_size;
+    int32_t node;                /* index of a pushed node; a node shows one cage at most */
+    int32_t cage;                /* index of a pushed cage */
+    int32_t skin;                /* index of a pushed skin, -1 for none */
+    uint32_t morph_weight_count; /* the cage's morph_target_count, or 0: all weights are 0 */
+    const float* morph_weights;
+} candela_shown_cage;
 
 typedef struct candela_camera {
     uint32_t struct_size;
@@ -175,7 +266,9 @@ typedef struct candela_node {
 typedef enum candela_animation_path {
     CANDELA_ANIMATE_TRANSLATION = 0, /* 3 numbers a key */
     CANDELA_ANIMATE_ROTATION = 1,    /* 4 numbers a key: quaternion x, y, z, w */
-    CANDELA_ANIMATE_SCALE = 2        /* 3 numbers a key */
+    CANDELA_ANIMATE_SCALE = 2,       /* 3 numbers a key */
+    /* since 1.1: as many numbers a key as the cage has morph targets that the node shows */
+    CANDELA_ANIMATE_MORPH_WEIGHTS = 3
 } candela_animation_path;
 
 typedef enum candela_interpolation {
@@ -185,7 +278,7 @@ typedef enum candela_interpolation {
 } candela_interpolation;
 
 typedef struct candela_animation_channel {
-    int32_t node; /* index of a pushed node without `matrix` */
+    int32_t node; /* index of a pushed node, without `matrix` unless the path is MORPH_WEIGHTS */
     candela_animation_path path;
     candela_interpolation interpolation;
     uint32_t key_count;  /* 1 or more */
@@ -200,9 +293,7 @@ typedef struct candela_animation {
     const candela_animation_channel* channels;
 } candela_animation;
 
-/* ---- The host
- * ---------------------------------------------------------------------------------------------- */
-
+/* ---- The host */
 typedef struct candela_bytes {
     const uint8_t* data;
     uint64_t size;
@@ -234,15 +325,67 @@ typedef struct candela_host {
     int32_t (*add_camera)(void* self, const candela_camera* camera);
     int32_t (*add_light)(void* self, const candela_light* light);
     int32_t (*add_animation)(void* self, const candela_animation* animation);
+
+    /* since 1.1 */
+    int32_t (*add_cage)(void* self, const candela_cage* cage);
+    int32_t (*add_skin)(void* self, const candela_skin* skin);
+    candela_status (*show_cage)(void* self, const candela_shown_cage* shown);
 } candela_host;
 
-/* ---- The plugin
- * -------------------------------------------------------------------------------------------- */
+/* ---- The subdivider (since 1.1) */
+/* Sparse rows of weights: row r has the entries row_starts[r] to row_starts[r + 1] - 1. What a row makes is
+ * the sum over its entries of weight × the cage's point (or texture coordinate) of that column. */
+typedef struct candela_weight_rows {
+    uint32_t row_count;
+    const uint32_t* row_starts; /* row_count + 1, the first one 0, none less than the one before */
+    const uint32_t* columns;    /* one an entry */
+    const float* weights;       /* the limit value */
+    const float* du_weights;    /* its derivative along the first parameter of the face */
+    const float* dv_weights;    /* its derivative along the second */
+} candela_weight_rows;
 
+/* A refined cage. It has `point_count` distinct limit points and `vertex_count` vertices to draw: vertex i
+ * lies at point i for i < point_count; the others are twins, which share a point but not its tangents or
+ * texture coordinates: they stand on the other side of a crease or of a texture seam. Faces that meet at an
+ * edge name the same points along it. du × dv points outwards. */
+typedef struct candela_refined_cage {
+    uint32_t struct_size;
+    uint32_t point_count, vertex_count;
+    const uint32_t* twin_points;   /* vertex_count - point_count: the point of each twin */
+    candela_weight_rows positions; /* a row a vertex, of the cage's vertices; a twin takes the position of
+                                      its point and only the derivatives of its own row */
+    candela_weight_rows uvs;       /* a row a vertex, of the cage's uvs; row_count 0 for a cage without uvs */
+    uint32_t face_size;            /* 4, or 3 for the Loop scheme */
+    uint32_t face_count;
+    const uint32_t* face_vertices; /* face_size a face, counter-clockwise */
+    const uint32_t* cage_faces;    /* the face of the cage that each stems from */
+} candela_refined_cage;
+
+/* What the host does for a subdivider. */
+typedef struct candela_refinement {
+    uint32_t struct_size;
+    void* self;
+    /* Records why the cage is rejected; `element` names the part at fault, such as "face 7" or "edge 3-8". */
+    void (*fail)(void* self, const char* element, const char* reason);
+    /* Hands over the result, which the host checks and copies before it returns. Called once. */
+    candela_status (*deliver)(void* self, const candela_refined_cage* refined);
+} candela_refinement;
+
+typedef struct candela_subdivider {
+    uint32_t struct_size;
+    /* Refines a cage so that each edge of it becomes 2^level edges on the limit surface. `level` is 1 to 8.
+     * May be called from several threads at once. */
+    candela_status (*refine)(const candela_refinement* refinement, const candela_cage* cage, uint32_t level);
+} candela_subdivider;
+
+/* ---- The plugin */
 typedef struct candela_request {
     uint32_t struct_size;
     const char* uri;  /* as the user gave it */
     const char* name; /* a file: its name, to be read with read_file; a made scene: what follows "scheme:" */
+    /* since 1.1: what follows '?' behind a file's name; NULL where there is none. An importer refuses a query
+     * that it does not know. One built for 1.0 is never given any: the host refuses it. */
+    const char* query;
 } candela_request;
 
 typedef struct candela_importer {
@@ -257,19 +400,16 @@ typedef struct candela_plugin {
     uint32_t major, minor; /* CANDELA_PLUGIN_MAJOR and CANDELA_PLUGIN_MINOR that it was built with */
     const char* name;      /* a to z, 0 to 9, '-' and '_' */
     const char* version;
-    const char* description;          /* one line */
-    const candela_importer* importer; /* NULL when it offers none */
+    const char* description;              /* one line */
+    const candela_importer* importer;     /* NULL when it offers none */
+    const candela_subdivider* subdivider; /* since 1.1: NULL when it offers none; one service at least */
 } candela_plugin;
 
 /* The type of the one exported symbol. Returns a static description, or NULL when the plugin cannot serve
  * such a host. */
 typedef const candela_plugin* (*candela_plugin_query_function)(uint32_t host_major, uint32_t host_minor);
 
-#if defined(_WIN32)
-#define CANDELA_PLUGIN_EXPORT __declspec(dllexport)
-#else
 #define CANDELA_PLUGIN_EXPORT __attribute__((visibility("default")))
-#endif
 
 CANDELA_PLUGIN_EXPORT const candela_plugin* candela_plugin_query(uint32_t host_major, uint32_t host_minor);
 

@@ -2,9 +2,11 @@
 
 #include <candela/export.h>
 #include <candela/plugin.h>
+#include <candela/subdivider.h>
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,7 @@ struct PluginReport {
     std::string detail;                            ///< Why, in one line; empty when loaded.
     std::string name, version, description;        ///< Of the plugin, where its description could be read.
     std::vector<std::string> extensions, schemes;  ///< What its importer takes.
+    bool subdivides = false;                       ///< It offers a subdivider.
 };
 
 /// The plugins of this process. Searched in this order, the first plugin of a name wins: the folders given,
@@ -49,6 +52,8 @@ class CANDELA_API PluginRegistry {
     const candela_plugin* importerForExtension(const std::string& extension) const;
     /// The importer for a URI scheme (lower case), or nullptr.
     const candela_plugin* importerForScheme(const std::string& scheme) const;
+    /// The first plugin that refines cages, in search order; none where there is none.
+    std::optional<Subdivider> subdivider() const;
 
   private:
     struct State;

@@ -7,8 +7,11 @@
 #include <candela/export.h>
 #include <candela/gpu_scene.h>
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +19,8 @@ namespace candela {
 
 /// How lights are brought to pixels. All give the same picture; see docs/lighting.md.
 enum class Technique {
-    automatic,   ///< The fastest: `tiles`, in the form that a trial at the first frame finds faster on this device.
+    automatic,   ///< The fastest: `tiles`, in the form that a trial at the first frame finds faster on this
+                 ///< device.
     volumes,     ///< Each light's bounding volume is rasterised against the depth buffer.
     tiles,       ///< Lights are binned to screen tiles cut by depth, and each pixel walks its list.
     fullscreen,  ///< Every light at every pixel: the reference.
@@ -24,6 +28,36 @@ enum class Technique {
 
 /// The technique's name on the command line: "auto", "volumes", "tiles", "fullscreen".
 CANDELA_API const char* toString(Technique technique);
+
+/// What a frame shows.
+enum class Show {
+    picture,  ///< The lit scene.
+    // The rest are data: numbers as colours. They are drawn as the display's code values, so that no display
+    // transform and no exposure changes them.
+    normals,    ///< World-space normals: 0.5 + 0.5 n.
+    level,      ///< The level to which each cage is refined, see `levelColor`; meshes are grey.
+    baseColor,  ///< Clamped to 0..1, sRGB-encoded.
+    metallic,   ///< As grey.
+    roughness,  ///< Perceptual roughness as grey.
+    depth,      ///< Grey, near is bright: near / (near + distance), near the distance of the closest surface.
+    emission,   ///< Clamped to 0..1, sRGB-encoded.
+    lightCount,  ///< Lights in whose range the pixel lies, see `heatColor`; full scale is the frame's most.
+};
+
+/// The name on the command line: "picture", "normals", "level", "base_color", "metallic", "roughness",
+/// "depth", "emission", "light_count".
+CANDELA_API const char* toString(Show show);
+
+/// The colour of a level of subdivision, display code values. 0 (polygons) to `greatestSubdivisionLevel`.
+CANDELA_API glm::vec3 levelColor(std::uint32_t level);
+/// The heat map: from black at 0 over blue, green and yellow to red at 1. Display code values.
+CANDELA_API glm::vec3 heatColor(float share);
+
+/// Lines drawn over the finished picture where the surface does not hide them.
+struct Overlays {
+    bool wireframe = false;  ///< Edges of all triangles; of refined cages the edges of their faces.
+    bool cage = false;       ///< Edges of the control polyhedra.
+};
 
 /// Where a finished picture goes.
 struct FrameTarget {
@@ -36,6 +70,8 @@ struct FrameInputs {
     View view;
     BrdfModel brdf = BrdfModel::course;
     Technique technique = Technique::automatic;
+    Show show = Show::picture;
+    Overlays overlays = {};
 };
 
 struct PassTime {
@@ -66,6 +102,19 @@ struct Aov {
     std::vector<std::vector<float>> values;  ///< One array a channel.
 };
 
+/// What a pixel of a frame shows.
+struct PixelProbe {
+    std::uint32_t node = 0;     ///< The node whose mesh or cage it is.
+    float z = 0.0f;             ///< Distance along the view axis, metres.
+    glm::vec3 position{0.0f};   ///< World, metres.
+    glm::vec3 normal{0.0f};     ///< World, unit length; (0, 0, 0) on an unlit surface.
+    glm::vec3 baseColor{0.0f};  ///< Linear, working space.
+    float metallic = 0.0f, roughness = 0.0f;
+    glm::vec3 emission{0.0f};      ///< Radiance, working space.
+    glm::vec3 radiance{0.0f};      ///< As `Renderer::radiance` has it: of a data view its code values.
+    std::uint32_t lightCount = 0;  ///< Lights in whose range it lies.
+};
+
 /// Draws frames of a `GpuScene`. Holds every buffer and program; makes none anew while the size stays. Leaves
 /// the context's bound state as it found it.
 class CANDELA_API Renderer {
@@ -75,16 +124,17 @@ class CANDELA_API Renderer {
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
-    /// Draws radiance: geometry pass, then lighting pass. Throws `Error` (limit) when the size is beyond the
-    /// device.
+    /// Draws radiance: geometry pass, then lighting pass. A data view is drawn instead of the lighting pass,
+    /// and no light is evaluated. Throws `Error` (limit) when the size is beyond the device.
     void render(const GpuScene& scene, const FrameInputs& inputs);
 
-    /// Shows the last frame through `transform`, with half a code value of dither, in the host's framebuffer.
+    /// Shows the last frame through `transform`, with half a code value of dither, in the host's framebuffer;
+    /// a data view without either. Overlays lie over it.
     void display(const DisplayTransform& transform, const FrameTarget& target);
     /// Shows the last frame and reads it back: 8-bit RGBA, rows from the top.
     std::vector<std::uint8_t> displayPicture(const DisplayTransform& transform);
 
-    /// Reads the last frame's radiance back.
+    /// Reads the last frame's radiance back, without overlays; of a data view its code values.
     RadiancePicture radiance();
     /// Reads AOVs of the last frame back. Throws `Error` (badInput) naming those there are when a name is
     /// unknown.
@@ -92,7 +142,15 @@ class CANDELA_API Renderer {
     /// The names `aovs` takes, in the order of the EXR file.
     static std::vector<std::string> aovNames();
 
-    /// Counts the last frame's pairs in a drawing of its own, outside timed frames.
+    /// What the pixel of column `x` and row `y` (from the top) of the last frame shows; none on the
+    /// background. Throws `Error` (badInput) when there is no such pixel.
+    std::optional<PixelProbe> probe(const GpuScene& scene, int x, int y);
+    /// The most lights of any pixel of the last frame, if that showed `Show::lightCount`: what the heat map's
+    /// end stands for.
+    std::uint32_t greatestLightCount() const;
+
+    /// Counts the last frame's pairs in a drawing of its own, outside timed frames. Of a data view none was
+    /// evaluated.
     PairCounts countPairs(const GpuScene& scene);
     /// What each pass of the last frame took, in the order they ran. Waits for the frame to end.
     std::vector<PassTime> passTimes();

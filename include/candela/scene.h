@@ -1,6 +1,7 @@
 #pragma once
 
 #include <candela/animation.h>
+#include <candela/cage.h>
 #include <candela/camera.h>
 #include <candela/export.h>
 #include <candela/image.h>
@@ -8,6 +9,7 @@
 #include <candela/material.h>
 #include <candela/mesh.h>
 #include <candela/node.h>
+#include <candela/skin.h>
 
 #include <glm/mat4x4.hpp>
 
@@ -21,6 +23,8 @@ struct Scene {
     std::vector<Image> images;
     std::vector<Material> materials;
     std::vector<Mesh> meshes;
+    std::vector<Cage> cages;
+    std::vector<Skin> skins;
     std::vector<Node> nodes;  ///< Parents before children.
     std::vector<Camera> cameras;
     std::vector<Light> lights;
@@ -28,10 +32,12 @@ struct Scene {
 };
 
 /// An axis-aligned box, metres; empty while min > max.
-struct Bounds {
+struct CANDELA_API Bounds {
     glm::vec3 min{1e30f}, max{-1e30f};
 
     bool empty() const { return min.x > max.x; }
+    /// Grows to hold `other` too.
+    void add(const Bounds& other);
 };
 
 /// World matrices of all nodes, one a node. With animations the nodes stand as at `time` (seconds); every
@@ -43,8 +49,25 @@ CANDELA_API std::vector<glm::mat4> worldTransforms(const Scene& scene, double ti
 /// As KHR_lights_punctual says, a node moves and turns its lights, but does not scale range or intensity.
 CANDELA_API std::vector<PlacedLight> placeLights(const Scene& scene, const std::vector<glm::mat4>& world);
 
-/// The world-space box around all meshes as their nodes place them.
-CANDELA_API Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& world);
+/// A cage as a node shows it at one time.
+struct PosedCage {
+    std::vector<glm::vec3> points;    ///< Metres, one a vertex of the cage.
+    glm::mat4 worldFromPoints{1.0f};  ///< The node's world matrix; the identity for a skinned cage.
+};
+
+/// The cage that node `node` shows, moved by its morph targets and then by its skin (glTF 2.0, 3.7.2.2 and
+/// 3.7.3.3). `world` comes from `worldTransforms` of the same `time`.
+CANDELA_API PosedCage poseCage(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
+                               double time = 0.0);
+
+/// The world-space box around the mesh and the cage that node `node` itself shows at `time`; `world` comes
+/// from `worldTransforms` of that time. A limit surface lies within the box of its cage.
+CANDELA_API Bounds nodeBounds(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
+                              double time = 0.0);
+
+/// The world-space box around all meshes and cages as their nodes place them at `time`; `world` comes from
+/// `worldTransforms` of that time. A limit surface lies within the box of its cage.
+CANDELA_API Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& world, double time = 0.0);
 
 /// The view of camera `index` of the scene. A camera ignores its node's scale, shear and mirroring.
 CANDELA_API View cameraView(const Scene& scene, std::uint32_t index, const std::vector<glm::mat4>& world);
@@ -62,16 +85,21 @@ CANDELA_API void scatterLights(std::vector<Light>& lights, const Bounds& bounds,
 
 /// Throws `Error` (badInput), naming the element, when the scene breaks a rule its types state: an index out
 /// of range, a number that is not finite or out of its range, arrays of differing length. Lengths of
-/// directions and quaternions may be 1 % off. Further rules:
-///  - a mesh has the texture coordinates that its materials' textures read (glTF 2.0, 5.30.2);
-///  - as the nodes stand at time 0, their world matrices are finite, and meshes, lights and cameras stand
-///    within 1e9 m of the world's origin along each axis (matrices may be singular);
+/// directions and quaternions, and sums of joint weights, may be 1 % off. Further rules:
+///  - a mesh has the texture coordinates that its materials' textures read (glTF 2.0, 5.30.2), and so has a
+///    cage, whose only set is 0;
+///  - as the nodes stand at time 0, their world matrices are finite, and meshes, posed cages, lights and
+///    cameras stand within 1e9 m of the world's origin along each axis (matrices may be singular);
 ///  - emission, and a light's intensity times its colour, are at most 1e20;
-///  - the values of animations are at most 1e9.
+///  - the values of animations, and morph weights, are at most 1e9;
+///  - no face of a cage names a vertex twice, each crease of a cage is an edge of one of its faces, and faces
+///    of a Loop cage are triangles; what else a subdivider may reject, `Subdivider::refine` tells;
+///  - a skin moves only a cage with joints, and has every joint that the cage names.
 /// Every imported scene has passed this.
 CANDELA_API void validate(const Scene& scene);
 
-/// The number of triangles the scene draws: those of every mesh, times the nodes that show it.
+/// The number of triangles that the scene's meshes draw: those of every mesh, times the nodes that show it.
+/// Triangles of cages depend on their level: see `GpuScene::cageReport`.
 CANDELA_API std::uint64_t triangleCount(const Scene& scene);
 
 }  // namespace candela

@@ -18,6 +18,7 @@ void deleteShader(GLuint name) {
 
 GLenum stageOf(const std::string& file) {
     if (file.ends_with(".vert")) return GL_VERTEX_SHADER;
+    if (file.ends_with(".geom")) return GL_GEOMETRY_SHADER;
     if (file.ends_with(".frag")) return GL_FRAGMENT_SHADER;
     return GL_COMPUTE_SHADER;
 }

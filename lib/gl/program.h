@@ -9,7 +9,8 @@ namespace candela::gl {
 
 void deleteProgram(GLuint name);
 
-/// One stage of a program: a file of shaders/, whose ending (.vert, .frag, .comp) says which stage it is.
+/// One stage of a program: a file of shaders/, whose ending (.vert, .geom, .frag, .comp) says which stage it
+/// is.
 struct Stage {
     std::string file;
     std::vector<std::string> definitions;  ///< "NAME VALUE", see `assembleShader`.

@@ -5,7 +5,7 @@ namespace candela::gl {
 namespace {
 
 // Blending and the scissor test stand elsewhere: they are switched for each draw buffer and viewport.
-constexpr std::array<GLenum, 25> capabilityNames{
+constexpr std::array<GLenum, 28> capabilityNames{
     GL_CULL_FACE,
     GL_DEPTH_TEST,
     GL_STENCIL_TEST,
@@ -17,7 +17,11 @@ constexpr std::array<GLenum, 25> capabilityNames{
     GL_PRIMITIVE_RESTART,
     GL_PRIMITIVE_RESTART_FIXED_INDEX,
     GL_POLYGON_OFFSET_FILL,
+    // llvmpipe offsets filled polygons too where one of these is on.
+    GL_POLYGON_OFFSET_LINE,
+    GL_POLYGON_OFFSET_POINT,
     GL_POLYGON_SMOOTH,
+    GL_LINE_SMOOTH,
     GL_SAMPLE_ALPHA_TO_COVERAGE,
     GL_SAMPLE_ALPHA_TO_ONE,
     GL_SAMPLE_COVERAGE,
@@ -127,6 +131,7 @@ StateGuard::StateGuard() {
     // Rasterisers may start a triangle at this vertex: with another one depths differ in the last place.
     glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     glDepthRangef(0.0f, 1.0f);
+    glLineWidth(1.0f);
     glBlendEquation(GL_FUNC_ADD);
     // Depth from 0 to 1: reversed depth needs the float format's precision near 0.
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -234,6 +239,7 @@ void StateGuard::keepFixedFunction() {
     cullFace_ = integer(GL_CULL_FACE_MODE);
     frontFace_ = integer(GL_FRONT_FACE);
     provokingVertex_ = integer(GL_PROVOKING_VERTEX);
+    glGetFloatv(GL_LINE_WIDTH, &lineWidth_);
     // Some drivers still write one value for each face, as older versions of GL did.
     std::array<GLint, 2> polygonMode{};
     glGetIntegerv(GL_POLYGON_MODE, polygonMode.data());
@@ -251,6 +257,7 @@ void StateGuard::restoreFixedFunction() const {
     glCullFace(cullFace_);
     glFrontFace(frontFace_);
     glProvokingVertex(provokingVertex_);
+    glLineWidth(lineWidth_);
     glPolygonMode(GL_FRONT_AND_BACK, polygonMode_);
     glDepthMask(depthMask_);
 }
@@ -281,6 +288,7 @@ void StateGuard::keepViewports() {
         viewport.scissor = glIsEnabledi(GL_SCISSOR_TEST, i);
         glGetFloati_v(GL_VIEWPORT, i, viewport.rectangle.data());
         glGetDoublei_v(GL_DEPTH_RANGE, i, viewport.depthRange.data());
+        glGetIntegeri_v(GL_SCISSOR_BOX, i, viewport.scissorBox.data());
     }
 }
 
@@ -290,6 +298,7 @@ void StateGuard::restoreViewports() const {
         setEnabled(GL_SCISSOR_TEST, i, viewport.scissor);
         glViewportIndexedfv(i, viewport.rectangle.data());
         glDepthRangeIndexed(i, viewport.depthRange[0], viewport.depthRange[1]);
+        glScissorIndexedv(i, viewport.scissorBox.data());
     }
 }
 

@@ -46,6 +46,7 @@ class StateGuard {
         GLboolean scissor;
         std::array<GLfloat, 4> rectangle;
         std::array<GLdouble, 2> depthRange;
+        std::array<GLint, 4> scissorBox;
     };
 
     void keepCapabilities();
@@ -59,7 +60,7 @@ class StateGuard {
     void restoreDrawBuffers() const;
     void restoreViewports() const;
 
-    std::array<GLboolean, 25> capabilities_{};
+    std::array<GLboolean, 28> capabilities_{};
     GLint program_ = 0, pipeline_ = 0, vertexArray_ = 0, drawFramebuffer_ = 0, readFramebuffer_ = 0,
           activeTexture_ = 0;
     GLint arrayBuffer_ = 0, indirectBuffer_ = 0, dispatchBuffer_ = 0, packBuffer_ = 0, unpackBuffer_ = 0;
@@ -75,6 +76,7 @@ class StateGuard {
     std::array<GLint, 2> clipControl_{};
     std::array<GLint, 14> packing_{};
     GLint depthFunction_ = 0, cullFace_ = 0, frontFace_ = 0, polygonMode_ = 0, provokingVertex_ = 0;
+    GLfloat lineWidth_ = 1.0f;
     GLboolean depthMask_ = GL_TRUE;
 };
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -80,13 +81,21 @@ std::int32_t ImportHost::add(const char* kind, const Pushed* pushed, std::vector
                         joined("there are more than ", index, " elements of the kind ", kind));
         if (!pushed) PushedElement(kind, index, nullptr).refuse("the pushed struct is NULL");
         const auto copy = copyOf(pushed);
-        if (!copy)
-            PushedElement(kind, index, nullptr)
-                .refuse(joined("struct_size is ", structSizeOf(pushed), ", but version 1.0 has ",
-                               firstSizeOf<Pushed>, " bytes"));
+        if (!copy) PushedElement(kind, index, nullptr).refuse("struct_size " + sizeFault(pushed));
         elements.push_back(convert(*copy, PushedElement(kind, index, copy->name)));
     });
     return added ? static_cast<std::int32_t>(index) : -1;
+}
+
+candela_status ImportHost::showCage(const candela_shown_cage* shown) noexcept {
+    const bool done = guarded("showing a cage", [&] {
+        const PushedElement call("show_cage", std::nullopt, nullptr);
+        if (!shown) call.refuse("the pushed struct is NULL");
+        const auto copy = copyOf(shown);
+        if (!copy) call.refuse("struct_size " + sizeFault(shown));
+        candela::showCage(*copy, scene_);
+    });
+    return done ? CANDELA_OK : CANDELA_FAILED;
 }
 
 candela_status ImportHost::readFile(const char* path, candela_bytes* out) noexcept {
@@ -187,6 +196,16 @@ struct ImportHost::Functions {
                               inScene(self, animationFrom));
     }
 
+    static std::int32_t addCage(void* self, const candela_cage* cage) {
+        return from(self).add("cage", cage, from(self).scene_.cages, inScene(self, cageFrom));
+    }
+    static std::int32_t addSkin(void* self, const candela_skin* skin) {
+        return from(self).add("skin", skin, from(self).scene_.skins, inScene(self, skinFrom));
+    }
+    static candela_status showCage(void* self, const candela_shown_cage* shown) {
+        return from(self).showCage(shown);
+    }
+
     static candela_host table(ImportHost* self) {
         candela_host host{};
         host.struct_size = sizeof host;
@@ -202,6 +221,9 @@ struct ImportHost::Functions {
         host.add_camera = addCamera;
         host.add_light = addLight;
         host.add_animation = addAnimation;
+        host.add_cage = addCage;
+        host.add_skin = addSkin;
+        host.show_cage = showCage;
         return host;
     }
 };

@@ -42,6 +42,7 @@ class ImportHost {
     std::int32_t add(const char* kind, const Pushed* pushed, std::vector<Element>& elements,
                      Convert convert) noexcept;
 
+    candela_status showCage(const candela_shown_cage* shown) noexcept;
     candela_status readFile(const char* path, candela_bytes* out) noexcept;
     bool askedToGoOn(double fraction) noexcept;
     candela_status progress(double fraction) noexcept;

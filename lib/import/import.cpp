@@ -29,6 +29,7 @@ void callImporter(const SceneSource& source, const std::string& uri, const Impor
     request.struct_size = sizeof request;
     request.uri = uri.c_str();
     request.name = source.name.c_str();
+    request.query = source.query ? source.query->c_str() : nullptr;
     candela_status status = CANDELA_FAILED;
     try {
         status = source.plugin->importer->import_scene(&host.interface(), &request);

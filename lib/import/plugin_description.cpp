@@ -90,9 +90,7 @@ std::vector<std::string> checkedList(const char* const* list, const char* what, 
 template <class T>
 T checkedCopy(const T* pushed, const char* what) {
     const std::optional<T> copy = copyOf(pushed);
-    if (!copy)
-        throw BrokenRule{joined("struct_size of its ", what, " is ", structSizeOf(pushed),
-                                ", but version 1.0 has ", firstSizeOf<T>, " bytes")};
+    if (!copy) throw BrokenRule{joined("struct_size of its ", what, " ", sizeFault(pushed))};
     return *copy;
 }
 
@@ -105,14 +103,25 @@ std::uint32_t majorOf(const candela_plugin* description) {
     return description->major;
 }
 
-void checkImporter(const candela_plugin& plugin, LoadedPlugin& loaded, PluginReport& report) {
-    if (!plugin.importer) throw BrokenRule{"it offers no service: importer is NULL"};
-    loaded.importer = checkedCopy(plugin.importer, "candela_importer");
+void checkImporter(LoadedPlugin& loaded, PluginReport& report) {
+    if (!loaded.plugin.importer) return;
+    loaded.importer = checkedCopy(loaded.plugin.importer, "candela_importer");
+    loaded.importer.struct_size = sizeof loaded.importer;
     report.extensions = checkedList(loaded.importer.extensions, "file name endings", checkedExtension);
     report.schemes = checkedList(loaded.importer.schemes, "schemes", checkedScheme);
     if (!loaded.importer.import_scene) throw BrokenRule{"import_scene of its importer is NULL"};
     if (report.extensions.empty() && report.schemes.empty())
         throw BrokenRule{"its importer takes no file name ending and no scheme"};
+    loaded.plugin.importer = &loaded.importer;
+}
+
+void checkSubdivider(LoadedPlugin& loaded, PluginReport& report) {
+    if (!loaded.plugin.subdivider) return;
+    loaded.subdivider = checkedCopy(loaded.plugin.subdivider, "candela_subdivider");
+    loaded.subdivider.struct_size = sizeof loaded.subdivider;
+    if (!loaded.subdivider.refine) throw BrokenRule{"refine of its subdivider is NULL"};
+    report.subdivides = true;
+    loaded.plugin.subdivider = &loaded.subdivider;
 }
 
 }  // namespace
@@ -130,10 +139,11 @@ void checkDescription(const candela_plugin* description, LoadedPlugin& loaded, P
         report.name = checkedName(loaded.plugin.name);
         report.version = checkedLine(loaded.plugin.version, "its version");
         report.description = checkedLine(loaded.plugin.description, "its description");
-        checkImporter(loaded.plugin, loaded, report);
-        loaded.plugin.struct_size = sizeof(candela_plugin);
-        loaded.importer.struct_size = sizeof(candela_importer);
-        loaded.plugin.importer = &loaded.importer;
+        loaded.plugin.struct_size = sizeof loaded.plugin;
+        if (!loaded.plugin.importer && !loaded.plugin.subdivider)
+            throw BrokenRule{"it offers no service: importer and subdivider are NULL"};
+        checkImporter(loaded, report);
+        checkSubdivider(loaded, report);
         report.state = PluginState::loaded;
     } catch (const BrokenRule& broken) {
         report.state = PluginState::badDescription;

@@ -13,7 +13,8 @@ namespace candela {
 struct LoadedPlugin {
     std::shared_ptr<void> library;
     candela_plugin plugin{};
-    candela_importer importer{};
+    candela_importer importer{};      ///< Of use where `plugin.importer` points to it.
+    candela_subdivider subdivider{};  ///< Of use where `plugin.subdivider` points to it.
 };
 
 /// What came of one file.

@@ -2,6 +2,7 @@
 
 #include "import/plugin_file.h"
 #include "import/plugin_folders.h"
+#include "import/subdivider_state.h"
 #include "import/text.h"
 
 #include <algorithm>
@@ -86,6 +87,12 @@ const candela_plugin* PluginRegistry::importerForExtension(const std::string& ex
 const candela_plugin* PluginRegistry::importerForScheme(const std::string& scheme) const {
     const auto found = state_->byScheme.find(scheme);
     return found == state_->byScheme.end() ? nullptr : found->second;
+}
+
+std::optional<Subdivider> PluginRegistry::subdivider() const {
+    for (const auto& plugin : state_->plugins)
+        if (plugin->plugin.subdivider) return Subdivider(std::make_shared<Subdivider::State>(plugin));
+    return std::nullopt;
 }
 
 }  // namespace candela

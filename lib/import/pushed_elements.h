@@ -21,9 +21,14 @@ Image imageFrom(const candela_image& pushed, const PushedElement& element);
 Material materialFrom(const candela_material& pushed, const PushedElement& element, const Scene& scene);
 Mesh meshFrom(const candela_mesh& pushed, const PushedElement& element, const Scene& scene,
               const NoteSink& note);
+Cage cageFrom(const candela_cage& pushed, const PushedElement& element, const Scene& scene);
+Skin skinFrom(const candela_skin& pushed, const PushedElement& element, const Scene& scene);
 Node nodeFrom(const candela_node& pushed, const PushedElement& element, const Scene& scene);
 Camera cameraFrom(const candela_camera& pushed, const PushedElement& element, const Scene& scene);
 Light lightFrom(const candela_light& pushed, const PushedElement& element, const Scene& scene);
 Animation animationFrom(const candela_animation& pushed, const PushedElement& element, const Scene& scene);
+
+/// Lets the pushed node show the pushed cage.
+void showCage(const candela_shown_cage& pushed, Scene& scene);
 
 }  // namespace candela

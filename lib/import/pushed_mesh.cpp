@@ -1,5 +1,8 @@
 #include "import/mesh_repair.h"
 #include "import/pushed_elements.h"
+#include "import/pushed_polygons.h"
+
+#include <optional>
 
 namespace candela {
 namespace {
@@ -17,47 +20,52 @@ void takeVertices(const candela_mesh& pushed, const PushedElement& element, Mesh
     takeOptional("color", pushed.colors, mesh.colors);
 }
 
-void takeIndices(const candela_mesh& pushed, const PushedElement& element, Mesh& mesh) {
+void checkCounts(const candela_mesh& pushed, const PushedElement& element) {
     const std::uint32_t count = pushed.index_count;
+    if (count > 0 && !pushed.indices) element.refuse(joined("indices is NULL, but index_count is ", count));
+    if (pushed.face_sizes) return;
     if (count % 3 != 0)
         element.refuse(joined("index_count is ", count, ", but a multiple of 3 was expected"));
-    if (count == 0) return;
-    if (!pushed.indices) element.refuse(joined("indices is NULL, but index_count is ", count));
-    mesh.indices.resize(count);
-    std::memcpy(mesh.indices.data(), pushed.indices, count * sizeof(std::uint32_t));
-    for (std::uint32_t i = 0; i < count; ++i)
+    if (pushed.face_count > 0 && pushed.face_count != count / 3)
+        element.refuse(joined("face_sizes is NULL, which makes ", count / 3, " triangles, but face_count is ",
+                              pushed.face_count));
+}
+
+void takeIndices(const candela_mesh& pushed, const PushedElement& element, Mesh& mesh) {
+    element.counts("indices", pushed.indices, pushed.index_count, mesh.indices);
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i)
         if (mesh.indices[i] >= pushed.vertex_count)
             element.refuse(joined("index ", i, " is ", mesh.indices[i], ", but there are ",
                                   pushed.vertex_count, " vertices"));
 }
 
-void checkRun(const candela_submesh& pushed, std::uint32_t index, const PushedElement& element,
-              const Mesh& mesh) {
+void checkRun(const Submesh& run, const std::string& label, const PushedElement& element,
+              std::uint32_t indexCount) {
     const auto checkMultiple = [&](const char* member, std::uint32_t value) {
         if (value % 3 != 0)
-            element.refuse(
-                joined("submesh ", index, ": ", member, " is ", value, ", but a multiple of 3 was expected"));
+            element.refuse(joined(label, ": ", member, " is ", value, ", but a multiple of 3 was expected"));
     };
-    checkMultiple("first_index", pushed.first_index);
-    checkMultiple("index_count", pushed.index_count);
-    const std::uint64_t end = std::uint64_t{pushed.first_index} + pushed.index_count;
-    if (end > mesh.indices.size())
-        element.refuse(joined("submesh ", index, " ends at index ", end, ", but there are ",
-                              mesh.indices.size(), " indices"));
+    checkMultiple("first_index", run.firstIndex);
+    checkMultiple("index_count", run.indexCount);
+    const std::uint64_t end = std::uint64_t{run.firstIndex} + run.indexCount;
+    if (end > indexCount)
+        element.refuse(joined(label, " ends at index ", end, ", but there are ", indexCount, " indices"));
 }
 
-void takeSubmeshes(const candela_mesh& pushed, const PushedElement& element, const Scene& scene, Mesh& mesh) {
+void takeSubmeshes(const candela_mesh& pushed, const PushedElement& element, const Scene& scene,
+                   const std::optional<PushedPolygons>& polygons, Mesh& mesh) {
     if (pushed.submesh_count > 0 && !pushed.submeshes)
         element.refuse(joined("submeshes is NULL, but submesh_count is ", pushed.submesh_count));
-    if (pushed.submesh_count == 0 && !mesh.indices.empty())
-        element.refuse(joined("no submesh draws its ", mesh.indices.size(), " indices"));
+    if (pushed.submesh_count == 0 && pushed.index_count > 0)
+        element.refuse(joined("no submesh draws its ", pushed.index_count, " indices"));
     for (std::uint32_t i = 0; i < pushed.submesh_count; ++i) {
-        candela_submesh run{};
-        std::memcpy(&run, pushed.submeshes + i, sizeof run);
-        checkRun(run, i, element, mesh);
-        const std::string member = joined("submesh ", i, ": material");
-        mesh.submeshes.push_back({run.first_index, run.index_count,
-                                  element.reference(member.c_str(), run.material, scene.materials.size())});
+        const std::string label = joined("submesh ", i), member = label + ": material";
+        candela_submesh from{};
+        std::memcpy(&from, pushed.submeshes + i, sizeof from);
+        const Submesh run{from.first_index, from.index_count,
+                          element.reference(member.c_str(), from.material, scene.materials.size())};
+        if (!polygons) checkRun(run, label, element, pushed.index_count);
+        mesh.submeshes.push_back(polygons ? polygons->translated(run, label) : run);
     }
 }
 
@@ -68,8 +76,12 @@ Mesh meshFrom(const candela_mesh& pushed, const PushedElement& element, const Sc
     Mesh mesh;
     mesh.name = element.name();
     takeVertices(pushed, element, mesh);
+    checkCounts(pushed, element);
+    std::optional<PushedPolygons> polygons;
+    if (pushed.face_sizes) polygons.emplace(pushed, element);
     takeIndices(pushed, element, mesh);
-    takeSubmeshes(pushed, element, scene, mesh);
+    takeSubmeshes(pushed, element, scene, polygons, mesh);
+    if (polygons) polygons->cut(mesh);
     const auto noteCount = [&](std::size_t count, const char* text) {
         if (count > 0) note(joined(element.label(), ": ", count, text));
     };

@@ -9,8 +9,6 @@ namespace {
 
 // What 8-bit quantised quaternions need: sqrt(4) × 0.5 / 127, and a little.
 constexpr double unitTolerance = 0.01;
-// Matrices that went through text or single-precision products end a little beside (0, 0, 0, 1).
-constexpr float affineTolerance = 1e-5f;
 
 glm::quat unitQuaternion(const PushedElement& element, const float (&xyzw)[4]) {
     double square = 0.0;
@@ -33,16 +31,7 @@ Trs trsFrom(const candela_node& pushed, const PushedElement& element) {
 glm::mat4 matrixFrom(const candela_node& pushed, const PushedElement& element) {
     std::vector<glm::mat4> copies;
     element.numbers("matrix", pushed.matrix, 1, copies);
-    glm::mat4 matrix = copies.front();
-    for (int column = 0; column < 4; ++column) {
-        const float expected = column == 3 ? 1.0f : 0.0f;
-        float& last = matrix[column][3];
-        if (std::abs(last - expected) > affineTolerance)
-            element.refuse(joined("matrix is not affine: the last number of column ", column, " is ", last,
-                                  ", but ", expected, " was expected"));
-        last = expected;
-    }
-    return matrix;
+    return element.affine("matrix", copies.front());
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ SceneSource schemeSource(const PluginRegistry& plugins, const std::string& uri, 
         throw Error(ErrorKind::unsupported, uri,
                     joined("there is no such file, and no plugin takes the scheme '", parts.scheme, ":'; ",
                            whatIsTaken(plugins)));
-    return {plugin, {}, parts.rest};
+    return {plugin, {}, parts.rest, std::nullopt};
 }
 
 const candela_plugin* importerFor(const PluginRegistry& plugins, const std::string& uri) {
@@ -71,6 +71,35 @@ const candela_plugin* importerFor(const PluginRegistry& plugins, const std::stri
     return plugin;
 }
 
+void requireQueries(const candela_plugin& plugin, const std::string& uri, const std::string& query) {
+    constexpr std::uint32_t firstWithQueries = 1;
+    if (plugin.minor >= firstWithQueries) return;
+    throw Error(ErrorKind::unsupported, uri,
+                joined("the plugin '", plugin.name, "' takes no query, but '?", oneLine(query),
+                       "' follows the name"));
+}
+
+SceneSource fileSource(const PluginRegistry& plugins, const std::string& uri, const std::string& path) {
+    const candela_plugin* plugin = importerFor(plugins, path);
+    std::error_code error;
+    const fs::path file = fs::canonical(path, error);
+    if (error) throw Error(ErrorKind::environment, uri, error.message());
+    return {plugin, file.parent_path(), file.filename().string(), std::nullopt};
+}
+
+// The file before the last '?' with the query behind it, where there is such a file.
+std::optional<SceneSource> fileWithQuery(const PluginRegistry& plugins, const std::string& uri) {
+    const std::size_t mark = uri.rfind('?');
+    if (mark == std::string::npos) return std::nullopt;
+    const std::string path = uri.substr(0, mark);
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+    SceneSource source = fileSource(plugins, uri, path);
+    source.query = uri.substr(mark + 1);
+    requireQueries(*source.plugin, uri, *source.query);
+    return source;
+}
+
 }  // namespace
 
 SceneSource findSource(const PluginRegistry& plugins, const std::string& uri) {
@@ -80,17 +109,16 @@ SceneSource findSource(const PluginRegistry& plugins, const std::string& uri) {
     std::error_code error;
     const fs::file_status status = fs::status(uri, error);
     const bool absent = status.type() == fs::file_type::not_found;
-    if (!fs::exists(status))
+    if (!fs::exists(status)) {
+        if (const auto source = fileWithQuery(plugins, uri)) return *source;
         if (const auto parts = splitScheme(uri)) return schemeSource(plugins, uri, *parts);
+    }
     if (absent) throw Error(ErrorKind::environment, uri, "there is no such file");
     if (status.type() == fs::file_type::none) throw Error(ErrorKind::environment, uri, error.message());
     if (fs::is_directory(status))
         throw Error(ErrorKind::badInput, uri, "this is a folder, but a scene file was expected");
     if (!fs::is_regular_file(status)) throw Error(ErrorKind::badInput, uri, "this is not a regular file");
-    const candela_plugin* plugin = importerFor(plugins, uri);
-    const fs::path file = fs::canonical(uri, error);
-    if (error) throw Error(ErrorKind::environment, uri, error.message());
-    return {plugin, file.parent_path(), file.filename().string()};
+    return fileSource(plugins, uri, uri);
 }
 
 }  // namespace candela

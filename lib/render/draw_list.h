@@ -3,6 +3,7 @@
 #include "gl/buffer.h"
 #include "render/gpu_images.h"
 #include "render/gpu_meshes.h"
+#include "render/index_range.h"
 
 #include <candela/scene.h>
 
@@ -24,7 +25,8 @@ struct DrawState {
     bool doubleSided = false;
     bool mirrored = false;  ///< The instance's matrix turns the winding round.
     std::array<SampledTexture, 4>
-        textures{};  ///< Base colour, metallic-roughness, normal, emission; unset for plain.
+        textures{};              ///< Base colour, metallic-roughness, normal, emission; unset for plain.
+    std::uint32_t geometry = 0;  ///< 0: the meshes; 1 + i: shape i of the cages.
 
     auto operator<=>(const DrawState&) const = default;
 };
@@ -35,20 +37,31 @@ struct DrawBatch {
     std::uint32_t firstCommand = 0, commandCount = 0;
 };
 
-/// A node that shows a mesh.
-struct Instance {
-    std::uint32_t node = 0, mesh = 0;
-};
-
-/// Every submesh of every instance, sorted by state, and the commands of those that are in view.
+/// Every submesh of every instance, sorted by state, and the commands of those that are in view. A surface is
+/// a submesh, or the part of a cage that wears one material. Between changes and the next `select`,
+/// `batches` are those of the last.
 class DrawList {
   public:
-    DrawList(const Scene& scene, std::span<const Instance> instances, const GpuMeshes& meshes,
-             GpuImages& images);
+    DrawList() : drawBuffer_("draws"), commandBuffer_("draw commands") {}
+
+    /// Adds all submeshes of a mesh. `materials` are those of the scene.
+    void addMesh(std::uint32_t instance, const Mesh& mesh, const MeshPlace& place,
+                 std::span<const Material> materials, GpuImages& images);
+    /// Adds a cage whose part i wears material `parts[i]` (the number of materials: none), of `geometry` as
+    /// `DrawState` counts it. Nothing of it is drawn before `setRanges`.
+    void addCage(std::uint32_t instance, std::uint32_t geometry, std::span<const std::uint32_t> parts,
+                 std::span<const Material> materials, GpuImages& images);
 
     /// Says of each instance whether its matrix turns the winding round. To be called before the first
     /// `select`, and whenever it changes.
     void setMirrored(const std::vector<bool>& mirrored);
+    /// Brings the draws that wear material `index` to how it is drawn now.
+    void setMaterial(std::uint32_t index, const Material& material, GpuImages& images);
+    /// Lets a cage's instance show another geometry of equal parts. Nothing of it is drawn before
+    /// `setRanges`.
+    void setGeometry(std::uint32_t instance, std::uint32_t geometry);
+    /// Says which indices the parts of a cage's geometry are.
+    void setRanges(std::uint32_t geometry, std::span<const IndexRange> ranges);
 
     /// Writes and uploads the commands of the instances that `visible` accepts.
     void select(const std::function<bool(std::uint32_t instance)>& visible);
@@ -68,17 +81,25 @@ class DrawList {
     };
     struct Draw {
         DrawState state;
-        std::uint32_t instance, material;
+        std::uint32_t order;  ///< In which draws of one state go out.
+        std::uint32_t instance, material, part;
+        bool hasColors;  ///< The mesh has vertex colours.
         Command command;
     };
 
+    void add(Draw draw, std::span<const Material> materials, GpuImages& images);
+    void sort();
+
     std::vector<Draw> draws_;
+    bool sorted_ = false;
     std::vector<Command> commands_;
     std::vector<DrawBatch> batches_;
     gl::Buffer drawBuffer_, commandBuffer_;
 };
 
-/// Does any draw of the scene need more than positions and normals?
+/// Can any draw of the scene come to need more than positions and normals? One may without asking for it now
+/// where there are images and meshes that could wear them: `GpuScene::setMaterial` may bring the two
+/// together.
 GpuMeshes::Detail detailOf(const Scene& scene);
 
 }  // namespace candela

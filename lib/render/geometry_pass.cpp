@@ -1,5 +1,6 @@
 #include "render/geometry_pass.h"
 
+#include "render/draw_commands.h"
 #include "render/layout.h"
 
 #include <array>
@@ -33,7 +34,6 @@ void GeometryPass::render(const Inputs& inputs) const {
     glViewport(0, 0, inputs.targets.width, inputs.targets.height);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
-    glBindVertexArray(inputs.scene.vertexArray.name());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, inputs.scene.draws.commands().name());
     glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instanceRecords.name());
     glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materialRecordTexture.name());
@@ -43,6 +43,7 @@ void GeometryPass::render(const Inputs& inputs) const {
         const gl::Framebuffer& target =
             batch.state.emissive ? inputs.targets.surfacesAndEmission : inputs.targets.surfaces;
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.name());
+        glBindVertexArray(inputs.scene.vertexArrayOf(batch));
         draw(batch);
     }
     glDisable(GL_DEPTH_TEST);
@@ -66,10 +67,7 @@ void GeometryPass::draw(const DrawBatch& batch) const {
             glBindSampler(static_cast<GLuint>(textureUnits[i]), batch.state.textures[i].sampler);
         }
     }
-    constexpr std::uintptr_t commandSize = 5 * sizeof(std::uint32_t);
-    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
-                                reinterpret_cast<const void*>(batch.firstCommand * commandSize),
-                                static_cast<GLsizei>(batch.commandCount), 0);
+    drawCommands(batch);
 }
 
 }  // namespace candela

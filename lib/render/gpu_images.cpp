@@ -71,6 +71,26 @@ GLint filterMode(Filter filter) {
     }
 }
 
+/// The pixels of an image from which `texture` was made for `use`.
+std::vector<std::byte> readPixels(GLuint texture, TextureUse use, const Image& image) {
+    std::vector<std::byte> pixels(std::size_t{image.width} * image.height * texelSize(image.format));
+    if (use == TextureUse::data || image.format != PixelFormat::rgba16) {
+        glGetTextureImage(texture, 0, GL_RGBA, formatOf(image, use).type, static_cast<GLsizei>(pixels.size()),
+                          pixels.data());
+        return pixels;
+    }
+    std::vector<float> decoded(pixels.size() / sizeof(std::uint16_t));
+    glGetTextureImage(texture, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(decoded.size() * sizeof(float)),
+                      decoded.data());
+    std::vector<std::uint16_t> codes(decoded.size());
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        const float value = i % 4 == 3 ? decoded[i] : srgbEncode(decoded[i]);
+        codes[i] = static_cast<std::uint16_t>(std::lround(65535.0f * value));
+    }
+    std::memcpy(pixels.data(), codes.data(), pixels.size());
+    return pixels;
+}
+
 void requireSize(const Image& image, std::uint32_t index) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -97,11 +117,32 @@ SampledTexture GpuImages::get(const std::optional<Texture>& texture, TextureUse 
     return {upload(texture->image, use), sampler(*texture)};
 }
 
+void GpuImages::forgetSources() {
+    for (std::uint32_t i = 0; i < images_.size(); ++i) {
+        const Image& image = images_[i];
+        const bool uploaded =
+            textures_.contains({i, TextureUse::color}) || textures_.contains({i, TextureUse::data});
+        kept_.push_back({image.name, image.width, image.height, image.format,
+                         uploaded ? std::vector<std::byte>{} : image.pixels});
+    }
+    images_ = kept_;
+}
+
+void GpuImages::restorePixels(std::uint32_t index) {
+    for (const TextureUse use : {TextureUse::color, TextureUse::data}) {
+        const auto texture = textures_.find({index, use});
+        if (texture == textures_.end()) continue;
+        kept_[index].pixels = readPixels(texture->second.name(), use, kept_[index]);
+        return;
+    }
+}
+
 GLuint GpuImages::upload(std::uint32_t index, TextureUse use) {
     const auto known = textures_.find({index, use});
     if (known != textures_.end()) return known->second.name();
+    requireSize(images_[index], index);
+    if (images_[index].pixels.empty()) restorePixels(index);
     const Image& image = images_[index];
-    requireSize(image, index);
     gl::Texture texture(GL_TEXTURE_2D, image.name.empty() ? "image" : image.name.substr(0, 64).c_str());
     const auto width = static_cast<GLsizei>(image.width), height = static_cast<GLsizei>(image.height);
     const auto levels = static_cast<GLsizei>(std::bit_width(std::max(image.width, image.height)));
@@ -116,6 +157,7 @@ GLuint GpuImages::upload(std::uint32_t index, TextureUse use) {
                             image.pixels.data());
     }
     glGenerateTextureMipmap(texture.name());
+    if (!kept_.empty()) kept_[index].pixels.clear();
     return textures_.emplace(std::pair(index, use), std::move(texture)).first->second.name();
 }
 

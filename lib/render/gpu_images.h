@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <vector>
 
 namespace candela {
 
@@ -35,11 +36,17 @@ class GpuImages {
     /// an image that is too large.
     SampledTexture get(const std::optional<Texture>& texture, TextureUse use);
 
+    /// From now on the constructor's images are not needed: pixels that no material has asked for yet are
+    /// copied, others can be read back.
+    void forgetSources();
+
   private:
+    void restorePixels(std::uint32_t index);
     GLuint upload(std::uint32_t image, TextureUse use);
     GLuint sampler(const Texture& texture);
 
-    std::span<const Image> images_;  ///< The caller's, during upload.
+    std::span<const Image> images_;  ///< The caller's until `forgetSources`, then `kept_`.
+    std::vector<Image> kept_;        ///< Without pixels where these are in a texture.
     std::map<std::pair<std::uint32_t, TextureUse>, gl::Texture> textures_;
     std::map<std::tuple<Wrap, Wrap, Filter, Filter>, gl::Sampler> samplers_;
     gl::Texture white_;

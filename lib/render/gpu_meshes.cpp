@@ -37,14 +37,6 @@ void setSphere(MeshPlace& place, const Mesh& mesh) {
         place.radius = std::max(place.radius, glm::distance(p, place.center));
 }
 
-void attribute(GLuint vertexArray, int location, int components, GLuint binding, std::size_t offset) {
-    const auto index = static_cast<GLuint>(location);
-    glEnableVertexArrayAttrib(vertexArray, index);
-    glVertexArrayAttribFormat(vertexArray, index, components, GL_FLOAT, GL_FALSE,
-                              static_cast<GLuint>(offset));
-    glVertexArrayAttribBinding(vertexArray, index, binding);
-}
-
 }  // namespace
 
 GpuMeshes::GpuMeshes(std::span<const Mesh> meshes, Detail detail)
@@ -104,23 +96,23 @@ void GpuMeshes::uploadDetail(std::span<const Mesh> meshes) {
     detailStream_.upload(std::span<const DetailVertex>(vertices));
 }
 
-void GpuMeshes::describe(const gl::VertexArray& vertexArray, const gl::Buffer& draws) const {
+void GpuMeshes::describe(const gl::VertexArray& vertexArray, const gl::Buffer& draws,
+                         const DefaultDetail& defaultDetail) const {
     const GLuint name = vertexArray.name();
     glVertexArrayElementBuffer(name, indices_.name());
     glVertexArrayVertexBuffer(name, 0, surface_.name(), 0, sizeof(SurfaceVertex));
-    attribute(name, layout::POSITION_ATTRIBUTE, 3, 0, offsetof(SurfaceVertex, position));
-    attribute(name, layout::NORMAL_ATTRIBUTE, 3, 0, offsetof(SurfaceVertex, normal));
-    glVertexArrayVertexBuffer(name, 1, draws.name(), 0, 2 * sizeof(std::uint32_t));
-    glVertexArrayBindingDivisor(name, 1, 1);
-    glEnableVertexArrayAttrib(name, layout::DRAW_ATTRIBUTE);
-    glVertexArrayAttribIFormat(name, layout::DRAW_ATTRIBUTE, 2, GL_UNSIGNED_INT, 0);
-    glVertexArrayAttribBinding(name, layout::DRAW_ATTRIBUTE, 1);
-    if (detail_ != Detail::everything) return;
+    feedFloats(vertexArray, layout::POSITION_ATTRIBUTE, 3, 0, offsetof(SurfaceVertex, position));
+    feedFloats(vertexArray, layout::NORMAL_ATTRIBUTE, 3, 0, offsetof(SurfaceVertex, normal));
+    feedDraws(vertexArray, 1, draws);
+    if (detail_ != Detail::everything) {
+        defaultDetail.describe(vertexArray, 2);
+        return;
+    }
     glVertexArrayVertexBuffer(name, 2, detailStream_.name(), 0, sizeof(DetailVertex));
-    attribute(name, layout::TANGENT_ATTRIBUTE, 4, 2, offsetof(DetailVertex, tangent));
-    attribute(name, layout::UV0_ATTRIBUTE, 2, 2, offsetof(DetailVertex, uv0));
-    attribute(name, layout::UV1_ATTRIBUTE, 2, 2, offsetof(DetailVertex, uv1));
-    attribute(name, layout::COLOR_ATTRIBUTE, 4, 2, offsetof(DetailVertex, color));
+    feedFloats(vertexArray, layout::TANGENT_ATTRIBUTE, 4, 2, offsetof(DetailVertex, tangent));
+    feedFloats(vertexArray, layout::UV0_ATTRIBUTE, 2, 2, offsetof(DetailVertex, uv0));
+    feedFloats(vertexArray, layout::UV1_ATTRIBUTE, 2, 2, offsetof(DetailVertex, uv1));
+    feedFloats(vertexArray, layout::COLOR_ATTRIBUTE, 4, 2, offsetof(DetailVertex, color));
 }
 
 }  // namespace candela

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gl/buffer.h"
+#include "render/vertex_streams.h"
 
 #include <candela/mesh.h>
 
@@ -23,16 +23,17 @@ struct MeshPlace {
 /// All meshes of a scene in one set of vertex and index buffers.
 class GpuMeshes {
   public:
-    /// `detailed` says whether any draw reads tangents, texture coordinates or vertex colours; they are left
-    /// out if none does. Throws `Error` (limit) when the scene has more vertices or indices than 32-bit draws
-    /// can reach.
+    /// Detail is tangents, texture coordinates and vertex colours, which are left out where no draw can come
+    /// to read them (see `detailOf`). Throws `Error` (limit) when the scene has more vertices or indices than
+    /// 32-bit draws can reach.
     enum class Detail { positionsAndNormals, everything };
     GpuMeshes(std::span<const Mesh> meshes, Detail detail);
 
     const std::vector<MeshPlace>& places() const { return places_; }
 
     /// Binds the streams to a vertex array whose draw attribute reads `draws` (uvec2 an instance).
-    void describe(const gl::VertexArray& vertexArray, const gl::Buffer& draws) const;
+    void describe(const gl::VertexArray& vertexArray, const gl::Buffer& draws,
+                  const DefaultDetail& defaultDetail) const;
 
   private:
     void place(std::span<const Mesh> meshes);

@@ -47,6 +47,12 @@ void append(std::vector<glm::uvec4>& records, const Material& material, const gl
 
 }  // namespace
 
+std::vector<glm::uvec4> materialRecord(const Material& material, const glm::dmat3& workingFromRec709) {
+    std::vector<glm::uvec4> record;
+    append(record, material, workingFromRec709);
+    return record;
+}
+
 std::vector<glm::uvec4> materialRecords(std::span<const Material> materials,
                                         const glm::dmat3& workingFromRec709) {
     std::vector<glm::uvec4> records;

@@ -15,4 +15,7 @@ namespace candela {
 std::vector<glm::uvec4> materialRecords(std::span<const Material> materials,
                                         const glm::dmat3& workingFromRec709);
 
+/// The record of one of them.
+std::vector<glm::uvec4> materialRecord(const Material& material, const glm::dmat3& workingFromRec709);
+
 }  // namespace candela

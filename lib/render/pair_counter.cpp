@@ -34,12 +34,17 @@ std::vector<float> PairCounter::read(const LightingInputs& inputs, Channel chann
     return values;
 }
 
-std::vector<float> PairCounter::litPerPixel(const LightingInputs& inputs) {
+const gl::Texture& PairCounter::drawLit(const LightingInputs& inputs) {
     const gl::Texture& counts = target(inputs);
     if (volumes_.prepare(inputs) > 0) {
         depth_.bind(inputs.targets, counts);
         volumes_.drawBackFaces(program_);
     }
+    return counts;
+}
+
+std::vector<float> PairCounter::litPerPixel(const LightingInputs& inputs) {
+    drawLit(inputs);
     return read(inputs, Channel::lit);
 }
 

@@ -17,7 +17,10 @@ class PairCounter {
   public:
     PairCounter();
 
-    /// How many lights hold each pixel within their range: rows from the bottom.
+    /// A picture whose first components say how many lights hold each pixel within their range. It stays as
+    /// it is until the next call of any member.
+    const gl::Texture& drawLit(const LightingInputs& inputs);
+    /// The same, read back: rows from the bottom.
     std::vector<float> litPerPixel(const LightingInputs& inputs);
     /// The point and spot lights in view.
     std::uint32_t lightsInView(const LightingInputs& inputs);

@@ -10,6 +10,11 @@
 #include "render/gpu_scene_state.h"
 #include "render/lighting.h"
 #include "render/readback.h"
+#include "render/show/instance_pass.h"
+#include "render/show/overlay_pass.h"
+#include "render/show/probe.h"
+#include "render/show/scissor.h"
+#include "render/show/show_pass.h"
 
 #include <candela/error.h>
 
@@ -35,11 +40,22 @@ struct DisplayTarget {
     gl::Framebuffer framebuffer;
 };
 
+bool hasLines(const Overlays& overlays) {
+    return overlays.wireframe || overlays.cage;
+}
+
 void checkInputs(const FrameInputs& inputs) {
     if (inputs.width >= 1 && inputs.height >= 1) return;
     throw Error(ErrorKind::badInput, "",
                 "a picture of " + std::to_string(inputs.width) + "x" + std::to_string(inputs.height) +
                     " pixels is asked for; width and height have to be 1 or more");
+}
+
+void checkPixel(const FrameInputs& inputs, int x, int y) {
+    if (x >= 0 && x < inputs.width && y >= 0 && y < inputs.height) return;
+    throw Error(ErrorKind::badInput, "",
+                "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") is asked for of a picture of " +
+                    std::to_string(inputs.width) + "x" + std::to_string(inputs.height) + " pixels");
 }
 
 template <typename T>
@@ -65,6 +81,12 @@ struct Renderer::State {
     LightingInputs lightingInputs(const GpuScene& scene) const;
     void bindFrame(const layout::FrameUniforms& uniforms);
     void drawGeometry(const GpuScene& scene, const GBufferTargets& into, GeometryPass::RadianceStart start);
+    void drawSurfaces(const GpuScene& scene, GeometryPass::RadianceStart start);
+    void drawPicture(const GpuScene& scene);
+    void drawData(const GpuScene& scene);
+    void drawOverlays(const GpuScene& scene);
+    void makePasses(const FrameInputs& inputs, Technique technique);
+    glm::vec3 emissionAt(const GpuScene& scene, int x, int y);
     const DrawnFrame& drawnFrame() const;
 
     gl::PassTimer timer;
@@ -72,7 +94,12 @@ struct Renderer::State {
     Lighting lighting;
     DisplayPass display;
     gl::Buffer frameBuffer;
+    InstancePass instances;
+    // Made by `makePasses` when they are first needed.
+    std::optional<ShowPass> show;
+    std::optional<OverlayPass> overlays;
     std::optional<GBufferTargets> targets;
+    std::optional<GBufferTargets> unlitTargets;  ///< Where `emissionAt` draws.
     std::optional<DisplayTarget> displayTarget;
     std::optional<DrawnFrame> frame;
 };
@@ -81,12 +108,24 @@ void Renderer::State::resize(int width, int height) {
     if (targets && targets->width == width && targets->height == height) return;
     frame.reset();
     displayTarget.reset();
+    unlitTargets.reset();
     targets.reset();
     targets.emplace(width, height);
 }
 
+/// Makes what the frame is drawn with, before its passes are timed.
+void Renderer::State::makePasses(const FrameInputs& inputs, Technique technique) {
+    if (inputs.show == Show::picture) {
+        lighting.technique(technique);
+    } else if (!show) {
+        show.emplace();
+    }
+    if (hasLines(inputs.overlays) && !overlays) overlays.emplace();
+}
+
 LightingInputs Renderer::State::lightingInputs(const GpuScene& scene) const {
-    return {*targets, scene.state().lights, frame->frustum, frame->uniforms, frame->inputs.brdf, scene.state().draws.emits()};
+    return {*targets,        scene.state().lights, frame->frustum,
+            frame->uniforms, frame->inputs.brdf,   scene.state().draws.emits()};
 }
 
 void Renderer::State::bindFrame(const layout::FrameUniforms& uniforms) {
@@ -98,6 +137,46 @@ void Renderer::State::drawGeometry(const GpuScene& scene, const GBufferTargets& 
                                    GeometryPass::RadianceStart start) {
     scene.state().select(frame->frustum);
     geometry.render({scene.state(), into, start});
+}
+
+void Renderer::State::drawSurfaces(const GpuScene& scene, GeometryPass::RadianceStart start) {
+    const gl::PassTimer::Scope pass(timer, "geometry");
+    drawGeometry(scene, *targets, start);
+}
+
+void Renderer::State::drawPicture(const GpuScene& scene) {
+    LightingTechnique& technique = lighting.technique(frame->technique);
+    drawSurfaces(scene, technique.overwritesRadiance() ? GeometryPass::RadianceStart::undefined
+                                                       : GeometryPass::RadianceStart::black);
+    const LightingInputs inputs = lightingInputs(scene);
+    lighting.bind(inputs);
+    technique.render(inputs, timer);
+}
+
+void Renderer::State::drawData(const GpuScene& scene) {
+    drawSurfaces(scene, GeometryPass::RadianceStart::black);
+    const LightingInputs inputs = lightingInputs(scene);
+    lighting.bind(inputs);
+    const gl::PassTimer::Scope pass(timer, "show");
+    show->render({frame->inputs.show, scene.state(), inputs, lighting, instances});
+}
+
+void Renderer::State::drawOverlays(const GpuScene& scene) {
+    const gl::PassTimer::Scope pass(timer, "overlays");
+    overlays->render({scene.state(), *targets, frame->inputs.overlays});
+}
+
+/// The emission at a pixel of the last frame, y from the bottom. The frame's own radiance target holds light
+/// by now, so that the pixel is drawn once more.
+glm::vec3 Renderer::State::emissionAt(const GpuScene& scene, int x, int y) {
+    if (!scene.state().draws.emits()) return glm::vec3(0.0f);
+    if (!unlitTargets) unlitTargets.emplace(targets->width, targets->height);
+    const Scissor pixel({x, y, 1, 1});
+    drawGeometry(scene, *unlitTargets, GeometryPass::RadianceStart::black);
+    glm::vec4 emission(0.0f);
+    glGetTextureSubImage(unlitTargets->radiance.name(), 0, x, y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT,
+                         sizeof emission, &emission);
+    return glm::vec3(emission);
 }
 
 const DrawnFrame& Renderer::State::drawnFrame() const {
@@ -121,33 +200,39 @@ void Renderer::render(const GpuScene& scene, const FrameInputs& inputs) {
     State& state = *state_;
     state.resize(inputs.width, inputs.height);
     scene.state().update();
-    const GpuLights& lights = scene.state().lights;
-    const Technique technique = inputs.technique == Technique::automatic ? Technique::tiles : inputs.technique;
-    LightingTechnique& lighting = state.lighting.technique(technique);
+    const Technique technique =
+        inputs.technique == Technique::automatic ? Technique::tiles : inputs.technique;
+    state.makePasses(inputs, technique);
     state.frame.emplace(DrawnFrame{
         inputs, technique,
         frameUniforms(inputs.view, inputs.width, inputs.height, scene.state().options.workingFromRec709,
-                      lights.counts()),
+                      scene.state().lights.counts()),
         Frustum(inputs.view, static_cast<float>(inputs.width) / static_cast<float>(inputs.height))});
     state.timer.beginFrame();
     state.bindFrame(state.frame->uniforms);
-    const auto start = lighting.overwritesRadiance() ? GeometryPass::RadianceStart::undefined
-                                                     : GeometryPass::RadianceStart::black;
-    {
-        const gl::PassTimer::Scope pass(state.timer, "geometry");
-        state.drawGeometry(scene, *state.targets, start);
+    if (scene.state().hasCages()) {
+        const gl::PassTimer::Scope pass(state.timer, "cages");
+        scene.state().updateCages(inputs.view, inputs.width, inputs.height);
     }
-    const LightingInputs lightingInputs = state.lightingInputs(scene);
-    state.lighting.bind(lightingInputs);
-    lighting.render(lightingInputs, state.timer);
+    if (inputs.show == Show::picture) {
+        state.drawPicture(scene);
+    } else {
+        state.drawData(scene);
+    }
+    if (hasLines(inputs.overlays)) state.drawOverlays(scene);
 }
 
 void Renderer::display(const DisplayTransform& transform, const FrameTarget& target) {
     const DrawnFrame& frame = state_->drawnFrame();
     const gl::StateGuard guard;
     const gl::PassTimer::Scope pass(state_->timer, "display");
-    state_->display.render(
-        {state_->targets->radiance, frame.inputs.width, frame.inputs.height, transform, target});
+    if (frame.inputs.show == Show::picture) {
+        state_->display.render(
+            {state_->targets->radiance, frame.inputs.width, frame.inputs.height, transform, target});
+    } else {
+        state_->show->display(*state_->targets, target);
+    }
+    if (hasLines(frame.inputs.overlays)) state_->overlays->display(target);
 }
 
 std::vector<std::uint8_t> Renderer::displayPicture(const DisplayTransform& transform) {
@@ -203,6 +288,29 @@ std::vector<Aov> Renderer::aovs(const GpuScene& scene, const std::vector<std::st
     return result;
 }
 
+std::optional<PixelProbe> Renderer::probe(const GpuScene& scene, int x, int y) {
+    const DrawnFrame& frame = state_->drawnFrame();
+    checkPixel(frame.inputs, x, y);
+    const gl::StateGuard guard;
+    const int width = frame.inputs.width, height = frame.inputs.height, fromBottom = height - 1 - y;
+    std::optional<PixelProbe> probe =
+        probeSurface({*state_->targets, frame.uniforms, scene.state().lights, x, fromBottom});
+    if (!probe) return std::nullopt;
+    state_->bindFrame(frame.uniforms);
+    scene.state().select(frame.frustum);
+    const std::optional<std::uint32_t> instance =
+        state_->instances.at({scene.state(), width, height}, x, fromBottom);
+    if (!instance) return std::nullopt;  // What the frame shows here has left the scene since.
+    probe->node = scene.state().instances[*instance].node;
+    probe->emission = state_->emissionAt(scene, x, fromBottom);
+    return probe;
+}
+
+std::uint32_t Renderer::greatestLightCount() const {
+    if (state_->drawnFrame().inputs.show != Show::lightCount) return 0;
+    return state_->show->greatestLightCount();
+}
+
 PairCounts Renderer::countPairs(const GpuScene& scene) {
     const DrawnFrame& frame = state_->drawnFrame();
     const gl::StateGuard guard;
@@ -217,6 +325,7 @@ PairCounts Renderer::countPairs(const GpuScene& scene) {
     counts.lightsVisible = counter.lightsInView(inputs) + directionals;
     counts.pairsLit =
         static_cast<std::uint64_t>(std::accumulate(lit.begin(), lit.end(), 0.0)) + directionalPairs;
+    if (frame.inputs.show != Show::picture) return counts;  // No light was evaluated.
     LightingTechnique& lighting = state_->lighting.technique(frame.technique);
     counts.pairsEvaluated = lighting.countEvaluated(inputs, counter) + directionalPairs;
     counts.lightListBytes = lighting.lightListBytes();

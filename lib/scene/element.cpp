@@ -10,13 +10,13 @@ namespace {
 
 constexpr std::size_t longestName = 64;
 
-std::string number(float value) {
+}  // namespace
+
+std::string shortNumber(float value) {
     char text[32];
     std::snprintf(text, sizeof text, "%g", static_cast<double>(value));
     return text;
 }
-
-}  // namespace
 
 std::string Element::label() const {
     std::string text = kind_;
@@ -36,8 +36,8 @@ void Element::refuse(const std::string& reason) const {
 
 void Element::requireWithin(const char* what, float value, float least, float most) const {
     if (value >= least && value <= most) return;
-    refuse(what + (" is " + number(value)) + ", but must lie between " + number(least) + " and " +
-           number(most));
+    refuse(what + (" is " + shortNumber(value)) + ", but must lie between " + shortNumber(least) + " and " +
+           shortNumber(most));
 }
 
 void Element::requireIndex(const char* kind, std::optional<std::uint32_t> index, std::size_t count) const {

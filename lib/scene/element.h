@@ -7,6 +7,9 @@
 
 namespace candela {
 
+/// A number as errors show it.
+std::string shortNumber(float value);
+
 /// An element of a scene as errors name it: "mesh 3 'wheel'". Refers to the name it is given; costs nothing
 /// until a rule is broken.
 class Element {

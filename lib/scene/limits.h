@@ -13,4 +13,11 @@ constexpr float greatestIntensity = 1e20f;
 /// (KHR_mesh_quantization), sqrt(4) × 0.5 / 127 for four numbers, and a little.
 constexpr float unitTolerance = 0.01f;
 
+/// How far the sum of a vertex's joint weights may be from 1: what four weights of 8 bits each need,
+/// 4 × 0.5 / 255, and a little. `poseCage` divides by the sum.
+constexpr float weightSumTolerance = 0.01f;
+
+/// The greatest value of an animation, and of a morph weight.
+constexpr float greatestAnimated = 1e9f;
+
 }  // namespace candela

@@ -29,7 +29,20 @@ glm::mat4 localMatrix(const std::variant<Trs, glm::mat4>& transform) {
     return std::get<glm::mat4>(transform);
 }
 
+void enclose(const std::vector<glm::vec3>& points, const glm::mat4& worldFromPoints, Bounds& bounds) {
+    for (const glm::vec3& point : points) {
+        const glm::vec3 placed(worldFromPoints * glm::vec4(point, 1.0f));
+        bounds.min = glm::min(bounds.min, placed);
+        bounds.max = glm::max(bounds.max, placed);
+    }
+}
+
 }  // namespace
+
+void Bounds::add(const Bounds& other) {
+    min = glm::min(min, other.min);
+    max = glm::max(max, other.max);
+}
 
 std::vector<glm::mat4> worldTransforms(const Scene& scene, double time) {
     if (!std::isfinite(time)) throw Error(ErrorKind::badInput, {}, "the time must be a finite number");
@@ -46,17 +59,21 @@ std::vector<glm::mat4> worldTransforms(const Scene& scene, double time) {
     return world;
 }
 
-Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& world) {
+Bounds nodeBounds(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world, double time) {
     assert(world.size() == scene.nodes.size());
+    const Node& shown = scene.nodes[node];
     Bounds bounds;
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        if (!scene.nodes[i].mesh) continue;
-        for (const glm::vec3& position : scene.meshes[*scene.nodes[i].mesh].positions) {
-            const glm::vec3 placed(world[i] * glm::vec4(position, 1.0f));
-            bounds.min = glm::min(bounds.min, placed);
-            bounds.max = glm::max(bounds.max, placed);
-        }
+    if (shown.mesh) enclose(scene.meshes[*shown.mesh].positions, world[node], bounds);
+    if (shown.cage) {
+        const PosedCage posed = poseCage(scene, node, world, time);
+        enclose(posed.points, posed.worldFromPoints, bounds);
     }
+    return bounds;
+}
+
+Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& world, double time) {
+    Bounds bounds;
+    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) bounds.add(nodeBounds(scene, i, world, time));
     return bounds;
 }
 

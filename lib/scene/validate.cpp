@@ -24,9 +24,7 @@ void validateTrs(const Trs& trs, const Element& element) {
 
 void validateMatrix(const glm::mat4& matrix, const Element& element) {
     element.require(allFinite(matrix), "its matrix must be finite numbers");
-    const bool affine =
-        matrix[0][3] == 0.0f && matrix[1][3] == 0.0f && matrix[2][3] == 0.0f && matrix[3][3] == 1.0f;
-    element.require(affine, "its matrix must be affine: a last row of 0, 0, 0, 1");
+    element.require(isAffine(matrix), "its matrix must be affine: a last row of 0, 0, 0, 1");
 }
 
 void validateNode(const Node& node, std::size_t index, const Scene& scene, const Element& element) {
@@ -72,69 +70,11 @@ void validateLight(const Light& light, const Scene& scene, const Element& elemen
                     "its inner cone angle must be 0 or more and less than the outer one");
 }
 
-bool isNear(const glm::vec3& position) {
-    for (int i = 0; i < 3; ++i) {
-        if (!(std::abs(position[i]) <= farthestCoordinate)) return false;
-    }
-    return true;
-}
-
-// Whether `node` places all vertices near enough; `box` is the mesh's own, and stands for its vertices.
-bool isNear(const Mesh& mesh, const Bounds& box, const glm::mat4& node) {
-    bool near = true;
-    for (int corner = 0; corner < 8 && near; ++corner) {
-        const glm::vec4 position((corner & 1) != 0 ? box.max.x : box.min.x,
-                                 (corner & 2) != 0 ? box.max.y : box.min.y,
-                                 (corner & 4) != 0 ? box.max.z : box.min.z, 1.0f);
-        near = isNear(glm::vec3(node * position));
-    }
-    if (near) return true;
-    for (const glm::vec3& position : mesh.positions) {
-        if (!isNear(glm::vec3(node * glm::vec4(position, 1.0f)))) return false;
-    }
-    return true;
-}
-
-Bounds ownBounds(const Mesh& mesh) {
-    Bounds box;
-    for (const glm::vec3& position : mesh.positions) {
-        box.min = glm::min(box.min, position);
-        box.max = glm::max(box.max, position);
-    }
-    return box;
-}
-
-void validatePlaces(const Scene& scene) {
-    constexpr const char* tooFar =
-        "stands farther than 1e9 metres from the world's origin, or at no finite place";
-    const std::vector<glm::mat4> world = worldTransforms(scene);
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        Element("node", i, scene.nodes[i].name)
-            .require(allFinite(world[i]), "its matrix in the world is not finite");
-    }
-    std::vector<Bounds> boxes;
-    boxes.reserve(scene.meshes.size());
-    for (const Mesh& mesh : scene.meshes) boxes.push_back(ownBounds(mesh));
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        const Node& node = scene.nodes[i];
-        if (!node.mesh || boxes[*node.mesh].empty()) continue;
-        const Mesh& mesh = scene.meshes[*node.mesh];
-        if (isNear(mesh, boxes[*node.mesh], world[i])) continue;
-        Element("node", i, node.name).refuse(Element("mesh", *node.mesh, mesh.name).label() + " " + tooFar);
-    }
-    const std::vector<PlacedLight> lights = placeLights(scene, world);
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        const bool placed = lights[i].type == LightType::directional || isNear(lights[i].position);
-        Element("light", i, scene.lights[i].name).require(placed, tooFar);
-    }
-    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
-        const Camera& camera = scene.cameras[i];
-        Element("camera", i, camera.name)
-            .require(!camera.node || isNear(glm::vec3(world[*camera.node][3])), tooFar);
-    }
-}
-
 }  // namespace
+
+bool isAffine(const glm::mat4& matrix) {
+    return matrix[0][3] == 0.0f && matrix[1][3] == 0.0f && matrix[2][3] == 0.0f && matrix[3][3] == 1.0f;
+}
 
 bool isUnit(const glm::vec3& direction) {
     // False for a NaN; an infinite or huge length is too far from 1.
@@ -151,9 +91,16 @@ void validate(const Scene& scene) {
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         validateMesh(scene.meshes[i], scene, Element("mesh", i, scene.meshes[i].name));
     }
+    for (std::size_t i = 0; i < scene.cages.size(); ++i) {
+        validateCage(scene.cages[i], scene, Element("cage", i, scene.cages[i].name));
+    }
+    for (std::size_t i = 0; i < scene.skins.size(); ++i) {
+        validateSkin(scene.skins[i], scene, Element("skin", i, scene.skins[i].name));
+    }
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         validateNode(scene.nodes[i], i, scene, Element("node", i, scene.nodes[i].name));
     }
+    validateShownCages(scene);
     for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
         validateCamera(scene.cameras[i], scene, Element("camera", i, scene.cameras[i].name));
     }

@@ -30,16 +30,33 @@ void validateTimes(const AnimationChannel& channel, const ChannelElement& elemen
     }
 }
 
-void validateValues(const AnimationChannel& channel, const ChannelElement& element) {
+std::size_t numbersOf(const AnimationChannel& channel, const Scene& scene) {
+    if (channel.path == AnimationPath::rotation) return 4;
+    if (channel.path != AnimationPath::morphWeights) return 3;
+    return scene.cages[scene.nodes[channel.node].cage->cage].morphTargets.size();
+}
+
+void validateNode(const AnimationChannel& channel, const Scene& scene, const ChannelElement& element) {
+    const Node& node = scene.nodes[channel.node];
+    if (channel.path == AnimationPath::morphWeights) {
+        element.require(node.cage && !scene.cages[node.cage->cage].morphTargets.empty(),
+                        "its node shows no cage with morph targets");
+        return;
+    }
+    element.require(std::holds_alternative<Trs>(node.transform),
+                    "its node is placed by a matrix, which can not be animated");
+}
+
+void validateValues(const AnimationChannel& channel, const Scene& scene, const ChannelElement& element) {
     const bool rotates = channel.path == AnimationPath::rotation;
     const bool cubic = channel.interpolation == Interpolation::cubicSpline;
-    const std::size_t numbers = rotates ? 4 : 3;
+    const std::size_t numbers = numbersOf(channel, scene);
     const std::size_t stride = numbers * (cubic ? 3 : 1);
     element.require(channel.values.size() == channel.times.size() * stride,
                     "the number of its values does not fit the number of its keys");
     for (const float value : channel.values) {
         // False for a NaN too.
-        element.require(std::abs(value) <= farthestCoordinate,
+        element.require(std::abs(value) <= greatestAnimated,
                         "its values must be finite numbers of at most 1e9");
     }
     if (!rotates) return;
@@ -57,16 +74,15 @@ void validateAnimation(const Animation& animation, const Scene& scene, const Ele
         const AnimationChannel& channel = animation.channels[i];
         const ChannelElement channelElement(element, i);
         element.requireIndex("node", channel.node, scene.nodes.size());
-        channelElement.require(std::holds_alternative<Trs>(scene.nodes[channel.node].transform),
-                               "its node is placed by a matrix, which can not be animated");
         channelElement.require(
-            channel.path >= AnimationPath::translation && channel.path <= AnimationPath::scale,
-            "its path must be translation, rotation or scale");
+            channel.path >= AnimationPath::translation && channel.path <= AnimationPath::morphWeights,
+            "its path must be translation, rotation, scale or morph weights");
+        validateNode(channel, scene, channelElement);
         channelElement.require(channel.interpolation >= Interpolation::linear &&
                                    channel.interpolation <= Interpolation::cubicSpline,
                                "its interpolation must be linear, step or cubic spline");
         validateTimes(channel, channelElement);
-        validateValues(channel, channelElement);
+        validateValues(channel, scene, channelElement);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 
 namespace candela {
 
@@ -80,6 +81,18 @@ void validateMaterial(const Material& material, const Scene& scene, const Elemen
     validateTexture(material.normalTexture, "normal", scene, element);
     validateTexture(material.occlusionTexture, "occlusion", scene, element);
     validateTexture(material.emissionTexture, "emission", scene, element);
+}
+
+void requireUvs(const UvSets& sets, std::uint32_t material, const Scene& scene, const Element& element) {
+    const Material& reader = scene.materials[material];
+    for (const auto* texture : {&reader.baseColorTexture, &reader.metallicRoughnessTexture,
+                                &reader.normalTexture, &reader.occlusionTexture, &reader.emissionTexture}) {
+        if (!*texture) continue;
+        const std::uint32_t set = (*texture)->uvSet;
+        if (set == 0 ? sets.set0 : sets.set1) continue;
+        element.refuse("has no texture coordinates " + std::to_string(set) + ", which a texture of " +
+                       Element("material", material, reader.name).label() + " reads");
+    }
 }
 
 }  // namespace candela

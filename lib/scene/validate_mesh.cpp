@@ -1,10 +1,8 @@
-#include "scene/finite.h"
-#include "scene/limits.h"
 #include "scene/mesh_indices.h"
+#include "scene/require_each.h"
 #include "scene/validate_parts.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <limits>
 
 namespace candela {
@@ -15,26 +13,12 @@ constexpr std::size_t greatestCount = std::numeric_limits<std::uint32_t>::max();
 
 enum class Absence { allowed, forbidden };
 
-template <typename Value, typename Rule>
-void requireEach(const std::vector<Value>& values, const char* what, const char* rule, const Element& element,
-                 Rule holds) {
-    const auto broken = std::find_if_not(values.begin(), values.end(), holds);
-    if (broken == values.end()) return;
-    element.refuse(what + (" " + std::to_string(broken - values.begin())) + " " + rule);
-}
-
 template <typename Value>
 void requireCount(const std::vector<Value>& values, const char* what, Absence absence, const Mesh& mesh,
                   const Element& element) {
     if (values.size() == mesh.positions.size() || (values.empty() && absence == Absence::allowed)) return;
     element.refuse("has " + std::to_string(values.size()) + " " + what + " for " +
                    std::to_string(mesh.positions.size()) + " vertices");
-}
-
-template <typename Value>
-void requireFinite(const std::vector<Value>& values, const char* what, const Element& element) {
-    requireEach(values, what, "is not a finite number", element,
-                [](const Value& value) { return allFinite(value); });
 }
 
 void validateArrays(const Mesh& mesh, const Element& element) {
@@ -54,20 +38,6 @@ void validateArrays(const Mesh& mesh, const Element& element) {
                 });
 }
 
-// glTF 2.0, 5.30.2: a mesh must have the texture coordinates that its material's textures name.
-void requireTextureCoordinates(const Mesh& mesh, const Material& material, const Element& materialElement,
-                               const Element& element) {
-    for (const auto* texture :
-         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-          &material.occlusionTexture, &material.emissionTexture}) {
-        if (!*texture || mesh.positions.empty()) continue;
-        const std::uint32_t set = (*texture)->uvSet;
-        if (!(set == 0 ? mesh.uv0 : mesh.uv1).empty()) continue;
-        element.refuse("has no texture coordinates " + std::to_string(set) + ", which a texture of " +
-                       materialElement.label() + " reads");
-    }
-}
-
 void validateSubmesh(const Submesh& submesh, const Mesh& mesh, const Scene& scene, const Element& element) {
     element.require(submesh.firstIndex % 3 == 0 && submesh.indexCount % 3 == 0,
                     "a submesh's first index and index count must be multiples of 3");
@@ -78,8 +48,8 @@ void validateSubmesh(const Submesh& submesh, const Mesh& mesh, const Scene& scen
     }
     element.requireIndex("material", submesh.material, scene.materials.size());
     if (!submesh.material || submesh.indexCount == 0) return;
-    const Material& material = scene.materials[*submesh.material];
-    requireTextureCoordinates(mesh, material, Element("material", *submesh.material, material.name), element);
+    if (mesh.positions.empty()) return;
+    requireUvs({.set0 = !mesh.uv0.empty(), .set1 = !mesh.uv1.empty()}, *submesh.material, scene, element);
 }
 
 }  // namespace

@@ -55,7 +55,8 @@ std::string encodingName(const Encoding& encoding) {
 }
 
 std::string typeName(int components) {
-    return components == 1 ? "SCALAR" : components <= 4 ? "VEC" + std::to_string(components) : "a matrix";
+    if (components > 4) return components == 9 ? "MAT3" : "MAT4";
+    return components == 1 ? "SCALAR" : "VEC" + std::to_string(components);
 }
 
 std::string expectation(int components, Encodings allowed) {
@@ -86,9 +87,10 @@ Checked check(const Document& document, int index, int components, Encodings all
     const int found = componentCount(accessor);
     Checked checked{accessor, element, "accessor " + std::to_string(index),
                     componentSize(accessor.componentType) * static_cast<std::uint64_t>(components)};
-    const bool isMatrix = accessor.type >= TINYGLTF_TYPE_MAT2 && accessor.type <= TINYGLTF_TYPE_MAT4;
-    if (isMatrix || found != components || !contains(allowed, encoding)) {
-        checked.fail("is " + (isMatrix ? "a matrix" : typeName(found)) + " of " + encodingName(encoding) +
+    // It has as many numbers as a VEC4.
+    const bool isMat2 = accessor.type == TINYGLTF_TYPE_MAT2;
+    if (isMat2 || found != components || !contains(allowed, encoding)) {
+        checked.fail("is " + (isMat2 ? "MAT2" : typeName(found)) + " of " + encodingName(encoding) +
                      ", expected " + expectation(components, allowed));
     }
     return checked;

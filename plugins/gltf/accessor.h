@@ -33,8 +33,8 @@ int componentCount(const tinygltf::Accessor& accessor);
 
 /// The numbers of an accessor, element after element. Integers become the floating-point numbers they stand
 /// for: normalised ones f = c / max, and max(c / max, -1) where signed (glTF 2.0, 3.11). Throws `Failure` for
-/// `element` unless the accessor has `components` numbers an element in one of `allowed`, lies within its
-/// buffer, and is finite.
+/// `element` unless the accessor has `components` numbers an element (16 for MAT4) in one of `allowed`, lies
+/// within its buffer, and is finite.
 std::vector<float> readFloats(const Document& document, int accessor, int components, Encodings allowed,
                               const std::string& element);
 

@@ -1,14 +1,13 @@
 #include "animations.h"
 
-#include "accessor.h"
+#include "attributes.h"
 
 namespace candela_gltf {
 namespace {
 
-constexpr Encoding onlyFloat[] = {float32};
-// glTF 2.0, 3.11: rotations may be normalised integers.
-constexpr Encoding rotationEncodings[] = {float32, int8Normalized, uint8Normalized, int16Normalized,
-                                          uint16Normalized};
+// glTF 2.0, 3.11: rotations and weights may be normalised integers.
+constexpr Encoding normalizedEncodings[] = {float32, int8Normalized, uint8Normalized, int16Normalized,
+                                            uint16Normalized};
 
 struct Keys {
     std::vector<float> times, values;
@@ -18,6 +17,7 @@ candela_animation_path pathOf(const std::string& path, const std::string& elemen
     if (path == "translation") return CANDELA_ANIMATE_TRANSLATION;
     if (path == "rotation") return CANDELA_ANIMATE_ROTATION;
     if (path == "scale") return CANDELA_ANIMATE_SCALE;
+    if (path == "weights") return CANDELA_ANIMATE_MORPH_WEIGHTS;
     throw Failure{element, "path '" + readable(path) + "', expected translation, rotation, scale or weights"};
 }
 
@@ -48,15 +48,20 @@ std::vector<float> readValues(const Document& document, int accessor, candela_an
         throw Failure{where, "accessor " + std::to_string(accessor) + " has " + std::to_string(count) +
                                  " elements, expected " + std::to_string(expected)};
     }
-    if (path == CANDELA_ANIMATE_ROTATION) return readFloats(document, accessor, 4, rotationEncodings, where);
+    if (path == CANDELA_ANIMATE_ROTATION) {
+        return readFloats(document, accessor, 4, normalizedEncodings, where);
+    }
+    if (path == CANDELA_ANIMATE_MORPH_WEIGHTS) {
+        return readFloats(document, accessor, 1, normalizedEncodings, where);
+    }
     return readFloats(document, accessor, 3, onlyFloat, where);
 }
 
 class AnimationReader {
   public:
     AnimationReader(const Document& document, const std::vector<std::int32_t>& nodes,
-                    const tinygltf::Animation& source, std::string element)
-        : document_(document), nodes_(nodes), source_(source), element_(std::move(element)) {}
+                    const PushedCages& cages, const tinygltf::Animation& source, std::string element)
+        : document_(document), nodes_(nodes), cages_(cages), source_(source), element_(std::move(element)) {}
 
     void push(const Host& host) {
         for (std::size_t i = 0; i < source_.channels.size(); ++i) readChannel(i);
@@ -76,21 +81,35 @@ class AnimationReader {
     void readChannel(std::size_t index) {
         const tinygltf::AnimationChannel& source = source_.channels[index];
         const std::string element = element_ + ", channel " + std::to_string(index);
-        if (source.target_path == "weights") {
+        const auto node = static_cast<std::size_t>(source.target_node);
+        const bool isWeights = source.target_path == "weights";
+        if (isWeights && !cageOf(document_, node, cages_)) {
             ++weights_;
             return;
         }
-        const auto node = static_cast<std::size_t>(source.target_node);
         if (nodes_.at(node) < 0) return;
-        if (!document_.model.nodes[node].matrix.empty()) {
-            throw Failure{element, elementName("node", node, document_.model.nodes[node].name) +
-                                       " has a matrix and cannot be animated"};
-        }
         candela_animation_channel channel{};
         channel.node = nodes_[node];
         channel.path = pathOf(source.target_path, element);
-        readKeys(samplerOf(source, element), element, channel);
+        const std::size_t perKey = isWeights ? morphTargetsOf(node, element) : 1;
+        if (!isWeights) refuseMatrix(node, element);
+        readKeys(samplerOf(source, element), element, perKey, channel);
         channels_.push_back(channel);
+    }
+
+    std::string nodeName(std::size_t node) const {
+        return elementName("node", node, document_.model.nodes[node].name);
+    }
+
+    void refuseMatrix(std::size_t node, const std::string& element) const {
+        if (document_.model.nodes[node].matrix.empty()) return;
+        throw Failure{element, nodeName(node) + " has a matrix and cannot be animated"};
+    }
+
+    std::size_t morphTargetsOf(std::size_t node, const std::string& element) const {
+        const std::size_t targets = cageOf(document_, node, cages_)->morphTargetCount;
+        if (targets == 0) throw Failure{element, nodeName(node) + " shows a cage without morph targets"};
+        return targets;
     }
 
     const tinygltf::AnimationSampler& samplerOf(const tinygltf::AnimationChannel& channel,
@@ -101,12 +120,13 @@ class AnimationReader {
                                    std::to_string(source_.samplers.size())};
     }
 
-    void readKeys(const tinygltf::AnimationSampler& sampler, const std::string& element,
+    /// A key has `perKey` elements of the output accessor.
+    void readKeys(const tinygltf::AnimationSampler& sampler, const std::string& element, std::size_t perKey,
                   candela_animation_channel& channel) {
         channel.interpolation = interpolationOf(sampler.interpolation, element);
         Keys keys;
         keys.times = readTimes(document_, sampler.input, element);
-        const std::size_t perKey = channel.interpolation == CANDELA_INTERPOLATE_CUBIC_SPLINE ? 3 : 1;
+        if (channel.interpolation == CANDELA_INTERPOLATE_CUBIC_SPLINE) perKey *= 3;
         keys.values =
             readValues(document_, sampler.output, channel.path, keys.times.size() * perKey, element);
         channel.key_count = static_cast<std::uint32_t>(keys.times.size());
@@ -118,6 +138,7 @@ class AnimationReader {
 
     const Document& document_;
     const std::vector<std::int32_t>& nodes_;
+    const PushedCages& cages_;
     const tinygltf::Animation& source_;
     std::string element_;
     std::vector<candela_animation_channel> channels_;
@@ -127,10 +148,11 @@ class AnimationReader {
 
 }  // namespace
 
-void pushAnimations(const Document& document, const std::vector<std::int32_t>& nodes, const Host& host) {
+void pushAnimations(const Document& document, const std::vector<std::int32_t>& nodes,
+                    const PushedCages& cages, const Host& host) {
     for (std::size_t i = 0; i < document.model.animations.size(); ++i) {
         const tinygltf::Animation& source = document.model.animations[i];
-        AnimationReader(document, nodes, source, elementName("animation", i, source.name)).push(host);
+        AnimationReader(document, nodes, cages, source, elementName("animation", i, source.name)).push(host);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "document.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "extensions.h"
@@ -38,14 +39,20 @@ std::string counted(std::size_t count, const char* noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-void noteDeformations(Json& document, const Host& host) {
+/// Only cages move with skins and morph targets.
+void noteDeformations(const Document& document, const Host& host) {
     std::size_t skinned = 0, morphed = 0;
-    forEachObject(document, "nodes", [&](Json& node) { skinned += node.contains("skin"); });
-    forEachObject(document, "meshes", [&](Json& mesh) {
-        bool hasTargets = false;
-        forEachObject(mesh, "primitives", [&](Json& p) { hasTargets = hasTargets || p.contains("targets"); });
-        morphed += hasTargets;
-    });
+    for (const tinygltf::Node& node : document.model.nodes) {
+        const bool showsCage = node.mesh >= 0 && document.cages.contains(static_cast<std::size_t>(node.mesh));
+        skinned += node.skin >= 0 && !showsCage;
+    }
+    for (std::size_t i = 0; i < document.model.meshes.size(); ++i) {
+        const auto& primitives = document.model.meshes[i].primitives;
+        const bool hasTargets =
+            std::any_of(primitives.begin(), primitives.end(),
+                        [](const tinygltf::Primitive& primitive) { return !primitive.targets.empty(); });
+        morphed += hasTargets && !document.cages.contains(i);
+    }
     if (skinned > 0) {
         host.note("skins are not applied: " + counted(skinned, "node") + " drawn in the bind pose");
     }
@@ -109,6 +116,21 @@ std::vector<Source> takeSources(Json& document, const char* member) {
     return sources;
 }
 
+std::vector<SkinSource> takeSkins(Json& document) {
+    std::vector<SkinSource> skins;
+    forEachObject(document, "skins", [&](Json& element) {
+        SkinSource skin;
+        skin.name = element.value("name", std::string());
+        skin.joints = element["joints"].get<std::vector<std::size_t>>();
+        if (element.contains("inverseBindMatrices")) {
+            skin.inverseBindMatrices = element["inverseBindMatrices"].get<std::size_t>();
+        }
+        skins.push_back(std::move(skin));
+    });
+    document.erase("skins");
+    return skins;
+}
+
 void loadModel(tinygltf::Model& model, const Json& document) {
     const std::string text = document.dump();
     if (text.size() > std::numeric_limits<unsigned int>::max()) throw Failure{"JSON", "is larger than 4 GiB"};
@@ -130,14 +152,16 @@ Document readDocument(const Bytes& text, const Host& host) {
 
     Document document;
     document.quantized = usesExtension(json, "KHR_mesh_quantization");
-    noteDeformations(json, host);
+    document.cages = readCageSettings(json);
     removeChannelsWithoutNode(json);
     conform(json, documentShape());
     refuseTwofoldTransforms(json);
     moveIndices(json);
     document.bufferSources = takeSources(json, "buffers");
     document.imageSources = takeSources(json, "images");
+    document.skins = takeSkins(json);
     loadModel(document.model, json);
+    noteDeformations(document, host);
     return document;
 }
 

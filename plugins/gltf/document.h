@@ -3,10 +3,12 @@
 // candela's rule: tinygltf is a shared library, so its implementation macros are never defined.
 #include <tiny_gltf.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cage_settings.h"
 #include "failure.h"
 #include "host.h"
 
@@ -20,12 +22,21 @@ struct Source {
     std::uint64_t byteLength = 0;  ///< Buffers only.
 };
 
+/// The joints of a skin. tinygltf never sees these: it refuses skins without inverseBindMatrices.
+struct SkinSource {
+    std::string name;
+    std::vector<std::size_t> joints;                 ///< Nodes.
+    std::optional<std::size_t> inverseBindMatrices;  ///< An accessor.
+};
+
 /// A document whose JSON has been checked: every index is in range, every number finite in single precision.
 struct Document {
-    tinygltf::Model model;  ///< Without buffers and images.
+    tinygltf::Model model;  ///< Without buffers, images and skins.
     std::vector<Source> bufferSources, imageSources;
-    std::vector<Bytes> buffers;  ///< Filled by `loadBuffers`.
-    bool quantized = false;      ///< KHR_mesh_quantization is in use.
+    std::vector<SkinSource> skins;
+    std::map<std::size_t, CageSettings> cages;  ///< By mesh: those that are subdivision cages.
+    std::vector<Bytes> buffers;                 ///< Filled by `loadBuffers`.
+    bool quantized = false;                     ///< KHR_mesh_quantization is in use.
 };
 
 /// The attribute name under which `readDocument` keeps a primitive's index accessor.

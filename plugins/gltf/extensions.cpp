@@ -13,8 +13,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view knownExtensions[] = {
-    "KHR_lights_punctual",   "KHR_materials_emissive_strength", "KHR_materials_unlit",
-    "KHR_mesh_quantization", "KHR_texture_transform",
+    "FB_ngon_encoding",    "KHR_lights_punctual",   "KHR_materials_emissive_strength",
+    "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform",
 };
 
 bool isKnown(const std::string& extension) {

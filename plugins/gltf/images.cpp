@@ -1,9 +1,11 @@
 #include "images.h"
 
-#include "decoders.h"
+#include "../common/push_picture.h"
 
 namespace candela_gltf {
 namespace {
+
+using namespace candela_importers;
 
 void markTexture(const Document& document, int texture, std::vector<bool>& used) {
     if (texture < 0) return;
@@ -37,18 +39,6 @@ Picture decode(const Bytes& file, const std::string& element) {
     throw Failure{element, "is neither a PNG nor a JPEG file"};
 }
 
-std::int32_t push(const Source& source, const Picture& picture, const Host& host) {
-    candela_image image{};
-    image.struct_size = sizeof image;
-    image.name = source.name.c_str();
-    image.width = picture.width;
-    image.height = picture.height;
-    image.format = picture.sampleSize == SampleSize::bits16 ? CANDELA_PIXELS_RGBA16 : CANDELA_PIXELS_RGBA8;
-    image.pixels = picture.pixels.data();
-    image.pixels_size = picture.pixels.size();
-    return host.add(image);
-}
-
 }  // namespace
 
 std::vector<std::int32_t> pushImages(const Document& document, Storage& storage, const Host& host,
@@ -62,7 +52,7 @@ std::vector<std::int32_t> pushImages(const Document& document, Storage& storage,
         const Source& source = document.imageSources[i];
         const std::string element = elementName("image", i, source.name);
         const Bytes file = fileOf(document, source, element, storage, host);
-        indices[i] = push(source, decode(file, element), host);
+        indices[i] = pushPicture(source.name, decode(file, element), host);
     }
     return indices;
 }

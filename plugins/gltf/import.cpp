@@ -2,6 +2,7 @@
 
 #include "animations.h"
 #include "buffers.h"
+#include "cages.h"
 #include "cameras.h"
 #include "container.h"
 #include "document.h"
@@ -11,13 +12,15 @@
 #include "materials.h"
 #include "meshes.h"
 #include "nodes.h"
+#include "shown_cages.h"
+#include "skins.h"
 
 namespace candela_gltf {
 namespace {
 
 // Where the import stands, of 1, once each of its long parts is done: rough shares of the time of scenes with
 // large textures.
-constexpr double documentRead = 0.1, imagesPushed = 0.6, meshesPushed = 0.9;
+constexpr double documentRead = 0.1, imagesPushed = 0.6, meshesPushed = 0.85, cagesPushed = 0.95;
 
 std::vector<bool> meshesInUse(const Document& document, const std::vector<DrawnNode>& drawn) {
     std::vector<bool> used(document.model.meshes.size());
@@ -40,15 +43,18 @@ void importFile(const std::string& name, const Host& host) {
     host.progress(documentRead);
 
     const std::vector<std::int32_t> images = pushImages(document, storage, host, documentRead, imagesPushed);
-    const std::vector<UvSets> uvSets = pushMaterials(document, images, host);
-    const MeshParts meshes =
-        pushMeshes(document, meshesInUse(document, drawn), uvSets, host, imagesPushed, meshesPushed);
-    host.progress(meshesPushed);
+    const PushedMaterials materials = pushMaterials(document, images, host);
+    const std::vector<bool> used = meshesInUse(document, drawn);
+    const MeshParts meshes = pushMeshes(document, used, materials.uvSets, host, imagesPushed, meshesPushed);
+    const PushedCages cages = pushCages(document, used, materials, host, meshesPushed, cagesPushed);
+    host.progress(cagesPushed);
 
     const std::vector<std::int32_t> nodes = pushNodes(document, drawn, meshes, host);
     pushCameras(document, drawn, nodes, host);
     pushLights(document, drawn, nodes, host);
-    pushAnimations(document, nodes, host);
+    const std::vector<std::int32_t> skins = pushSkins(document, drawn, nodes, cages, host);
+    showCages(document, drawn, nodes, cages, skins, host);
+    pushAnimations(document, nodes, cages, host);
     host.progress(1.0);
 }
 

@@ -169,9 +169,9 @@ UvSets uvSetsOf(const candela_material& material) {
 
 }  // namespace
 
-std::vector<UvSets> pushMaterials(const Document& document, const std::vector<std::int32_t>& images,
-                                  const Host& host) {
-    std::vector<UvSets> uvSets;
+PushedMaterials pushMaterials(const Document& document, const std::vector<std::int32_t>& images,
+                              const Host& host) {
+    PushedMaterials materials;
     for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
         const tinygltf::Material& source = document.model.materials[i];
         const MaterialReader reader(document, images, host, elementName("material", i, source.name));
@@ -188,9 +188,10 @@ std::vector<UvSets> pushMaterials(const Document& document, const std::vector<st
         material.occlusion_texture = reader.texture(source.occlusionTexture, "occlusionTexture");
         material.emission_texture = reader.texture(source.emissiveTexture, "emissiveTexture");
         host.add(material);
-        uvSets.push_back(uvSetsOf(material));
+        materials.uvSets.push_back(uvSetsOf(material));
+        materials.pushed.push_back(material);
     }
-    return uvSets;
+    return materials;
 }
 
 }  // namespace candela_gltf

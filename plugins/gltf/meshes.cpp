@@ -4,35 +4,27 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <numeric>
 
-#include "accessor.h"
+#include "attributes.h"
 #include "topology.h"
 
 namespace candela_gltf {
 namespace {
 
-constexpr Encoding onlyFloat[] = {float32};
-constexpr Encoding fractions[] = {float32, uint8Normalized, uint16Normalized};
-// KHR_mesh_quantization, "Extending Mesh Attributes".
-constexpr Encoding quantizedVectors[] = {float32, int8Normalized, int16Normalized};
-constexpr Encoding quantizedNumbers[] = {
-    float32, int8, int8Normalized, uint8, uint8Normalized, int16, int16Normalized, uint16, uint16Normalized};
-
 struct Stream {
     const char* attribute;
-    std::size_t components;
-    Encodings plain, quantized;
+    AttributeForm form;
 };
 
 enum StreamIndex : std::size_t { position, normal, tangent, uv0, uv1, color, streamCount };
 
-constexpr std::array<Stream, streamCount> streams{{{"POSITION", 3, onlyFloat, quantizedNumbers},
-                                                   {"NORMAL", 3, onlyFloat, quantizedVectors},
-                                                   {"TANGENT", 4, onlyFloat, quantizedVectors},
-                                                   {"TEXCOORD_0", 2, fractions, quantizedNumbers},
-                                                   {"TEXCOORD_1", 2, fractions, quantizedNumbers},
-                                                   {"COLOR_0", 4, fractions, fractions}}};
+constexpr std::array<Stream, streamCount> streams{{{"POSITION", positionForm},
+                                                   {"NORMAL", normalForm},
+                                                   {"TANGENT", tangentForm},
+                                                   {"TEXCOORD_0", uvForm},
+                                                   {"TEXCOORD_1", uvForm},
+                                                   {"COLOR_0", {4, fractions, fractions}}}};
+constexpr AttributeForm rgbForm{3, fractions, fractions};
 
 /// The accessor of each stream, or one of these where a primitive has none.
 using Accessors = std::array<int, streamCount>;
@@ -42,8 +34,7 @@ constexpr int absent = -1, zeros = -2;
 Accessors accessorsOf(const tinygltf::Primitive& primitive, const UvSets& needed) {
     Accessors accessors;
     for (std::size_t s = 0; s < streamCount; ++s) {
-        const auto found = primitive.attributes.find(streams[s].attribute);
-        accessors[s] = found == primitive.attributes.end() ? absent : found->second;
+        accessors[s] = accessorOf(primitive, streams[s].attribute);
     }
     // Tangents without normals are to be ignored (glTF 2.0, 3.7.2.1).
     if (accessors[normal] == absent) accessors[tangent] = absent;
@@ -59,13 +50,12 @@ std::vector<float> withAlpha(const std::vector<float>& rgb) {
 }
 
 std::vector<float> readStream(const Document& document, std::size_t stream, int accessor,
-                              const std::string& element) {
+                              std::size_t vertices, const std::string& element) {
     const Stream& s = streams[stream];
-    const Encodings allowed = document.quantized ? s.quantized : s.plain;
     const bool rgb = stream == color &&
                      componentCount(document.model.accessors.at(static_cast<std::size_t>(accessor))) == 3;
-    if (rgb) return withAlpha(readFloats(document, accessor, 3, allowed, element));
-    return readFloats(document, accessor, static_cast<int>(s.components), allowed, element);
+    if (rgb) return withAlpha(readAttribute(document, accessor, s.attribute, rgbForm, vertices, element));
+    return readAttribute(document, accessor, s.attribute, s.form, vertices, element);
 }
 
 /// The vertices that primitives with the same accessors share.
@@ -79,7 +69,7 @@ class Part {
     void add(const Document& document, const tinygltf::Primitive& primitive, const Accessors& accessors,
              const std::string& element) {
         const VertexRange range = rangeOf(document, accessors, element);
-        std::vector<std::uint32_t> corners = cornersOf(document, primitive, range, element);
+        std::vector<std::uint32_t> corners = readCorners(document, primitive, range.count, element);
         const std::vector<std::uint32_t> triangles = triangulate(primitive.mode, std::move(corners), element);
         const std::size_t first = indices_.size();
         if (first + triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
@@ -116,56 +106,31 @@ class Part {
     VertexRange rangeOf(const Document& document, const Accessors& accessors, const std::string& element) {
         const auto known = ranges_.find(accessors);
         if (known != ranges_.end()) return known->second;
-        const auto& positions = document.model.accessors.at(static_cast<std::size_t>(accessors[position]));
-        if (positions.count > std::numeric_limits<std::uint32_t>::max() - vertexCount_) {
+        const std::size_t count = elementCount(document, accessors[position]);
+        if (count > std::numeric_limits<std::uint32_t>::max() - vertexCount_) {
             throw Failure{element, "makes more than 4294967295 vertices"};
         }
         for (std::size_t s = 0; s < streamCount; ++s) {
-            if (accessors[s] >= 0) append(document, s, accessors[s], positions.count, element);
+            if (accessors[s] >= 0) append(document, s, accessors[s], count, element);
             if (accessors[s] == zeros) {
-                streams_[s].resize(streams_[s].size() + positions.count * streams[s].components);
+                streams_[s].resize(streams_[s].size() + count * streams[s].form.components);
             }
         }
-        const VertexRange range{vertexCount_, static_cast<std::uint32_t>(positions.count)};
+        const VertexRange range{vertexCount_, static_cast<std::uint32_t>(count)};
         vertexCount_ += range.count;
         ranges_.emplace(accessors, range);
         return range;
     }
 
     void append(const Document& document, std::size_t stream, int accessor, std::size_t vertices,
-                const std::string& primitive) {
-        const std::string element = primitive + ", attribute " + streams[stream].attribute;
-        const std::size_t count = document.model.accessors.at(static_cast<std::size_t>(accessor)).count;
-        if (count != vertices) {
-            throw Failure{element, "accessor " + std::to_string(accessor) + " has " + std::to_string(count) +
-                                       " elements, expected " + std::to_string(vertices)};
-        }
-        std::vector<float> numbers = readStream(document, stream, accessor, element);
+                const std::string& element) {
+        std::vector<float> numbers = readStream(document, stream, accessor, vertices, element);
         std::vector<float>& all = streams_[stream];
         if (all.empty()) {
             all = std::move(numbers);
         } else {
             all.insert(all.end(), numbers.begin(), numbers.end());
         }
-    }
-
-    static std::vector<std::uint32_t> cornersOf(const Document& document,
-                                                const tinygltf::Primitive& primitive,
-                                                const VertexRange& range, const std::string& element) {
-        const auto accessor = primitive.attributes.find(indicesAttribute);
-        if (accessor == primitive.attributes.end()) {
-            std::vector<std::uint32_t> corners(range.count);
-            std::iota(corners.begin(), corners.end(), 0u);
-            return corners;
-        }
-        const std::string where = element + ", indices";
-        std::vector<std::uint32_t> corners = readIndices(document, accessor->second, where);
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            if (corners[i] < range.count) continue;
-            throw Failure{where, "index " + std::to_string(corners[i]) + " at position " + std::to_string(i) +
-                                     ", but the primitive has " + std::to_string(range.count) + " vertices"};
-        }
-        return corners;
     }
 
     std::array<std::vector<float>, streamCount> streams_;
@@ -256,7 +221,7 @@ MeshParts pushMeshes(const Document& document, const std::vector<bool>& used,
     MeshParts parts(used.size());
     for (std::size_t i = 0; i < used.size(); ++i) {
         host.progress(from + (to - from) * static_cast<double>(i) / static_cast<double>(used.size()));
-        if (used[i]) parts[i] = pusher.push(i);
+        if (used[i] && !document.cages.contains(i)) parts[i] = pusher.push(i);
     }
     pusher.noteUndrawn();
     return parts;

@@ -12,6 +12,8 @@ namespace {
 /// The border: no exception goes beyond it.
 candela_status importScene(const candela_host* host, const candela_request* request) {
     try {
+        if (const char* query = candela_importers::queryOf(*request))
+            throw Failure{"query", "'" + readable(query) + "': a glTF scene takes none"};
         importFile(request->name, Host(*host));
         return CANDELA_OK;
     } catch (const Failure& failure) {
@@ -36,7 +38,8 @@ constexpr candela_plugin plugin{sizeof(candela_plugin),
                                 "gltf",
                                 CANDELA_GLTF_VERSION,
                                 "Reads glTF 2.0 scenes: .gltf and .glb",
-                                &importer};
+                                &importer,
+                                nullptr};
 
 }  // namespace
 }  // namespace candela_gltf

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "failure.h"
 
@@ -24,7 +25,8 @@ constexpr TargetArray targetArrays[] = {
     {"/accessors", "accessor"}, {"/buffers", "buffer"}, {"/bufferViews", "bufferView"},
     {"/cameras", "camera"},     {"/images", "image"},   {"/extensions/KHR_lights_punctual/lights", "light"},
     {"/materials", "material"}, {"/meshes", "mesh"},    {"/nodes", "node"},
-    {"/samplers", "sampler"},   {"/scenes", "scene"},   {"/textures", "texture"},
+    {"/samplers", "sampler"},   {"/scenes", "scene"},   {"/skins", "skin"},
+    {"/textures", "texture"},
 };
 
 /// Where the check stands. The text is made only when a message needs it.
@@ -54,6 +56,19 @@ std::string shown(double number) {
     const bool whole = number == std::floor(number) && std::abs(number) < 1e15;
     std::snprintf(text, sizeof text, whole ? "%.0f" : "%.9g", number);
     return text;
+}
+
+bool isNumbered(std::string_view name, std::string_view prefix) {
+    if (!name.starts_with(prefix) || name.size() == prefix.size()) return false;
+    name.remove_prefix(prefix.size());
+    return name.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+bool isKnown(const std::string& name, const Shape& shape) {
+    return std::any_of(shape.properties.begin(), shape.properties.end(),
+                       [&](const Property& property) { return name == property.name; }) ||
+           std::any_of(shape.numberedNames.begin(), shape.numberedNames.end(),
+                       [&](std::string_view prefix) { return isNumbered(name, prefix); });
 }
 
 std::string rangeText(const Property& p) {
@@ -94,9 +109,7 @@ class Checker {
 
     static void removeUnknown(Json& object, const Shape& shape) {
         for (auto member = object.begin(); member != object.end();) {
-            const bool known = std::any_of(shape.properties.begin(), shape.properties.end(),
-                                           [&](const Property& p) { return member.key() == p.name; });
-            member = known ? std::next(member) : object.erase(member);
+            member = isKnown(member.key(), shape) ? std::next(member) : object.erase(member);
         }
     }
 
@@ -120,7 +133,10 @@ class Checker {
             case Kind::indices:
                 return checkIndices(value, property.target, place);
             case Kind::indexMap:
+                require(value.is_object(), place, "is not an object");
                 return checkIndexMap(value, property, parent);
+            case Kind::indexMaps:
+                return checkIndexMaps(value, property, parent);
             case Kind::object: {
                 const Place object{&parent, property.shape->noun, -1, &value};
                 return checkObject(value, *property.shape, object);
@@ -147,7 +163,7 @@ class Checker {
 
     static void checkNumbers(Json& value, const Property& property, const Place& place) {
         require(value.is_array(), place, "expected an array of numbers");
-        if (value.size() != property.length) {
+        if (property.length > 0 && value.size() != property.length) {
             fail(place, "has " + std::to_string(value.size()) + " numbers, expected " +
                             std::to_string(property.length));
         }
@@ -193,11 +209,19 @@ class Checker {
     }
 
     void checkIndexMap(Json& value, const Property& property, const Place& parent) const {
-        require(value.is_object(), Place{&parent, property.name, -1, &value}, "is not an object");
         removeUnknown(value, *property.shape);
         for (auto member = value.begin(); member != value.end(); ++member) {
             const std::string noun = std::string(property.shape->noun) + " " + member.key();
             checkIndex(*member, property.target, Place{&parent, noun.c_str(), -1, &*member});
+        }
+    }
+
+    void checkIndexMaps(Json& value, const Property& property, const Place& parent) const {
+        require(value.is_array(), Place{&parent, property.name, -1, &value}, "expected an array");
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            const Place place{&parent, property.name, static_cast<std::ptrdiff_t>(i), &value[i]};
+            require(value[i].is_object(), place, "is not an object");
+            checkIndexMap(value[i], property, place);
         }
     }
 

@@ -4,22 +4,24 @@
 
 #include <cfloat>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace candela_gltf {
 
 enum class Kind {
-    number,    ///< Within `least` and `most`.
-    numbers,   ///< An array of exactly `length` numbers, each within `least` and `most`.
-    integer,   ///< Within `least` and `most`.
-    flag,      ///< true or false.
-    text,      ///< A string.
-    texts,     ///< An array of strings.
-    index,     ///< An index into the array `target`.
-    indices,   ///< An array of indices into `target`.
-    indexMap,  ///< An object whose members are indices into `target`; `shape` lists the names that are kept.
-    object,    ///< An object of form `shape`.
-    list,      ///< An array of objects of form `shape`.
+    number,     ///< Within `least` and `most`.
+    numbers,    ///< An array of exactly `length` numbers, each within `least` and `most`.
+    integer,    ///< Within `least` and `most`.
+    flag,       ///< true or false.
+    text,       ///< A string.
+    texts,      ///< An array of strings.
+    index,      ///< An index into the array `target`.
+    indices,    ///< An array of indices into `target`.
+    indexMap,   ///< An object whose members are indices into `target`; `shape` lists the names that are kept.
+    indexMaps,  ///< An array of such objects.
+    object,     ///< An object of form `shape`.
+    list,       ///< An array of objects of form `shape`.
 };
 
 /// The arrays of a document that its indices point into.
@@ -35,6 +37,7 @@ enum class Target {
     nodes,
     samplers,
     scenes,
+    skins,
     textures,
 };
 
@@ -49,7 +52,7 @@ struct Property {
     Need need = Need::optional;
     double least = -FLT_MAX, most = FLT_MAX;
     Bound leastBound = Bound::included;
-    std::size_t length = 0;
+    std::size_t length = 0;  ///< 0: any number of them.
     Target target = Target::accessors;
     const Shape* shape = nullptr;
 };
@@ -58,6 +61,8 @@ struct Property {
 struct Shape {
     const char* noun;  ///< What a message calls the object; empty: the message leaves it out.
     std::vector<Property> properties;
+    /// An index map also keeps the names that are one of these and a number, such as "JOINTS_" and "12".
+    std::vector<std::string_view> numberedNames = {};
 };
 
 /// Checks `document` against `shape` and throws `Failure` naming the element at fault. Members that have no

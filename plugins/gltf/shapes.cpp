@@ -9,6 +9,7 @@ namespace {
 constexpr double largestInteger = 9007199254740992.0;
 // A little over pi / 2, since single-precision exporters round upwards.
 constexpr double halfPi = 1.570797;
+constexpr std::size_t anyNumber = 0;
 
 Property number(const char* name, double least = -FLT_MAX, double most = FLT_MAX) {
     return {.name = name, .kind = Kind::number, .least = least, .most = most};
@@ -124,20 +125,33 @@ const Shape attributes{"attribute",
                         {.name = "TANGENT"},
                         {.name = "TEXCOORD_0"},
                         {.name = "TEXCOORD_1"},
-                        {.name = "COLOR_0"}}};
+                        {.name = "COLOR_0"}},
+                       {"JOINTS_", "WEIGHTS_"}};
+const Shape targetAttributes{"attribute", {{.name = "POSITION"}}};
+const Shape ngonEncoding{"FB_ngon_encoding", {}};
+const Shape primitiveExtensions{"", {object("FB_ngon_encoding", ngonEncoding)}};
 const Shape primitive{
     "primitive",
     {required(
          {.name = "attributes", .kind = Kind::indexMap, .target = Target::accessors, .shape = &attributes}),
-     index("indices", Target::accessors), index("material", Target::materials), integer("mode", 0, 6)}};
-const Shape mesh{"mesh", {text("name"), required(list("primitives", primitive))}};
+     index("indices", Target::accessors),
+     index("material", Target::materials),
+     integer("mode", 0, 6),
+     {.name = "targets", .kind = Kind::indexMaps, .target = Target::accessors, .shape = &targetAttributes},
+     object("extensions", primitiveExtensions)}};
+const Shape mesh{"mesh",
+                 {text("name"), required(list("primitives", primitive)), numbers("weights", anyNumber)}};
+const Shape skin{"skin",
+                 {text("name"), required(indices("joints", Target::nodes)),
+                  index("inverseBindMatrices", Target::accessors)}};
 
 const Shape nodeLight{"KHR_lights_punctual", {required(index("light", Target::lights))}};
 const Shape nodeExtensions{"", {object("KHR_lights_punctual", nodeLight)}};
 const Shape node{"node",
                  {text("name"), index("camera", Target::cameras), index("mesh", Target::meshes),
                   indices("children", Target::nodes), numbers("matrix", 16), numbers("translation", 3),
-                  numbers("rotation", 4), numbers("scale", 3), object("extensions", nodeExtensions)}};
+                  numbers("rotation", 4), numbers("scale", 3), index("skin", Target::skins),
+                  numbers("weights", anyNumber), object("extensions", nodeExtensions)}};
 const Shape scene{"scene", {text("name"), indices("nodes", Target::nodes)}};
 
 const Shape perspective{"perspective", {required(positive("yfov")), required(positive("znear"))}};
@@ -168,9 +182,9 @@ const Shape document{
     "",
     {required(object("asset", asset)), list("buffers", buffer), list("bufferViews", bufferView),
      list("accessors", accessor), list("images", image), list("samplers", sampler), list("textures", texture),
-     list("materials", material), list("meshes", mesh), list("nodes", node), list("scenes", scene),
-     index("scene", Target::scenes), list("cameras", camera), list("animations", animation),
-     object("extensions", documentExtensions)}};
+     list("materials", material), list("meshes", mesh), list("skins", skin), list("nodes", node),
+     list("scenes", scene), index("scene", Target::scenes), list("cameras", camera),
+     list("animations", animation), object("extensions", documentExtensions)}};
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include "generator.h"
 #include "plaza.h"
 #include "rooms.h"
+#include "sculpture.h"
 
 #include <candela/plugin.h>
 
@@ -21,7 +22,7 @@ struct MadeScene {
 };
 
 constexpr std::array madeScenes{MadeScene{"plaza", makePlaza}, MadeScene{"cloud", makeCloud},
-                                MadeScene{"rooms", makeRooms}};
+                                MadeScene{"rooms", makeRooms}, MadeScene{"sculpture", makeSculpture}};
 
 constexpr auto schemes = [] {
     std::array<const char*, madeScenes.size() + 1> names{};
@@ -69,8 +70,9 @@ constexpr candela_plugin plugin{
     "plaza",
     "0.1.0",
     "made scenes under N point lights: plaza:N a square with 256 spheres, cloud:N a sphere of small lights, "
-    "rooms:N a floor of 256 rooms",
-    &importer};
+    "rooms:N a floor of 256 rooms, sculpture:N the square with a subdivided ring",
+    &importer,
+    nullptr};
 
 }  // namespace
 }  // namespace plaza

@@ -22,6 +22,13 @@ const int ALBEDO_UNIT = 4;              // R32F: directional albedo table of the
 const int RADIANCE_UNIT = 0;
 const int LOOKUP_UNIT = 1;
 
+// Texture units of the data views; those of the lighting passes' G-buffer come before.
+const int SHOWN_UNIT = 2;               // what the view shows besides the G-buffer: radiance, light counts or instances
+const int INSTANCE_COLORS_UNIT = 3;     // RGBA32F buffer: a texel an instance
+
+// Texture unit of the overlays as they are laid over the picture.
+const int OVERLAY_UNIT = 0;
+
 // Storage buffers and images of the compute passes.
 const int TILE_BOXES_STORAGE = 0;
 const int TILE_COUNTS_STORAGE = 1;
@@ -29,6 +36,13 @@ const int TILE_STARTS_STORAGE = 2;
 const int TILE_LISTS_STORAGE = 3;
 const int TILE_TOTAL_STORAGE = 4;
 const int TILE_GROUPS_STORAGE = 5;
+const int GREATEST_STORAGE = 0;
+const int LIMIT_ROWS_STORAGE = 0;
+const int LIMIT_ENTRIES_STORAGE = 1;
+const int LIMIT_POINTS_STORAGE = 2;
+const int LIMIT_SURFACE_STORAGE = 3;
+const int LIMIT_UVS_STORAGE = 4;
+const int LIMIT_TANGENTS_STORAGE = 5;
 const int RADIANCE_IMAGE = 0;
 
 // Uniform locations.
@@ -39,6 +53,11 @@ const int LIGHT_RANGES_LOCATION = 0;    // fullscreen: first and end of points a
 const int DIRECTIONALS_LOCATION = 1;
 const int EXPOSURE_LOCATION = 0;        // display: factor before the transform
 const int ORIGIN_LOCATION = 1;          // display: lower left corner of the picture in the target
+const int LIMIT_RANGE_LOCATION = 0;     // cage_limit: first and end of a dispatch's vertices, number of points, number of vertices
+const int LIMIT_TANGENTS_LOCATION = 1;  // cage_limit: are tangents wanted?
+const int HEAT_STOPS_LOCATION = 0;      // show: the colours between which the heat map blends
+const int LINE_COLOR_LOCATION = 0;      // overlays: the colour of a line, code values
+const int LINE_INSTANCE_LOCATION = 1;   // overlays: the instance on which lines of a cage lie
 
 // Vertex attributes.
 const int POSITION_ATTRIBUTE = 0;

@@ -19,7 +19,7 @@ namespace {
 const std::string programName = std::filesystem::path(CANDELA_COMMAND).filename().string() + ": ";
 
 [[noreturn]] void startCommand(const std::vector<std::string>& arguments, const CommandSetting& setting) {
-    std::vector<std::string> words{CANDELA_COMMAND};
+    std::vector<std::string> words{setting.program.empty() ? CANDELA_COMMAND : setting.program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());

@@ -17,6 +17,7 @@ struct CommandSetting {
     std::vector<std::string> environment{};              ///< NAME=VALUE, besides ours.
     std::function<void()> beforeStart = [] {};           ///< Runs in the child.
     std::function<void(int)> whileRunning = [](int) {};  ///< Runs here, with the child's process id.
+    std::string program{};                               ///< Another program than the one under test.
 };
 
 /// Runs the program under test (CANDELA_COMMAND of the build) with `arguments`, its output going into pipes.

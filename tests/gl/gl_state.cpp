@@ -71,6 +71,7 @@ constexpr Name numbers[] = {
     CANDELA_NAME(DRAW_FRAMEBUFFER_BINDING),
     CANDELA_NAME(DRAW_INDIRECT_BUFFER_BINDING),
     CANDELA_NAME(FRONT_FACE),
+    CANDELA_NAME(LINE_WIDTH),
     CANDELA_NAME(LOGIC_OP_MODE),
     CANDELA_NAME(MIN_SAMPLE_SHADING_VALUE),
     CANDELA_NAME(PACK_ALIGNMENT),
@@ -347,6 +348,7 @@ void UnusualState::setFixedFunction() const {
     glFrontFace(GL_CW);
     glDepthFunc(GL_NEVER);
     glDepthMask(GL_FALSE);
+    glLineWidth(0.5f);  // Wide ones are an error in forward-compatible contexts.
     glLogicOp(GL_XOR);
     glMinSampleShading(0.5f);
     glPatchParameteri(GL_PATCH_VERTICES, 7);

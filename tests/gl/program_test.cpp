@@ -23,25 +23,32 @@ namespace {
 using Definitions = std::vector<std::string>;
 
 bool isStage(std::string_view name) {
-    return name.ends_with(".vert") || name.ends_with(".frag") || name.ends_with(".comp");
+    return name.ends_with(".vert") || name.ends_with(".geom") || name.ends_with(".frag") ||
+           name.ends_with(".comp");
 }
 
 /// What lib/render may define for a stage, whether or not the stage reads it.
 std::vector<Definitions> combinations() {
     std::vector<Definitions> all;
     for (const char* model : {"BRDF BRDF_COURSE", "BRDF BRDF_GLTF"}) {
-        for (const char* kind : {"SPOT 0", "SPOT 1"}) all.push_back({model, kind});
+        for (const char* kind : {"SPOT 0", "SPOT 1"})
+            all.push_back({model, kind, "SHOW 0", "HEAT_STOPS 5", "TEXTURED 0", "CORNERS 2"});
+    }
+    for (int show = 0; show < 8; ++show) {
+        all.push_back({"BRDF BRDF_COURSE", "SPOT 0", "SHOW " + std::to_string(show), "HEAT_STOPS 5",
+                       "TEXTURED 1", "CORNERS 3"});
     }
     return all;
 }
 
-/// A pair of stages that lib/render links.
-struct Pair {
+/// The stages of a program that lib/render links.
+struct Linked {
     std::string vertex, fragment;
     std::string appended{};
+    std::string geometry{};
 };
 
-const std::vector<Pair> pairs{
+const std::vector<Linked> table{
     {"surface_plain.vert", "surface_plain.frag"},
     {"surface_textured.vert", "surface_textured.frag"},
     {"fullscreen_triangle.vert", "fullscreen.frag"},
@@ -51,10 +58,17 @@ const std::vector<Pair> pairs{
     {"light_volume.vert", "light_volume_count.frag"},
     {"fullscreen_triangle.vert", "display.frag",
      "vec4 displayTransform(vec4 radiance) { return radiance; }\n"},
+    {"fullscreen_triangle.vert", "show.frag"},
+    {"fullscreen_triangle.vert", "show_display.frag"},
+    {"fullscreen_triangle.vert", "overlay_display.frag"},
+    {"overlay_mesh.vert", "overlay_lines.frag", {}, "overlay_edges.geom"},
+    {"overlay_cage.vert", "overlay_lines.frag", {}, "overlay_edges.geom"},
+    {"surface_instance.vert", "surface_instance.frag"},
 };
 
 GLenum kindOf(std::string_view name) {
     return name.ends_with(".vert")   ? GL_VERTEX_SHADER
+           : name.ends_with(".geom") ? GL_GEOMETRY_SHADER
            : name.ends_with(".frag") ? GL_FRAGMENT_SHADER
                                      : GL_COMPUTE_SHADER;
 }
@@ -135,18 +149,21 @@ TEST_F(ProgramTest, everyStageCompilesAlone) {
 TEST_F(ProgramTest, everyStageBelongsToAProgramOfTheTable) {
     for (const gl::EmbeddedShader& shader : gl::embeddedShaders()) {
         if (!isStage(shader.name) || shader.name.ends_with(".comp")) continue;
-        const bool known = std::ranges::any_of(pairs, [&](const Pair& pair) {
-            return pair.vertex == shader.name || pair.fragment == shader.name;
+        const bool known = std::ranges::any_of(table, [&](const Linked& linked) {
+            return linked.vertex == shader.name || linked.fragment == shader.name ||
+                   linked.geometry == shader.name;
         });
         EXPECT_TRUE(known) << shader.name << ": a new stage has to be added to this test's table";
     }
 }
 
 TEST_F(ProgramTest, everyProgramLinksWithoutAnError) {
-    for (const Pair& pair : pairs) {
+    for (const Linked& linked : table) {
         for (const Definitions& definitions : combinations()) {
-            const gl::Program program(
-                {{pair.vertex, definitions, {}}, {pair.fragment, definitions, pair.appended}}, "test");
+            std::vector<gl::Stage> stages{{linked.vertex, definitions, {}},
+                                          {linked.fragment, definitions, linked.appended}};
+            if (!linked.geometry.empty()) stages.push_back({linked.geometry, definitions, {}});
+            const gl::Program program(stages, "test");
             EXPECT_NE(program.name(), 0u);
         }
     }
@@ -190,15 +207,16 @@ TEST_F(ProgramTest, frameUniformsLieWhereCppPutsThem) {
         {"lightCounts", offsetof(Frame, lightCounts)},
     };
     int programs = 0;
-    for (const Pair& pair : pairs) {
+    for (const Linked& linked : table) {
         const gl::Program program(
-            {{pair.vertex, combinations()[0], {}}, {pair.fragment, combinations()[0], pair.appended}},
+            {{linked.vertex, combinations()[0], {}}, {linked.fragment, combinations()[0], linked.appended}},
             "test");
         if (blockSize(program.name()) < 0) continue;
         ++programs;
-        EXPECT_EQ(blockSize(program.name()), GLint(sizeof(Frame))) << pair.fragment;
+        EXPECT_EQ(blockSize(program.name()), GLint(sizeof(Frame))) << linked.fragment;
         for (const auto& [member, offset] : members)
-            EXPECT_EQ(memberOffset(program.name(), member), GLint(offset)) << pair.fragment << ", " << member;
+            EXPECT_EQ(memberOffset(program.name(), member), GLint(offset))
+                << linked.fragment << ", " << member;
     }
     EXPECT_GE(programs, 5);
 }

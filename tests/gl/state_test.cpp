@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <optional>
 
 namespace candela::test {
 namespace {
@@ -51,7 +52,13 @@ struct Seen {
     std::vector<std::uint8_t> display;
     std::vector<std::vector<float>> aovs;
     PairCounts pairs;
+    /// Of every data view, with overlays.
+    std::vector<std::vector<std::uint8_t>> views;
+    std::optional<PixelProbe> probe;
 };
+
+constexpr std::array views{Show::normals,   Show::level, Show::baseColor, Show::metallic,
+                           Show::roughness, Show::depth, Show::emission,  Show::lightCount};
 
 /// Calls everything that draws, and reports after each call whether the state is still what it was.
 class WatchedFrame {
@@ -94,6 +101,15 @@ Seen drawWatched(HostContext& host, Technique technique) {
     for (const Aov& aov : aovs) seen.aovs.insert(seen.aovs.end(), aov.values.begin(), aov.values.end());
     seen.pairs = watched("countPairs", [&] { return renderer.countPairs(scene); });
     watched("passTimes", [&] { return renderer.passTimes(); });
+    for (const Show show : views) {
+        FrameInputs inputs = smallFrame(made, technique);
+        inputs.show = show;
+        inputs.overlays = {.wireframe = true, .cage = true};
+        watched(toString(show), [&] { renderer.render(scene, inputs); });
+        seen.views.push_back(watched("display of data", [&] { return renderer.displayPicture(transform); }));
+        watched("greatestLightCount", [&] { return renderer.greatestLightCount(); });
+        seen.probe = watched("probe", [&] { return renderer.probe(scene, 20, 14); });
+    }
     GLint named = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &named);
     if (named != 0)
@@ -111,6 +127,10 @@ TEST_F(HostStateTest, everyCallLeavesItAsItWasAndDrawsTheSame) {
         EXPECT_EQ(seen.radiance, usual.radiance) << toString(technique);
         EXPECT_EQ(seen.display, usual.display);
         EXPECT_EQ(seen.aovs, usual.aovs);
+        EXPECT_EQ(seen.views, usual.views);
+        ASSERT_TRUE(seen.probe && usual.probe);
+        EXPECT_EQ(seen.probe->node, usual.probe->node);
+        EXPECT_EQ(seen.probe->emission, usual.probe->emission);
         EXPECT_EQ(seen.pairs.pairsLit, usual.pairs.pairsLit);
         EXPECT_EQ(seen.pairs.pairsEvaluated, usual.pairs.pairsEvaluated);
     }

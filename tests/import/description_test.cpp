@@ -7,7 +7,9 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <cstddef>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,10 @@ namespace candela {
 namespace {
 
 candela_status importNothing(const candela_host*, const candela_request*) {
+    return CANDELA_OK;
+}
+
+candela_status refineNothing(const candela_refinement*, const candela_cage*, std::uint32_t) {
     return CANDELA_OK;
 }
 
@@ -38,8 +44,15 @@ class Description : public testing::Test {
     const char* extensions[3] = {"one", "two", nullptr};
     const char* schemes[2] = {"made", nullptr};
     candela_importer importer{sizeof(candela_importer), extensions, schemes, importNothing};
-    candela_plugin plugin{
-        sizeof(candela_plugin), CANDELA_PLUGIN_MAJOR, CANDELA_PLUGIN_MINOR, "name", "1.0", "a line", nullptr};
+    candela_plugin plugin{sizeof(candela_plugin),
+                          CANDELA_PLUGIN_MAJOR,
+                          CANDELA_PLUGIN_MINOR,
+                          "name",
+                          "1.0",
+                          "a line",
+                          nullptr,
+                          nullptr};
+    candela_subdivider subdivider{sizeof(candela_subdivider), refineNothing};
 };
 
 TEST_F(Description, WithoutFaultIsLoaded) {
@@ -67,29 +80,56 @@ TEST_F(Description, OfAnotherMajorVersionIsNotReadFurther) {
 }
 
 TEST_F(Description, StructSizeTooSmall) {
-    plugin.struct_size = sizeof(candela_plugin) - 8;
-    expectBad("struct_size of its candela_plugin is");
+    plugin.struct_size = offsetof(candela_plugin, subdivider) - 8;
+    expectBad("struct_size of its candela_plugin is 40, but version 1.0 has 48 bytes");
     plugin.struct_size = 4;
     expectBad("does not even hold the version");
     plugin.struct_size = sizeof(candela_plugin);
     importer.struct_size = 8;
-    expectBad("struct_size of its candela_importer is 8");
+    expectBad("struct_size of its candela_importer is 8, but version 1.0 has");
+    importer.struct_size = sizeof importer;
+    plugin.subdivider = &subdivider;
+    subdivider.struct_size = 8;
+    expectBad("struct_size of its candela_subdivider is 8, but version 1.1 has");
 }
 
-// The description ends where a page begins that can not be read: a byte too many is a crash.
-TEST_F(Description, NothingIsReadBeyondStructSize) {
-    const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-    void* pages = ::mmap(nullptr, 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    ASSERT_NE(pages, MAP_FAILED);
-    char* end = static_cast<char*>(pages) + page;
-    ASSERT_EQ(::mprotect(end, page, PROT_NONE), 0);
-    for (const std::uint32_t size : {4u, 8u, 16u, 24u}) {
-        plugin.struct_size = size;
-        std::memcpy(end - size, &plugin, size);
-        const auto* description = reinterpret_cast<const candela_plugin*>(end - size);
-        EXPECT_EQ(check(description).state, PluginState::badDescription) << size;
+// A description that ends where a page begins that can not be read: a byte too many is a crash.
+class EndOfMemory {
+  public:
+    EndOfMemory() {
+        pages_ = ::mmap(nullptr, 2 * page_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (pages_ == MAP_FAILED || ::mprotect(end(), page_, PROT_NONE) != 0)
+            throw std::runtime_error("no memory can be mapped");
     }
-    ::munmap(pages, 2 * page);
+    ~EndOfMemory() { ::munmap(pages_, 2 * page_); }
+    EndOfMemory(const EndOfMemory&) = delete;
+    EndOfMemory& operator=(const EndOfMemory&) = delete;
+
+    /// The first `size` bytes of `plugin`, just before the end.
+    const candela_plugin* place(candela_plugin plugin, std::uint32_t size) {
+        plugin.struct_size = size;
+        std::memcpy(end() - size, &plugin, size);
+        return reinterpret_cast<const candela_plugin*>(end() - size);
+    }
+
+  private:
+    char* end() { return static_cast<char*>(pages_) + page_; }
+
+    const std::size_t page_ = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    void* pages_ = nullptr;
+};
+
+TEST_F(Description, NothingIsReadBeyondStructSize) {
+    EndOfMemory memory;
+    for (const std::uint32_t size : {4u, 8u, 16u, 24u, 40u})
+        EXPECT_EQ(check(memory.place(plugin, size)).state, PluginState::badDescription) << size;
+}
+
+TEST_F(Description, OfTheFirstVersionIsLoaded) {
+    EndOfMemory memory;
+    const PluginReport report = check(memory.place(plugin, offsetof(candela_plugin, subdivider)));
+    EXPECT_EQ(report.state, PluginState::loaded) << report.detail;
+    EXPECT_FALSE(report.subdivides);
 }
 
 TEST_F(Description, Names) {
@@ -122,6 +162,28 @@ TEST_F(Description, Services) {
     plugin.importer = &importer;
     importer.import_scene = nullptr;
     expectBad("import_scene of its importer is NULL");
+    plugin.importer = nullptr;
+    plugin.subdivider = &subdivider;
+    subdivider.refine = nullptr;
+    expectBad("refine of its subdivider is NULL");
+}
+
+TEST_F(Description, OfASubdividerAlone) {
+    plugin.importer = nullptr;
+    plugin.subdivider = &subdivider;
+    const PluginReport report = check(&plugin);
+    EXPECT_EQ(report.state, PluginState::loaded) << report.detail;
+    EXPECT_TRUE(report.subdivides);
+    EXPECT_TRUE(report.extensions.empty());
+    EXPECT_TRUE(report.schemes.empty());
+}
+
+TEST_F(Description, OfBothServices) {
+    plugin.subdivider = &subdivider;
+    const PluginReport report = check(&plugin);
+    EXPECT_EQ(report.state, PluginState::loaded) << report.detail;
+    EXPECT_TRUE(report.subdivides);
+    EXPECT_EQ(report.schemes, std::vector<std::string>{"made"});
 }
 
 TEST_F(Description, WhatItTakes) {

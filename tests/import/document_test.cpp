@@ -39,6 +39,8 @@ TEST(PluginDocument, TheExampleReadsTriangles) {
     EXPECT_EQ(triangleCount(scene), 2u);
     EXPECT_EQ(scene.meshes.at(0).normals.at(0), glm::vec3(0, 0, 1));
 
+    expectError([&] { importScene(plugins, file.string() + "?a"); }, ErrorKind::badInput, "query: ");
+
     const fs::path broken = folder.write("broken.tri", "0 0 0  1 0 0  0 one 0\n");
     const std::string text =
         expectError([&] { importScene(plugins, broken.string()); }, ErrorKind::badInput, "");

@@ -10,8 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -64,6 +67,21 @@ class Fuzzer {
         return storage.data();
     }
 
+    const std::uint32_t* indices(std::vector<std::uint32_t>& storage, std::size_t count, std::uint32_t end) {
+        if (oneIn(20)) return nullptr;
+        storage.resize(count);
+        for (std::uint32_t& index : storage) index = oneIn(60) ? bits() : below(std::max(end, 1u));
+        return storage.data();
+    }
+
+    // Sizes of faces.
+    const std::uint32_t* sizes(std::vector<std::uint32_t>& storage, std::size_t count) {
+        if (oneIn(20)) return nullptr;
+        storage.resize(count);
+        for (std::uint32_t& size : storage) size = oneIn(20) ? bits() : 3 + below(4);
+        return storage.data();
+    }
+
     std::uint32_t structSize(std::uint32_t size) { return oneIn(20) ? bits() % (size + 1) : size; }
 
   private:
@@ -71,6 +89,13 @@ class Fuzzer {
 
     std::mt19937 random_;
 };
+
+// At most what a test may well hold: the host must refuse more before it reads so much.
+std::uint32_t sumOf(const std::vector<std::uint32_t>& sizes) {
+    std::uint64_t sum = 0;
+    for (const std::uint32_t size : sizes) sum += size;
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, 1000));
+}
 
 void pushImage(Fuzzer& fuzz, const candela_host& host) {
     std::array<std::uint8_t, 256> texels;
@@ -118,10 +143,13 @@ void pushMesh(Fuzzer& fuzz, const candela_host& host) {
     mesh.uv0 = fuzz.array(storage[3], 2 * mesh.vertex_count);
     mesh.uv1 = fuzz.array(storage[4], 2 * mesh.vertex_count);
     mesh.colors = fuzz.array(storage[5], 4 * mesh.vertex_count);
-    std::vector<std::uint32_t> indices(mesh.index_count);
-    for (std::uint32_t& index : indices)
-        index = fuzz.oneIn(50) ? fuzz.bits() : fuzz.below(std::max(mesh.vertex_count, 1u));
-    mesh.indices = indices.data();
+    std::vector<std::uint32_t> sizes, indices;
+    if (fuzz.oneIn(2)) {
+        mesh.face_count = fuzz.below(6);
+        mesh.face_sizes = fuzz.sizes(sizes, mesh.face_count);
+        if (!fuzz.oneIn(9)) mesh.index_count = sumOf(sizes);
+    }
+    mesh.indices = fuzz.indices(indices, mesh.index_count, mesh.vertex_count);
     std::vector<candela_submesh> submeshes(mesh.submesh_count, {0, mesh.index_count, -1});
     for (candela_submesh& submesh : submeshes)
         if (fuzz.oneIn(4)) fuzz.spoil(submesh);
@@ -185,14 +213,89 @@ void pushAnimation(Fuzzer& fuzz, const candela_host& host) {
     host.add_animation(host.self, &animation);
 }
 
-using Push = void (*)(Fuzzer&, const candela_host&);
-constexpr std::array<Push, 7> pushes{pushImage,  pushMaterial, pushMesh,     pushNode,
-                                     pushCamera, pushLight,    pushAnimation};
+void pushCage(Fuzzer& fuzz, const candela_host& host) {
+    candela_cage cage = samples::cage();
+    cage.struct_size = fuzz.structSize(cage.struct_size);
+    if (fuzz.oneIn(4)) fuzz.spoil(cage.scheme);
+    if (fuzz.oneIn(4)) fuzz.spoil(cage.boundary_interpolation);
+    if (fuzz.oneIn(4)) fuzz.spoil(cage.crease_method);
+    if (fuzz.oneIn(4)) fuzz.spoil(cage.level);
+    std::array<std::vector<float>, 6> numbers;
+    std::array<std::vector<std::uint32_t>, 7> indices;
+    cage.vertex_count = 4 + fuzz.below(maxElements);
+    cage.positions = fuzz.array(numbers[0], 3 * cage.vertex_count);
+    cage.face_count = fuzz.below(6);
+    cage.face_sizes = fuzz.sizes(indices[0], cage.face_count);
+    const std::uint32_t corners = sumOf(indices[0]);
+    cage.face_vertices = fuzz.indices(indices[1], corners, cage.vertex_count);
+    cage.uv_count = fuzz.below(6);
+    cage.uvs = fuzz.array(numbers[1], 2 * cage.uv_count);
+    cage.face_uvs = fuzz.indices(indices[2], corners, cage.uv_count);
+    cage.crease_count = fuzz.below(3);
+    cage.crease_edges = fuzz.indices(indices[3], 2 * cage.crease_count, cage.vertex_count);
+    cage.crease_sharpness = fuzz.array(numbers[2], cage.crease_count);
+    cage.corner_count = fuzz.below(3);
+    cage.corner_vertices = fuzz.indices(indices[4], cage.corner_count, cage.vertex_count);
+    cage.corner_sharpness = fuzz.array(numbers[3], cage.corner_count);
+    cage.hole_count = fuzz.below(3);
+    cage.holes = fuzz.indices(indices[5], cage.hole_count, cage.face_count);
+    cage.influence_count = fuzz.below(3);
+    cage.joints = fuzz.indices(indices[6], cage.influence_count * cage.vertex_count, 3);
+    cage.joint_weights = fuzz.array(numbers[4], cage.influence_count * cage.vertex_count);
+    for (float& weight : numbers[4])
+        if (!fuzz.oneIn(200)) weight = std::abs(weight);
+    cage.morph_target_count = fuzz.below(3);
+    cage.morph_offsets = fuzz.array(numbers[5], 3 * cage.morph_target_count * cage.vertex_count);
+    host.add_cage(host.self, &cage);
+}
 
-// True when the whole scene was taken.
-bool importRandomScene(std::uint32_t seed) {
+void pushSkin(Fuzzer& fuzz, const candela_host& host) {
+    candela_skin skin = samples::skin();
+    skin.struct_size = fuzz.structSize(skin.struct_size);
+    std::array<std::int32_t, 4> joints{};
+    fuzz.spoil(joints);
+    skin.joint_count = fuzz.below(5);
+    skin.joints = joints.data();
+    std::array<float, 64> matrices;
+    for (std::size_t i = 0; i < matrices.size(); ++i) matrices[i] = samples::identity[i % 16];
+    if (fuzz.oneIn(9)) fuzz.spoil(matrices);
+    if (fuzz.oneIn(2)) skin.inverse_bind_matrices = matrices.data();
+    host.add_skin(host.self, &skin);
+}
+
+void pushShownCage(Fuzzer& fuzz, const candela_host& host) {
+    candela_shown_cage shown = samples::shownCage();
+    shown.struct_size = fuzz.structSize(shown.struct_size);
+    if (fuzz.oneIn(2)) fuzz.spoil(shown.node);
+    if (fuzz.oneIn(2)) fuzz.spoil(shown.cage);
+    if (fuzz.oneIn(2)) fuzz.spoil(shown.skin);
+    std::vector<float> weights;
+    if (fuzz.oneIn(2)) {
+        shown.morph_weight_count = fuzz.below(4);
+        shown.morph_weights = fuzz.array(weights, shown.morph_weight_count);
+    }
+    host.show_cage(host.self, &shown);
+}
+
+using Push = void (*)(Fuzzer&, const candela_host&);
+constexpr std::array<Push, 10> pushes{pushImage, pushMaterial,  pushMesh, pushNode, pushCamera,
+                                      pushLight, pushAnimation, pushCage, pushSkin, pushShownCage};
+
+// Without these, hardly a cage would ever be shown: too much has to go well before.
+void pushFaultlessCage(const candela_host& host) {
+    const candela_node node = samples::node();
+    const candela_cage cage = samples::cage();
+    const candela_skin skin = samples::skin();
+    for (int i = 0; i < 2; ++i) host.add_node(host.self, &node);
+    host.add_cage(host.self, &cage);
+    host.add_skin(host.self, &skin);
+}
+
+// The scene, where all of it was taken.
+std::optional<Scene> importRandomScene(std::uint32_t seed) {
     Fuzzer fuzz(seed);
     ImportHost host("fuzz:" + std::to_string(seed), nullptr, {});
+    if (fuzz.oneIn(3)) pushFaultlessCage(host.interface());
     const std::uint32_t count = 1 + fuzz.below(6);
     for (std::uint32_t i = 0; i < count; ++i) pushes[fuzz.below(pushes.size())](fuzz, host.interface());
     try {
@@ -201,20 +304,30 @@ bool importRandomScene(std::uint32_t seed) {
         std::vector<std::string> notes = host.takeNotes();
         addMissingAttributes(scene, notes);
         validate(scene);
-        return true;
+        return scene;
     } catch (const Error& error) {
         EXPECT_FALSE(std::string(error.what()).empty());
-        return false;
+        return std::nullopt;
     }
+}
+
+bool showsCage(const Scene& scene) {
+    return std::any_of(scene.nodes.begin(), scene.nodes.end(),
+                       [](const Node& node) { return node.cage.has_value(); });
 }
 
 TEST(HostFuzz, RandomNumbersNeverCrash) {
     constexpr std::uint32_t rounds = 20000;
-    std::uint32_t taken = 0;
-    for (std::uint32_t seed = 0; seed < rounds; ++seed) taken += importRandomScene(seed) ? 1 : 0;
+    std::uint32_t taken = 0, shown = 0;
+    for (std::uint32_t seed = 0; seed < rounds; ++seed) {
+        const auto scene = importRandomScene(seed);
+        taken += scene ? 1 : 0;
+        shown += scene && showsCage(*scene) ? 1 : 0;
+    }
     // A fuzzer whose scenes are all refused at the first number, or none of them, would test little.
     EXPECT_GT(taken, rounds / 50);
     EXPECT_LT(taken, rounds / 2);
+    EXPECT_GT(shown, rounds / 500);
 }
 
 }  // namespace

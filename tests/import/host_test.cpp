@@ -130,7 +130,7 @@ const Fault animationFaults[] = {
     {"channel-no-node", "animation 0 'roll': channel 0: node is -1, but a node was expected"},
     {"channel-matrix-node",
      "animation 0 'roll': channel 0: node is 1, whose transform is a matrix and can not be animated"},
-    {"channel-path", "animation 0 'roll': channel 0: path is 3, but 0 to 2 was expected"},
+    {"channel-path", "animation 0 'roll': channel 0: path is 4, but 0 to 3 was expected"},
     {"channel-interpolation", "animation 0 'roll': channel 0: interpolation is 9, but 0 to 2 was expected"},
     {"channel-no-keys", "animation 0 'roll': channel 0: key_count is 0, but 1 or more was expected"},
     {"channel-times-null", "animation 0 'roll': channel 0: time is NULL, but 2 elements were expected"},
@@ -164,6 +164,12 @@ TEST(Host, StructSizeTooSmall) {
 
 TEST(Host, StructOfALaterMinorVersionIsTaken) {
     EXPECT_EQ(push("longer-struct").scene.cameras.size(), 1u);
+}
+
+TEST(Host, StructsOfTheFirstVersionAreTaken) {
+    const ImportedScene imported = importScene(fixturePlugins(), "first:");
+    EXPECT_EQ(imported.report.plugin, "first-version");
+    EXPECT_EQ(imported.scene.meshes.at(0).indices.size(), 6u);
 }
 
 TEST(Host, WhatIsPushedArrives) {

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace candela {
 namespace {
@@ -81,6 +82,41 @@ TEST_F(ImportScene, AFolderOrAPipe) {
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     expectError([&] { importScene(plugins, pipe.string()); }, ErrorKind::badInput,
                 "this is not a regular file");
+}
+
+TEST_F(ImportScene, AQueryBehindAFile) {
+    const fs::path file = folder.write("scene.list", "");
+    const auto notes = [&](const std::string& uri) { return importScene(plugins, uri).report.notes; };
+    using Notes = std::vector<std::string>;
+    EXPECT_EQ(notes(file.string()), Notes{});
+    EXPECT_EQ(notes(file.string() + "?a=b:c/d"), Notes{"query: a=b:c/d"});
+    EXPECT_EQ(notes(file.string() + "?"), Notes{"query: "});
+}
+
+TEST_F(ImportScene, AFileWithAQuestionMarkInItsName) {
+    folder.write("what.list", "");
+    const fs::path file = folder.write("what.list?now.list", "");
+    EXPECT_TRUE(importScene(plugins, file.string()).report.notes.empty());
+    EXPECT_EQ(importScene(plugins, file.string() + "?q").report.notes, std::vector<std::string>{"query: q"});
+}
+
+TEST_F(ImportScene, AQueryBehindNoFile) {
+    const std::string missing = (folder.path() / "gone.list").string() + "?q";
+    expectError([&] { importScene(plugins, missing); }, ErrorKind::environment,
+                missing + ": there is no such file");
+    fs::create_directory(folder.path() / "folder.list");
+    expectError([&] { importScene(plugins, (folder.path() / "folder.list").string() + "?q"); },
+                ErrorKind::environment, "there is no such file");
+    const fs::path unknown = folder.write("room.xyz", "");
+    expectError([&] { importScene(plugins, unknown.string() + "?q"); }, ErrorKind::unsupported,
+                "no plugin takes files ending in '.xyz'");
+}
+
+TEST_F(ImportScene, APluginOfTheFirstVersionGetsNoQuery) {
+    const fs::path file = folder.write("scene.v10", "");
+    EXPECT_EQ(importScene(plugins, file.string()).report.plugin, "first-version");
+    expectError([&] { importScene(plugins, file.string() + "?q"); }, ErrorKind::unsupported,
+                "the plugin 'first-version' takes no query, but '?q' follows the name");
 }
 
 }  // namespace

@@ -53,8 +53,8 @@ TEST(PluginSearch, FilesOfAFolderComeInTheOrderOfTheirNames) {
     for (const PluginReport& report : registry.reports())
         if (report.file.parent_path() == fixtures / "states") names.push_back(report.file.filename());
     EXPECT_EQ(names, (std::vector<std::string>{"bad_description.so", "loaded.so", "no_entry_point.so",
-                                               "not_a_library.so", "refused.so", "throwing_query.so",
-                                               "wrong_version.so"}));
+                                               "no_service.so", "not_a_library.so", "null_refine.so",
+                                               "refused.so", "throwing_query.so", "wrong_version.so"}));
 }
 
 TEST(PluginSearch, AFolderNamedTwiceIsSearchedOnce) {

@@ -62,7 +62,7 @@ TEST_F(PluginStates, WrongVersion) {
 }
 
 TEST_F(PluginStates, Refused) {
-    expectState("refused.so", PluginState::refused, "returned NULL for version 1.0");
+    expectState("refused.so", PluginState::refused, "returned NULL for version 1.1");
 }
 
 TEST_F(PluginStates, QueryThatThrowsIsRefused) {
@@ -72,6 +72,12 @@ TEST_F(PluginStates, QueryThatThrowsIsRefused) {
 TEST_F(PluginStates, BadDescription) {
     expectState("bad_description.so", PluginState::badDescription, "its name 'Bad Name' is not made of");
     EXPECT_EQ(registry.importerForScheme("bad"), nullptr);
+}
+
+TEST_F(PluginStates, BadDescriptionOfAService) {
+    expectState("no_service.so", PluginState::badDescription, "it offers no service");
+    expectState("null_refine.so", PluginState::badDescription, "refine of its subdivider is NULL");
+    EXPECT_FALSE(reportOf("null_refine.so").subdivides);
 }
 
 TEST(PluginState, DuplicateInALaterFolder) {

@@ -21,6 +21,23 @@ inline constexpr std::array<float, 6> values{0, 0, 0, 1, 1, 1};
 inline constexpr candela_animation_channel channel{
     0, CANDELA_ANIMATE_TRANSLATION, CANDELA_INTERPOLATE_LINEAR, 2, times.data(), values.data()};
 
+// Two quads side by side:  3 4 5
+//                          0 1 2
+inline constexpr std::array<float, 18> cagePositions{0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0};
+inline constexpr std::array<float, 12> cageUvs{0, 0, 1, 0, 2, 0, 0, 1, 1, 1, 2, 1};
+inline constexpr std::array<std::uint32_t, 2> faceSizes{4, 4};
+inline constexpr std::array<std::uint32_t, 8> faceVertices{0, 1, 4, 3, 1, 2, 5, 4};
+inline constexpr std::array<std::uint32_t, 2> creaseEdge{1, 4};
+inline constexpr std::array<float, 1> creaseSharpness{2.5f};
+inline constexpr std::array<std::uint32_t, 1> cornerVertex{3};
+inline constexpr std::array<float, 1> cornerSharpness{10.0f};
+inline constexpr std::array<std::uint32_t, 1> hole{1};
+inline constexpr std::array<std::uint32_t, 12> joints{0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1};
+inline constexpr std::array<float, 12> jointWeights{1, 0, 1, 3, 0, 1, 1, 0, 1, 3, 0, 1};
+inline constexpr std::array<float, 36> morphOffsets{1, 2, 3};
+inline constexpr std::array<std::int32_t, 2> skinJoints{0, 1};
+inline constexpr std::array<float, 2> morphWeights{0.25f, 0.5f};
+
 /// 2 × 2 texels of RGBA8.
 inline candela_image image() {
     candela_image image{};
@@ -107,6 +124,57 @@ inline candela_animation animation() {
     animation.channel_count = 1;
     animation.channels = &channel;
     return animation;
+}
+
+/// With all that a cage can have but materials; two morph targets, of which the first moves vertex 0.
+inline candela_cage cage() {
+    candela_cage cage{};
+    cage.struct_size = sizeof cage;
+    cage.name = "body";
+    cage.boundary_interpolation = CANDELA_BOUNDARY_EDGES_AND_CORNERS;
+    cage.face_varying_interpolation = CANDELA_FACE_VARYING_CORNERS_ONLY;
+    cage.vertex_count = 6;
+    cage.positions = cagePositions.data();
+    cage.face_count = faceSizes.size();
+    cage.face_sizes = faceSizes.data();
+    cage.face_vertices = faceVertices.data();
+    cage.uv_count = 6;
+    cage.uvs = cageUvs.data();
+    cage.face_uvs = faceVertices.data();
+    cage.crease_count = 1;
+    cage.crease_edges = creaseEdge.data();
+    cage.crease_sharpness = creaseSharpness.data();
+    cage.corner_count = 1;
+    cage.corner_vertices = cornerVertex.data();
+    cage.corner_sharpness = cornerSharpness.data();
+    cage.hole_count = 1;
+    cage.holes = hole.data();
+    cage.level = 2;
+    cage.influence_count = 2;
+    cage.joints = joints.data();
+    cage.joint_weights = jointWeights.data();
+    cage.morph_target_count = 2;
+    cage.morph_offsets = morphOffsets.data();
+    return cage;
+}
+
+/// Nodes 0 and 1, which have to be there.
+inline candela_skin skin() {
+    candela_skin skin{};
+    skin.struct_size = sizeof skin;
+    skin.name = "rig";
+    skin.joint_count = skinJoints.size();
+    skin.joints = skinJoints.data();
+    return skin;
+}
+
+/// Cage 0 with skin 0 at node 0, which have to be there.
+inline candela_shown_cage shownCage() {
+    candela_shown_cage shown{};
+    shown.struct_size = sizeof shown;
+    shown.morph_weight_count = morphWeights.size();
+    shown.morph_weights = morphWeights.data();
+    return shown;
 }
 
 }  // namespace samples

@@ -1,6 +1,7 @@
 #include <candela/error.h>
 #include <candela/scene.h>
 
+#include "broken_rule.h"
 #include "sample_scene.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -18,29 +18,8 @@ namespace {
 const float nan_ = std::numeric_limits<float>::quiet_NaN();
 constexpr float pi = std::numbers::pi_v<float>;
 
-// A change that breaks one rule, and the whole message that has to come of it.
-struct BrokenRule {
-    const char* message;
-    std::function<void(Scene&)> breakIt;
-};
-
 void expectMessages(const std::vector<BrokenRule>& rules) {
-    for (const BrokenRule& rule : rules) {
-        Scene scene = sampleScene();
-        rule.breakIt(scene);
-        try {
-            validate(scene);
-            ADD_FAILURE() << "nothing was thrown where this was due: " << rule.message;
-        } catch (const Error& error) {
-            EXPECT_STREQ(error.what(), rule.message);
-            EXPECT_EQ(error.kind(), ErrorKind::badInput);
-        }
-    }
-}
-
-template <typename Enum>
-Enum unknown() {
-    return static_cast<Enum>(99);
+    expectMessages(sampleScene(), rules);
 }
 
 TEST(Validate, TakesSoundScenes) {
@@ -252,7 +231,7 @@ TEST(Validate, Animations) {
          [](Scene& s) { s.animations[0].channels[0].node = 3; }},
         {"animation 0 'walk': channel 0: its node is placed by a matrix, which can not be animated",
          [](Scene& s) { s.animations[0].channels[0].node = 2; }},
-        {"animation 0 'walk': channel 1: its path must be translation, rotation or scale",
+        {"animation 0 'walk': channel 1: its path must be translation, rotation, scale or morph weights",
          [](Scene& s) { s.animations[0].channels[1].path = unknown<AnimationPath>(); }},
         {"animation 0 'walk': channel 1: its interpolation must be linear, step or cubic spline",
          [](Scene& s) { s.animations[0].channels[1].interpolation = unknown<Interpolation>(); }},

@@ -36,14 +36,18 @@ const std::map<std::string, std::string> layerOfHeader = {
     {"whole_file.h", "base"},
     {"animation.h", "scene"},
     {"brdf.h", "scene"},
+    {"cage.h", "scene"},
     {"camera.h", "scene"},
     {"light.h", "scene"},
     {"material.h", "scene"},
     {"mesh.h", "scene"},
     {"node.h", "scene"},
+    {"refined_cage.h", "scene"},
     {"scene.h", "scene"},
+    {"skin.h", "scene"},
     {"import.h", "import"},
     {"plugin_registry.h", "import"},
+    {"subdivider.h", "import"},
     {"color.h", "color"},
     {"context.h", "gl"},
     {"gbuffer.h", "render"},
@@ -174,9 +178,12 @@ class Check {
     void checkPluginFile(const fs::path& file) {
         const fs::path plugins = root_ / "plugins";
         const fs::path own = plugins / firstFolder(file.lexically_relative(plugins).generic_string());
+        const fs::path common = plugins / "common";
         for (const Include& include : includesOf(file)) {
             if (include.name == "candela/plugin.h") continue;
-            if (isOurs(include) || (include.quoted && !isFileBelow(file.parent_path() / include.name, own))) {
+            const fs::path beside = file.parent_path() / include.name;
+            const bool isOwn = isFileBelow(beside, own) || isFileBelow(beside, common);
+            if (isOurs(include) || (include.quoted && !isOwn)) {
                 report(file, include.line, "a plugin must not include " + include.name);
             }
         }
@@ -202,8 +209,8 @@ class Check {
         const fs::path common = apps / "common";
         for (const Include& include : includesOf(file)) {
             const fs::path beside = file.parent_path() / include.name;
-            const bool isOwn = isFileBelow(beside, own) || isFileBelow(beside, common) ||
-                               isFileBelow(apps / include.name, common);
+            const bool isOwn = isFileBelow(beside, own) || isFileBelow(own / include.name, own) ||
+                               isFileBelow(beside, common) || isFileBelow(apps / include.name, common);
             if (include.name.starts_with("candela/")) {
                 const std::string name = include.name.substr(std::string("candela/").size());
                 if (layerOfHeader.contains(name) || name == umbrella) continue;

@@ -47,7 +47,9 @@ TEST_F(LayersOfAMadeTree, SoundFilesPass) {
     write("lib/render/upload.cpp",
           "#include \"gl/buffer.h\"\n#include <candela/scene.h>\n#include \"shared/frame.h\"\n");
     write("plugins/plaza/plaza.cpp",
-          "#include <candela/plugin.h>\n#include \"shapes.h\"\n#include <cmath>\n");
+          "#include <candela/plugin.h>\n#include \"shapes.h\"\n#include <cmath>\n"
+          "#include \"../common/host.h\"\n");
+    write("plugins/common/host.h", "#include <candela/plugin.h>\n");
     write("plugins/plaza/shapes.h", "#include <vector>\n");
     write("plugins/plaza/CMakeLists.txt",
           "candela_plugin(plaza plaza.cpp)  # Does not link candela::candela.\n");

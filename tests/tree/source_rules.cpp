@@ -51,8 +51,9 @@ void append(std::vector<fs::path>& files, std::vector<fs::path> more) {
 }  // namespace
 
 std::vector<fs::path> sourceFiles(const fs::path& root) {
-    const std::vector<std::string> endings = {".h",    ".cpp",  ".c",  ".in", ".glsl",  ".vert",
-                                              ".frag", ".comp", ".py", ".sh", ".cmake", "CMakeLists.txt"};
+    const std::vector<std::string> endings = {
+        ".h",    ".cpp",  ".c",  ".in", ".glsl",  ".vert",         ".geom",
+        ".frag", ".comp", ".py", ".sh", ".cmake", "CMakeLists.txt"};
     std::vector<fs::path> files;
     for (const char* folder : {"include", "lib", "shaders", "plugins", "apps", "tests", "cmake"}) {
         append(files, filesBelow(root / folder, endings));

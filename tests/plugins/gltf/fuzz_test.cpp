@@ -48,6 +48,41 @@ GltfFile richFile() {
     return file;
 }
 
+/// A small file with a cage that has creases, n-gons, a skin, morph targets and animated weights.
+GltfFile cageFile() {
+    GltfFile file;
+    file.set("extensionsUsed", R"(["FB_ngon_encoding"])");
+    file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0});
+    file.addData<float>("VEC2", {0, 0, 1, 0, 1, 1, 0, 1, 5, 0, 6, 0, 6, 1, 5, 1});
+    file.addData<std::uint8_t>("SCALAR", {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7});
+    file.addData<std::uint8_t>("VEC4", std::vector<std::uint8_t>(32, 1));
+    file.addData<std::uint8_t>("VEC4", std::vector<std::uint8_t>(32, 64), R"("normalized":true)");
+    file.addData<float>("VEC3", std::vector<float>(24, 0.5f));
+    const std::string indexView = std::to_string(file.addView({0, 3}));
+    const std::string valueView = std::to_string(file.addView(bytesOf<float>({0, 0, 1, 0, 1, 0})));
+    file.addAccessor(-1, "VEC3", 5126, 8,
+                     R"("sparse":{"count":2,"indices":{"bufferView":)" + indexView +
+                         R"(,"componentType":5121},"values":{"bufferView":)" + valueView + "}}");
+    file.addData<float>("MAT4", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1,  //
+                                 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 1});
+    file.addData<float>("SCALAR", {0, 1});
+    file.addData<float>("SCALAR", {0, 1, 1, 0});
+    file.add("materials", R"({"name":"m"})");
+    file.add("meshes", R"({"name":"cage","primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1,
+        "JOINTS_0":3,"WEIGHTS_0":4},"indices":2,"material":0,"targets":[{"POSITION":5},{"POSITION":6}],
+        "extensions":{"FB_ngon_encoding":{}}}],"weights":[0.5,1],"extras":{"candela_subdivision":{
+        "scheme":"catmullClark","level":2,"boundaryInterpolation":"edges","creaseMethod":"chaikin",
+        "faceVaryingInterpolation":"all","triangleSubdivision":"smooth",
+        "creases":[[1,2,2.5],[4,5,10]],"corners":[[0,3]],"holes":[1]}}})");
+    file.add("nodes", R"({"mesh":0,"skin":0,"weights":[0,1]})");
+    file.add("nodes", R"({"name":"lower","children":[2]})");
+    file.add("nodes", R"({"name":"upper","translation":[0,1,0]})");
+    file.add("skins", R"({"joints":[1,2],"inverseBindMatrices":7})");
+    file.add("animations", R"({"samplers":[{"input":8,"output":9}],
+                               "channels":[{"sampler":0,"target":{"node":0,"path":"weights"}}]})");
+    return file;
+}
+
 std::size_t below(Random& random, std::size_t limit) {
     return random() % limit;
 }
@@ -152,6 +187,7 @@ Bytes asBytes(const std::string& text) {
 TEST(Fuzz, theOriginalIsRead) {
     EXPECT_EQ(errorOf(richFile()), "");
     EXPECT_EQ(errorOfGlb(richFile().glb()), "");
+    EXPECT_EQ(errorOf(cageFile()), "");
 }
 
 TEST(Fuzz, gltf) {
@@ -160,6 +196,14 @@ TEST(Fuzz, gltf) {
 
 TEST(Fuzz, glb) {
     expectBothOutcomes(fuzz(richFile().glb(), "a.glb", rounds), rounds);
+}
+
+TEST(Fuzz, cageInGltf) {
+    expectBothOutcomes(fuzz(asBytes(cageFile().text()), "a.gltf", rounds), rounds);
+}
+
+TEST(Fuzz, cageInGlb) {
+    expectBothOutcomes(fuzz(cageFile().glb(), "a.glb", rounds), rounds);
 }
 
 /// Mutations of an image either decode to what their own header says or are an error that names the image.

@@ -62,7 +62,9 @@ class GltfFile {
     /// Adds a buffer view and an accessor over `values`.
     template <typename T>
     int addData(const std::string& type, const std::vector<T>& values, const std::string& more = "") {
-        const std::size_t components = type == "SCALAR" ? 1 : static_cast<std::size_t>(type[3] - '0');
+        const std::size_t components = type == "SCALAR" ? 1
+                                       : type == "MAT4" ? 16
+                                                        : static_cast<std::size_t>(type[3] - '0');
         return addAccessor(addView(bytesOf(values)), type, componentTypeOf<T>(), values.size() / components,
                            more);
     }

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <candela/brdf.h>
+#include <candela/color.h>
+#include <candela/gpu_scene.h>
+#include <candela/renderer.h>
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+/// Where the user puts the eye: metres, world space.
+struct EyeChoice {
+    glm::vec3 eye{0.0f}, target{0.0f};
+};
+
+/// Lights to strew over the scene; what is not given follows from their mean spacing.
+struct ScatterChoice {
+    std::uint32_t count = 0;
+    std::optional<float> range;    ///< Metres, over 0.
+    std::optional<float> candela;  ///< Over 0.
+    std::uint32_t seed = 1;
+};
+
+/// What to show, and which lines over it.
+struct ShowChoice {
+    candela::Show show = candela::Show::picture;
+    candela::Overlays overlays;
+};
+
+/// The options that say which picture is drawn: candela-render and candela-view share them. Checked as far as
+/// they can be without a file or a device.
+struct SceneOptions {
+    std::string scene;
+    std::optional<ScatterChoice> scatter;
+    std::vector<std::filesystem::path> pluginFolders;
+    double time = 0.0;  ///< Seconds.
+
+    int width = 1280, height = 720;     ///< Pixels.
+    std::optional<std::string> camera;  ///< Name or index.
+    std::optional<EyeChoice> eye;
+    std::optional<float> verticalFov;  ///< Radians.
+
+    candela::BrdfModel brdf = candela::BrdfModel::course;
+    candela::Technique technique = candela::Technique::automatic;
+    candela::SubdivisionSettings subdivision;
+    ShowChoice show;
+
+    std::optional<std::string> ocio;
+    candela::DisplayChoice display;
+};
+
+/// Declares the options of a `SceneOptions` and writes it while the command line is parsed; what hangs on
+/// two options is settled by `finish`.
+class SceneOptionReader {
+  public:
+    /// `app` and `options` have to outlive it.
+    SceneOptionReader(CLI::App& app, SceneOptions& options);
+
+    /// To be called after parsing. Throws `UsageError`.
+    void finish();
+
+  private:
+    void declareScene(CLI::App& app);
+    void declarePicture(CLI::App& app);
+    void declareCamera(CLI::App& app);
+    void declareLighting(CLI::App& app);
+    void declareSubdivision(CLI::App& app);
+    void declareColor(CLI::App& app);
+
+    SceneOptions& options_;
+    std::optional<std::string> eye_, target_;
+};
+
+/// Readers of option values as in parse.h.
+ScatterChoice parseScatter(const std::string& text);
+ShowChoice parseShow(const std::string& text);

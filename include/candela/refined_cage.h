@@ -1,0 +1,73 @@
+#pragma once
+
+#include <candela/cage.h>
+#include <candela/export.h>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace candela {
+
+/// A sparse matrix by rows, with a weight for the value and one for each of its two derivatives. Row r has
+/// the entries rowStarts[r] to rowStarts[r + 1] - 1.
+struct WeightRows {
+    std::vector<std::uint32_t> rowStarts;  ///< One more than there are rows; empty where there are none.
+    std::vector<std::uint32_t> columns;    ///< One an entry, as are the weights.
+    std::vector<float> weights, duWeights, dvWeights;
+
+    std::size_t rowCount() const { return rowStarts.empty() ? 0 : rowStarts.size() - 1; }
+};
+
+/// A cage refined to one level: its topology and the weights that make the limit surface of any pose of the
+/// cage. It has `pointCount` distinct limit points, and `vertexCount()` vertices to draw: vertex i lies at
+/// point i for i < pointCount; those after them are twins, which share a point but not its tangents or
+/// texture coordinates: they stand on the other side of a crease or of a texture seam.
+struct RefinedCage {
+    std::uint32_t level = 0;  ///< Each edge of the cage is 2^level edges long; 0: the cage's own polygons.
+    std::uint32_t pointCount = 0;
+    std::vector<std::uint32_t> twinPoints;  ///< The point of each twin.
+    WeightRows positions;  ///< A row a vertex, of the cage's points. A twin's own weights are not used, only
+                           ///< those of its derivatives.
+    WeightRows uvs;        ///< A row a vertex, of the cage's texture coordinates; no rows without those.
+    std::uint32_t faceSize = 4;               ///< 3 or 4.
+    std::vector<std::uint32_t> faceVertices;  ///< `faceSize` a face, counter-clockwise.
+    std::vector<std::uint32_t> cageFaces;     ///< The cage's face that each face stems from.
+
+    std::size_t vertexCount() const { return pointCount + twinPoints.size(); }
+    /// The point at which a vertex lies.
+    std::uint32_t pointOf(std::uint32_t vertex) const {
+        return vertex < pointCount ? vertex : twinPoints[vertex - pointCount];
+    }
+};
+
+/// What `evaluateLimit` writes, one element a vertex. `du` and `dv` may be empty: they are left out then.
+struct LimitVertices {
+    std::span<glm::vec3> positions;  ///< Metres. All vertices of a point have the same position, bit for bit.
+    std::span<glm::vec3> normals;    ///< du × dv at unit length; (0, 0, 0) where that vanishes.
+    std::span<glm::vec3> du, dv;     ///< Derivatives along the parameters of the face, not normalised.
+};
+
+/// Applies the table to the points of the cage, on all cores. The sizes have to fit.
+CANDELA_API void evaluateLimit(const RefinedCage& refined, std::span<const glm::vec3> cagePoints,
+                               const LimitVertices& out);
+
+/// The texture coordinates of all vertices, and their derivatives along the parameters of the face; empty
+/// for a cage without texture coordinates.
+struct LimitUvs {
+    std::vector<glm::vec2> uvs, du, dv;
+};
+CANDELA_API LimitUvs evaluateLimitUvs(const RefinedCage& refined, std::span<const glm::vec2> cageUvs);
+
+/// The polygons of a cage that has passed `validate`, cut into triangles, as a table like any other, of level
+/// 0: what is drawn where no subdivider is at hand. A vertex a corner; holes are left out. The derivatives
+/// span the plane that fits the polygon best as it stands in `cage.positions` (with more than 64 corners: the
+/// plane of three that are far apart), and follow it where it moves. Throws `Error` (limit) when 32 bits
+/// cannot count the weights.
+CANDELA_API RefinedCage cagePolygons(const Cage& cage);
+
+}  // namespace candela

@@ -1,0 +1,78 @@
+#include "host.h"
+
+#include <cstddef>
+
+namespace candela_importers {
+namespace {
+
+std::int32_t accepted(std::int32_t index) {
+    if (index < 0) throw HostRefused{};
+    return index;
+}
+
+}  // namespace
+
+Bytes Host::readFile(const std::string& path) const {
+    candela_bytes bytes{};
+    if (host_.read_file(host_.self, path.c_str(), &bytes) != CANDELA_OK) throw HostRefused{};
+    return {bytes.data, bytes.size};
+}
+
+void Host::note(const std::string& text) const {
+    host_.note(host_.self, text.c_str());
+}
+
+void Host::progress(double fraction) const {
+    if (host_.progress(host_.self, fraction) != CANDELA_OK) throw HostRefused{};
+}
+
+std::int32_t Host::add(const candela_image& image) const {
+    return accepted(host_.add_image(host_.self, &image));
+}
+
+std::int32_t Host::add(const candela_material& material) const {
+    return accepted(host_.add_material(host_.self, &material));
+}
+
+std::int32_t Host::add(const candela_mesh& mesh) const {
+    return accepted(host_.add_mesh(host_.self, &mesh));
+}
+
+std::int32_t Host::add(const candela_node& node) const {
+    return accepted(host_.add_node(host_.self, &node));
+}
+
+std::int32_t Host::add(const candela_camera& camera) const {
+    return accepted(host_.add_camera(host_.self, &camera));
+}
+
+std::int32_t Host::add(const candela_light& light) const {
+    return accepted(host_.add_light(host_.self, &light));
+}
+
+std::int32_t Host::add(const candela_animation& animation) const {
+    return accepted(host_.add_animation(host_.self, &animation));
+}
+
+std::int32_t Host::add(const candela_cage& cage) const {
+    return accepted(host_.add_cage(host_.self, &cage));
+}
+
+std::int32_t Host::add(const candela_skin& skin) const {
+    return accepted(host_.add_skin(host_.self, &skin));
+}
+
+void Host::show(const candela_shown_cage& shown) const {
+    if (host_.show_cage(host_.self, &shown) != CANDELA_OK) throw HostRefused{};
+}
+
+bool Host::takesCages() const {
+    return host_.struct_size >= offsetof(candela_host, show_cage) + sizeof host_.show_cage;
+}
+
+const char* queryOf(const candela_request& request) {
+    const bool hasQuery = request.struct_size >= offsetof(candela_request, query) + sizeof request.query;
+    return hasQuery ? request.query : nullptr;
+}
+
+}  // namespace candela_importers

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "document.h"
+
+namespace candela_gltf {
+
+inline constexpr std::uint32_t jointsPerSet = 4;
+
+/// How many pairs JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, ... a primitive has. Throws `Failure` for
+/// `element` where one of a pair is missing.
+std::uint32_t influenceSets(const tinygltf::Primitive& primitive, const std::string& element);
+
+/// The joints that move each vertex, and how much.
+struct Influences {
+    std::vector<std::uint32_t> joints;  ///< `jointsPerSet` × sets a vertex; 0 where the weight is.
+    std::vector<float> weights;         ///< As many; none below 0, and not all 0.
+};
+
+/// Reads `sets` pairs. Throws `Failure` for `element`, also when weights are negative or all 0.
+Influences readInfluences(const Document& document, const tinygltf::Primitive& primitive, std::uint32_t sets,
+                          std::size_t vertices, const std::string& element);
+
+}  // namespace candela_gltf

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "failure.h"
+#include "names.h"
+
+namespace candela_obj {
+
+struct Vec2 {
+    float x = 0.0f, y = 0.0f;
+};
+struct Vec3 {
+    float x = 0.0f, y = 0.0f, z = 0.0f;
+};
+
+/// Stands for an index that is not given.
+inline constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+/// One vertex of one face, as indices from 0.
+struct Corner {
+    std::uint32_t vertex = none, uv = none, normal = none;
+};
+
+/// What the statements before a face say of it.
+struct FaceState {
+    std::uint32_t object = 0;       ///< Index into `Document::objects`.
+    std::uint32_t group = 0;        ///< Index into `Document::groups`.
+    std::uint32_t material = none;  ///< Index into `Document::materials`.
+    std::uint32_t smoothing = 0;    ///< The smoothing group; 0 is none.
+    bool operator==(const FaceState&) const = default;
+};
+
+struct Face {
+    std::uint32_t firstCorner = 0;  ///< It ends where the next one begins.
+    std::uint32_t state = 0;        ///< Index into `Document::states`.
+    std::uint32_t line = 0;         ///< Of its statement.
+};
+
+/// A line "t name ints/floats/strings ...", as OpenSubdiv's regression shapes have it.
+struct Tag {
+    std::string name;
+    std::string place;  ///< Such as "line 12".
+    std::vector<std::int64_t> integers;
+    std::vector<float> numbers;
+    std::vector<std::string> texts;
+    std::size_t wordsBeyond = 0;  ///< Words that follow those announced.
+
+    Failure failure(const std::string& reason) const {
+        return {place, "t " + readable(name) + ": " + reason};
+    }
+};
+
+/// What an OBJ file says, with indices checked and counted from 0.
+struct Document {
+    std::vector<Vec3> positions;  ///< Metres.
+    std::vector<Vec3> colors;     ///< Linear Rec.709, one a position; empty where no vertex has one.
+    std::vector<Vec2> uvs;        ///< With (0, 0) at the first texel of the first row.
+    std::vector<Vec3> normals;
+    std::vector<Corner> corners;
+    std::vector<Face> faces;
+    std::vector<FaceState> states;
+    Names objects, groups, materials;        ///< An object or group that no statement names has the name "".
+    std::vector<std::string> materialFiles;  ///< Named by mtllib.
+    std::vector<Tag> tags;
+    /// The first normal index that is wrong. It counts only where the faces are drawn as polygons: some of
+    /// OpenSubdiv's shapes name normals that are not there.
+    std::optional<Failure> normalFault;
+
+    std::uint32_t cornerCount(std::size_t face) const {
+        const std::size_t end = face + 1 < faces.size() ? faces[face + 1].firstCorner : corners.size();
+        return static_cast<std::uint32_t>(end - faces[face].firstCorner);
+    }
+    const FaceState& stateOf(std::size_t face) const { return states[faces[face].state]; }
+};
+
+}  // namespace candela_obj

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "document.h"
+
+namespace candela_obj {
+
+/// The unit normal of a face by Newell's method, which suits concave and non-planar faces too; (0, 0, 0)
+/// where the face has no area.
+Vec3 faceNormal(const Document& document, std::size_t face);
+
+/// Gives the corners of faces in smoothing groups that name no normals one: the mean over the faces of the
+/// group at the vertex, weighted by their angles there (Thürmer and Wüthrich, "Computing Vertex Normals from
+/// Polygonal Facets", 1998). Corners of flat faces keep none.
+void addSmoothNormals(Document& document);
+
+}  // namespace candela_obj

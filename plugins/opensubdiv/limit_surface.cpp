@@ -1,0 +1,128 @@
+#include "limit_surface.h"
+
+#include <opensubdiv/far/patchTableFactory.h>
+#include <opensubdiv/far/stencilTableFactory.h>
+#include <opensubdiv/far/topologyDescriptor.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela_opensubdiv {
+namespace {
+
+namespace Far = OpenSubdiv::Far;
+
+using Stencils = Far::StencilTableReal<double>;
+using StencilFactory = Far::StencilTableFactoryReal<double>;
+
+/// Of any kind of patch: a Gregory patch has 20 points, a triangular one 18.
+constexpr int mostPatchPoints = 20;
+
+/// The levels until the last semi-sharp feature has become smooth; 0 to 10.
+int semiSharpLevels(const Far::TopologyLevel& base) {
+    float greatest = 0.0f;
+    for (int edge = 0; edge < base.GetNumEdges(); ++edge) {
+        if (base.IsEdgeSemiSharp(edge)) greatest = std::max(greatest, base.GetEdgeSharpness(edge));
+    }
+    for (int vertex = 0; vertex < base.GetNumVertices(); ++vertex) {
+        if (base.IsVertexSemiSharp(vertex)) greatest = std::max(greatest, base.GetVertexSharpness(vertex));
+    }
+    return static_cast<int>(std::ceil(greatest));
+}
+
+std::unique_ptr<Far::TopologyRefiner> refined(const Far::TopologyRefiner& base, int level, Primvar primvar) {
+    using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
+    std::unique_ptr<Far::TopologyRefiner> topology(Factory::Create(base));
+    Far::TopologyRefiner::AdaptiveOptions options(std::max(level, semiSharpLevels(base.GetLevel(0))));
+    options.useInfSharpPatch = true;
+    options.considerFVarChannels = primvar == Primvar::uv;
+    topology->RefineAdaptive(options);
+    return topology;
+}
+
+std::unique_ptr<const Far::PatchTable> makePatches(const Far::TopologyRefiner& topology, Primvar primvar) {
+    Far::PatchTableFactory::Options options;
+    options.SetPatchPrecision<double>();
+    options.SetFVarPatchPrecision<double>();
+    options.SetEndCapType(Far::PatchTableFactory::Options::ENDCAP_GREGORY_BASIS);
+    options.useInfSharpPatch = true;
+    options.generateVaryingTables = false;
+    options.generateVaryingLocalPoints = false;
+    options.generateFVarTables = primvar == Primvar::uv;
+    // Both would be approximations, for the sake of older versions.
+    options.generateFVarLegacyLinearPatches = false;
+    options.generateLegacySharpCornerPatches = false;
+    return std::unique_ptr<const Far::PatchTable>(Far::PatchTableFactory::Create(topology, options));
+}
+
+/// The stencils of the refined points, and after them of those that patches have for themselves.
+std::unique_ptr<const Stencils> makeStencils(const Far::TopologyRefiner& topology,
+                                             const Far::PatchTable& patches, Primvar primvar) {
+    const bool isPosition = primvar == Primvar::position;
+    StencilFactory::Options options;
+    options.interpolationMode =
+        isPosition ? StencilFactory::INTERPOLATE_VERTEX : StencilFactory::INTERPOLATE_FACE_VARYING;
+    options.generateOffsets = true;
+    std::unique_ptr<const Stencils> stencils(StencilFactory::Create(topology, options));
+    const Stencils* const own = isPosition ? patches.GetLocalPointStencilTable<double>()
+                                           : patches.GetLocalPointFaceVaryingStencilTable<double>();
+    if (own == nullptr || own->GetNumStencils() == 0) return stencils;
+    stencils.reset(
+        isPosition ? StencilFactory::AppendLocalPointStencilTable(topology, stencils.get(), own)
+                   : StencilFactory::AppendLocalPointStencilTableFaceVarying(topology, stencils.get(), own));
+    return stencils;
+}
+
+/// The weights of a patch's points at a place.
+struct PatchBasis {
+    double value[mostPatchPoints], du[mostPatchPoints], dv[mostPatchPoints];
+};
+
+}  // namespace
+
+LimitSurface::LimitSurface(const Far::TopologyRefiner& base, std::uint32_t level, Primvar primvar)
+    : primvar_(primvar),
+      cagePoints_(primvar == Primvar::position ? base.GetLevel(0).GetNumVertices()
+                                               : base.GetLevel(0).GetNumFVarValues()),
+      ptexFaces_(base) {
+    const auto topology = refined(base, static_cast<int>(level), primvar);
+    patches_ = makePatches(*topology, primvar);
+    map_ = std::make_unique<Far::PatchMap>(*patches_);
+    stencils_ = makeStencils(*topology, *patches_, primvar);
+}
+
+const Far::PatchTable::PatchHandle* LimitSurface::find(const Place& place) const {
+    const int ptexFace = ptexFaces_.GetFaceId(static_cast<int>(place.face)) + static_cast<int>(place.patch);
+    return map_->FindPatch(ptexFace, place.s, place.t);
+}
+
+bool LimitSurface::covers(std::uint32_t face) const {
+    return find({face, 0, 0.25, 0.25}) != nullptr;
+}
+
+void LimitSurface::evaluate(const Place& place, RowSum& row) const {
+    const PatchTable::PatchHandle& patch = *find(place);
+    const bool isPosition = primvar_ == Primvar::position;
+    PatchBasis basis;
+    if (isPosition) {
+        patches_->EvaluateBasis(patch, place.s, place.t, basis.value, basis.du, basis.dv);
+    } else {
+        patches_->EvaluateBasisFaceVarying(patch, place.s, place.t, basis.value, basis.du, basis.dv);
+    }
+    const Far::ConstIndexArray points =
+        isPosition ? patches_->GetPatchVertices(patch) : patches_->GetPatchFVarValues(patch);
+    row.clear();
+    for (int i = 0; i < points.size(); ++i) {
+        const Weights weights{basis.value[i], basis.du[i], basis.dv[i]};
+        if (points[i] < cagePoints_) {
+            row.add(points[i], weights);
+            continue;
+        }
+        const Far::StencilReal<double> stencil = stencils_->GetStencil(points[i] - cagePoints_);
+        for (int k = 0; k < stencil.GetSize(); ++k) {
+            row.add(stencil.GetVertexIndices()[k], weights * stencil.GetWeights()[k]);
+        }
+    }
+}
+
+}  // namespace candela_opensubdiv

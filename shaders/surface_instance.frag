@@ -1,0 +1,24 @@
+// The instance that a pixel shows, counted from 1.
+
+#include "lib/material.glsl"
+
+layout(binding = BASE_COLOR_UNIT) uniform sampler2D baseColorTexture;
+
+layout(location = 0) flat in uint instance;
+#if TEXTURED == 1
+layout(location = 1) in vec4 uvs;
+layout(location = 2) in float vertexAlpha;
+layout(location = 3) flat in uint material;
+#endif
+
+layout(location = 0) out uint shown;
+
+void main() {
+#if TEXTURED == 1
+    // As in surface_textured.frag.
+    float alpha = materialTexel(material, 0).a * vertexAlpha *
+                  texture(baseColorTexture, textureCoordinate(material, 0, uvs.xy, uvs.zw)).a;
+    if (alpha < materialTexel(material, 1).w) discard;
+#endif
+    shown = instance + 1u;
+}

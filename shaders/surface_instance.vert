@@ -1,0 +1,28 @@
+// Surfaces for the picture of instances: where they are, and what decides where a mask cuts them.
+
+#include "lib/frame.glsl"
+#include "lib/instance.glsl"
+
+layout(location = POSITION_ATTRIBUTE) in vec3 position;
+layout(location = DRAW_ATTRIBUTE) in uvec2 draw;
+#if TEXTURED == 1
+layout(location = UV0_ATTRIBUTE) in vec2 uv0;
+layout(location = UV1_ATTRIBUTE) in vec2 uv1;
+layout(location = COLOR_ATTRIBUTE) in vec4 color;
+
+layout(location = 1) out vec4 uvs;
+layout(location = 2) out float vertexAlpha;
+layout(location = 3) flat out uint material;
+#endif
+
+layout(location = 0) flat out uint instance;
+
+void main() {
+    gl_Position = frame.clipFromWorld * vec4(instancePosition(draw.x, position), 1.0);
+    instance = draw.x;
+#if TEXTURED == 1
+    uvs = vec4(uv0, uv1);
+    vertexAlpha = color.a;
+    material = draw.y;
+#endif
+}

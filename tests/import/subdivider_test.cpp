@@ -1,0 +1,278 @@
+// The service that refines cages: what it is handed, and what is said of what it hands back.
+#include "expect_error.h"
+#include "host_pushes.h"
+#include "pushed_samples.h"
+
+#include "import/cage_struct.h"
+
+#include <candela/plugin_registry.h>
+#include <candela/subdivider.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace candela {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path fixtures = CANDELA_TEST_FIXTURES;
+
+Subdivider fixtureSubdivider() {
+    // The registry dies here; what it loaded lives on with the subdivider.
+    const auto subdivider = PluginRegistry({fixtures / "subdividers"}).subdivider();
+    if (!subdivider) throw std::runtime_error("the fixture was not loaded");
+    return *subdivider;
+}
+
+// The fixture looks at the name. Face 1 is a hole.
+Cage sampleCage(const std::string& name) {
+    Cage cage = pushedScene([](const candela_host& host) { push(host, samples::cage()); }).cages.at(0);
+    cage.name = name;
+    return cage;
+}
+
+TEST(SubdividerService, IsFoundByTheRegistry) {
+    const PluginRegistry plugins({fixtures / "subdividers"});
+    ASSERT_TRUE(plugins.subdivider());
+    EXPECT_EQ(plugins.subdivider()->name(), "subdivider-cases");
+    const PluginReport& report = plugins.reports().at(0);
+    EXPECT_EQ(report.state, PluginState::loaded) << report.detail;
+    EXPECT_TRUE(report.subdivides);
+    EXPECT_TRUE(report.extensions.empty());
+}
+
+TEST(SubdividerService, IsNoneWhereNoPluginOffersIt) {
+    const PluginRegistry plugins({fixtures / "first"});
+    const bool offered = std::any_of(plugins.reports().begin(), plugins.reports().end(),
+                                     [](const PluginReport& report) { return report.subdivides; });
+    EXPECT_FALSE(plugins.reports().at(0).subdivides);
+    EXPECT_EQ(plugins.subdivider().has_value(), offered) << "the install folder may hold a subdivider";
+}
+
+TEST(SubdividerService, TheFirstInSearchOrderWins) {
+    const PluginRegistry plugins({fixtures / "other-subdividers", fixtures / "subdividers"});
+    ASSERT_TRUE(plugins.subdivider());
+    EXPECT_EQ(plugins.subdivider()->name(), "both");
+    EXPECT_NE(plugins.importerForScheme("both"), nullptr) << "that plugin offers both services";
+}
+
+TEST(Subdivider, WhatIsDeliveredArrives) {
+    const RefinedCage refined = fixtureSubdivider().refine(sampleCage("good"), 3);
+    EXPECT_EQ(refined.level, 3u);
+    EXPECT_EQ(refined.pointCount, 6u);
+    EXPECT_EQ(refined.twinPoints, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(refined.vertexCount(), 7u);
+    EXPECT_EQ(refined.positions.rowStarts, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
+    EXPECT_EQ(refined.positions.columns, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 0}));
+    EXPECT_EQ(refined.positions.weights, std::vector<float>(7, 1.0f));
+    EXPECT_EQ(refined.positions.duWeights, std::vector<float>(7, 0.5f));
+    EXPECT_EQ(refined.positions.dvWeights, std::vector<float>(7, 0.25f));
+    EXPECT_EQ(refined.uvs.rowCount(), 7u);
+    EXPECT_EQ(refined.faceSize, 4u);
+    EXPECT_EQ(refined.faceVertices, (std::vector<std::uint32_t>{0, 1, 4, 3})) << "face 1 is a hole";
+    EXPECT_EQ(refined.cageFaces, std::vector<std::uint32_t>{0});
+}
+
+TEST(Subdivider, ACageWithoutTextureCoordinates) {
+    Cage cage = sampleCage("good");
+    cage.uvs.clear();
+    cage.faceUvs.clear();
+    EXPECT_EQ(fixtureSubdivider().refine(cage, 1).uvs.rowCount(), 0u);
+}
+
+TEST(Subdivider, SeveralThreadsAtOnce) {
+    const Subdivider subdivider = fixtureSubdivider();
+    const std::vector<float> expected(7, 1.0f);
+    std::vector<int> wrong(4, 0);
+    const auto refineOften = [&](std::size_t thread) {
+        const Cage cage = sampleCage("good");
+        const auto level = static_cast<std::uint32_t>(1 + thread);
+        for (int i = 0; i < 200; ++i) {
+            const RefinedCage refined = subdivider.refine(cage, level);
+            wrong[thread] += refined.level == level && refined.positions.weights == expected ? 0 : 1;
+        }
+    };
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i < wrong.size(); ++i) threads.emplace_back(refineOften, i);
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(wrong, std::vector<int>(4, 0));
+}
+
+TEST(Subdivider, LevelsOutOfRange) {
+    const Subdivider subdivider = fixtureSubdivider();
+    for (const std::uint32_t level : {0u, 9u, 0xFFFFFFFFu})
+        expectError([&] { subdivider.refine(sampleCage("good"), level); }, ErrorKind::badInput,
+                    "cage 'good': it was to be refined to level " + std::to_string(level) +
+                        ", but 1 to 8 was expected");
+    EXPECT_EQ(subdivider.refine(sampleCage("good"), 8).level, 8u);
+}
+
+TEST(Subdivider, MoreThan32BitsCanCount) {
+    Cage cage = sampleCage("good");
+    cage.holes.clear();
+    cage.faceSizes.assign(16384, 4);
+    cage.faceVertices.assign(65536, 0);
+    cage.faceUvs = cage.faceVertices;
+    expectError([&] { fixtureSubdivider().refine(cage, 8); }, ErrorKind::limit,
+                "cage 'good': at level 8 it has 4294967296 corners, more than 32 bits can count");
+}
+
+TEST(Subdivider, ACageWithoutName) {
+    const std::string text =
+        expectError([&] { fixtureSubdivider().refine(sampleCage(""), 1); }, ErrorKind::badInput, "");
+    EXPECT_EQ(text, "cage: case: unknown");
+}
+
+struct Fault {
+    const char* cage;
+    const char* text;
+    ErrorKind kind = ErrorKind::badInput;
+};
+
+class SubdividerRefuses : public testing::TestWithParam<Fault> {};
+
+TEST_P(SubdividerRefuses, AndNamesTheCage) {
+    const Fault& fault = GetParam();
+    const std::string name = std::string("cage '") + fault.cage + "': ";
+    const std::string text =
+        expectError([&] { fixtureSubdivider().refine(sampleCage(fault.cage), 2); }, fault.kind, "");
+    EXPECT_EQ(text, name + fault.text);
+}
+
+TEST_P(SubdividerRefuses, AndGoesOnWithOtherCages) {
+    const Subdivider subdivider = fixtureSubdivider();
+    EXPECT_THROW(subdivider.refine(sampleCage(GetParam().cage), 2), Error);
+    EXPECT_EQ(subdivider.refine(sampleCage("good"), 2).pointCount, 6u);
+}
+
+std::string nameOf(const testing::TestParamInfo<Fault>& info) {
+    std::string name = info.param.cage;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+const Fault calls[] = {
+    {"nothing", "the plugin 'subdivider-cases' has delivered nothing"},
+    {"twice", "the plugin 'subdivider-cases' delivers more than once"},
+    {"delivers-and-fails", "the plugin 'subdivider-cases' failed and gave no reason"},
+    {"failed", "the plugin 'subdivider-cases' failed and gave no reason"},
+    {"fails", "face 7: two of its corners are one"},
+    {"fails-as-a-whole", "it is not manifold"},
+    {"fails-without-reason", "edge 3-8: the plugin 'subdivider-cases' gives no reason"},
+    {"throws", "the plugin 'subdivider-cases' threw an exception, which the plugin interface forbids"},
+    {"fails-and-throws", "face 7: it is bad"},
+    {"no-memory", "there is not enough memory to refine it to level 2", ErrorKind::limit},
+};
+INSTANTIATE_TEST_SUITE_P(Calls, SubdividerRefuses, testing::ValuesIn(calls), nameOf);
+
+class TableRefused : public testing::TestWithParam<Fault> {};
+
+TEST_P(TableRefused, AndNamesPluginAndCage) {
+    const Fault& fault = GetParam();
+    const std::string name =
+        std::string("the table of the plugin 'subdivider-cases' for cage '") + fault.cage + "': ";
+    const std::string text =
+        expectError([&] { fixtureSubdivider().refine(sampleCage(fault.cage), 2); }, fault.kind, "");
+    EXPECT_EQ(text.substr(0, text.find(", but version")), name + fault.text);
+}
+
+const Fault tables[] = {
+    {"null", "it is NULL"},
+    {"struct-size", "struct_size is 16"},
+    {"refused-but-ok", "face_size is 2, but 3 or 4 was expected"},
+    {"points", "point_count is 8, but there are 7 vertices"},
+    {"twin", "twin_points 0 is 6, but there are 6 points"},
+    {"null-twins", "twin_points is NULL, but 1 elements were expected"},
+    {"row-count", "positions.row_count is 6, but 7 vertices need a row each"},
+    {"null-starts", "positions.row_starts is NULL, but 8 elements were expected"},
+    {"first-start", "positions.row_starts 0 is 1, but 0 was expected"},
+    {"falling-start", "positions.row_starts 4 is 4, but no less than the one before it, 100, was expected"},
+    {"column", "positions.columns 2 is 6, but there are 6 vertices of the cage"},
+    {"null-columns", "positions.columns is NULL, but 7 elements were expected"},
+    {"nan-weight", "positions.weights 4 has the component nan, but finite numbers were expected"},
+    {"infinite-du", "positions.du_weights 5 has the component inf, but finite numbers were expected"},
+    {"null-dv", "positions.dv_weights is NULL, but 7 elements were expected"},
+    {"no-uvs", "uvs.row_count is 0, but 7 vertices need a row each"},
+    {"uv-column", "uvs.columns 0 is 4294967295, but there are 6 texture coordinates of the cage"},
+    {"uv-nan", "uvs.dv_weights 6 has the component nan, but finite numbers were expected"},
+    {"face-size", "face_size is 5, but 3 or 4 was expected"},
+    {"face-count", "it has 4294967296 corners, more than 32 bits can count", ErrorKind::limit},
+    {"face-vertex", "face_vertices 3 is 7, but there are 7 vertices"},
+    {"cage-face", "cage_faces 0 is 2, but there are 2 faces of the cage"},
+    {"hole", "cage_faces 0 is 1, which is a hole of the cage"},
+};
+INSTANTIATE_TEST_SUITE_P(Tables, TableRefused, testing::ValuesIn(tables), nameOf);
+
+TEST(Subdivider, RowsForTextureCoordinatesThatAreNot) {
+    Cage cage = sampleCage("uvs-of-none");
+    cage.uvs.clear();
+    cage.faceUvs.clear();
+    expectError([&] { fixtureSubdivider().refine(cage, 1); }, ErrorKind::badInput,
+                "uvs.row_count is 7, but the cage has no texture coordinates");
+}
+
+// What the plugin is handed is what an importer has pushed, but for what only moves or paints the cage.
+TEST(CageStruct, HasWhatWasPushed) {
+    const candela_cage pushed = samples::cage();
+    const Cage cage = sampleCage("body");
+    const CageStruct object(cage);
+    const candela_cage& handed = object.get();
+    const auto same = [](const auto* a, const auto* b, std::size_t count) {
+        return std::equal(a, a + count, b);
+    };
+    EXPECT_EQ(handed.struct_size, sizeof handed);
+    EXPECT_STREQ(handed.name, "body");
+    ASSERT_EQ(handed.vertex_count, 6u);
+    EXPECT_TRUE(same(handed.positions, pushed.positions, 18));
+    ASSERT_EQ(handed.face_count, 2u);
+    EXPECT_TRUE(same(handed.face_sizes, pushed.face_sizes, 2));
+    EXPECT_TRUE(same(handed.face_vertices, pushed.face_vertices, 8));
+    ASSERT_EQ(handed.uv_count, 6u);
+    EXPECT_TRUE(same(handed.uvs, pushed.uvs, 12));
+    EXPECT_TRUE(same(handed.face_uvs, pushed.face_uvs, 8));
+    ASSERT_EQ(handed.crease_count, 1u);
+    EXPECT_TRUE(same(handed.crease_edges, pushed.crease_edges, 2));
+    EXPECT_EQ(handed.crease_sharpness[0], 2.5f);
+    ASSERT_EQ(handed.corner_count, 1u);
+    EXPECT_EQ(handed.corner_vertices[0], 3u);
+    EXPECT_EQ(handed.corner_sharpness[0], 10.0f);
+    ASSERT_EQ(handed.hole_count, 1u);
+    EXPECT_EQ(handed.holes[0], 1u);
+    EXPECT_EQ(handed.level, 2u);
+    EXPECT_EQ(handed.face_materials, nullptr);
+    EXPECT_EQ(handed.influence_count, 0u);
+    EXPECT_EQ(handed.morph_target_count, 0u);
+}
+
+// Each enumerator comes back as the number that would make the host choose it.
+TEST(CageStruct, TranslatesEveryEnumerator) {
+    Cage cage = sampleCage("body");
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        cage.scheme = static_cast<SubdivisionScheme>(i);
+        cage.boundaryInterpolation = static_cast<BoundaryInterpolation>(i);
+        EXPECT_EQ(CageStruct(cage).get().scheme, static_cast<candela_scheme>(i));
+        EXPECT_EQ(CageStruct(cage).get().boundary_interpolation,
+                  static_cast<candela_boundary_interpolation>(i));
+    }
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        cage.faceVaryingInterpolation = static_cast<FaceVaryingInterpolation>(i);
+        EXPECT_EQ(CageStruct(cage).get().face_varying_interpolation,
+                  static_cast<candela_face_varying_interpolation>(i));
+    }
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        cage.creaseMethod = static_cast<CreaseMethod>(i);
+        cage.triangleSubdivision = static_cast<TriangleSubdivision>(i);
+        EXPECT_EQ(CageStruct(cage).get().crease_method, static_cast<candela_crease_method>(i));
+        EXPECT_EQ(CageStruct(cage).get().triangle_subdivision, static_cast<candela_triangle_subdivision>(i));
+    }
+}
+
+}  // namespace
+}  // namespace candela

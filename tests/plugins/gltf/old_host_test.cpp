@@ -1,0 +1,71 @@
+#include <candela/plugin.h>
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+#include "cage_file.h"
+
+namespace candela_test {
+namespace {
+
+/// A host of version 1.0, which lends one file and takes everything.
+struct OldHost {
+    Bytes file;
+    std::string fault;
+    int pushed = 0;
+    candela_host functions{};
+
+    explicit OldHost(Bytes bytes) : file(std::move(bytes)) {
+        functions.struct_size = offsetof(candela_host, add_cage);
+        functions.self = this;
+        functions.read_file = [](void* self, const char*, candela_bytes* out) {
+            const Bytes& lent = static_cast<OldHost*>(self)->file;
+            *out = {lent.data(), lent.size()};
+            return CANDELA_OK;
+        };
+        functions.fail = [](void* self, const char* element, const char* reason) {
+            static_cast<OldHost*>(self)->fault =
+                std::string(element ? element : "") + ": " + (reason ? reason : "");
+        };
+        functions.note = [](void*, const char*) {};
+        functions.progress = [](void*, double) { return CANDELA_OK; };
+        functions.add_mesh = [](void* self, const candela_mesh*) {
+            return static_cast<OldHost*>(self)->pushed++;
+        };
+        functions.add_node = [](void* self, const candela_node*) {
+            return static_cast<OldHost*>(self)->pushed++;
+        };
+    }
+};
+
+candela_status importInto(OldHost& host) {
+    const std::string path = std::string(CANDELA_TEST_PLUGINS) + "/candela-gltf.so";
+    void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!library) throw std::runtime_error(dlerror());
+    const auto query =
+        reinterpret_cast<candela_plugin_query_function>(dlsym(library, "candela_plugin_query"));
+    candela_request request{};
+    request.struct_size = sizeof request;
+    request.uri = request.name = "scene.glb";
+    const candela_status status =
+        query(CANDELA_PLUGIN_MAJOR, 0)->importer->import_scene(&host.functions, &request);
+    dlclose(library);
+    return status;
+}
+
+TEST(OldHost, isToldThatItKnowsNoCages) {
+    OldHost host(cubeFile().glb());
+    EXPECT_EQ(importInto(host), CANDELA_FAILED);
+    EXPECT_NE(host.fault.find("older than version 1.1"), std::string::npos) << host.fault;
+}
+
+TEST(OldHost, takesFilesWithoutCages) {
+    OldHost host(triangleFile().glb());
+    EXPECT_EQ(importInto(host), CANDELA_OK) << host.fault;
+    EXPECT_EQ(host.pushed, 2);
+}
+
+}  // namespace
+}  // namespace candela_test

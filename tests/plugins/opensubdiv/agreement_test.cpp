@@ -1,0 +1,130 @@
+#include "agreement.h"
+#include "made_cages.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace candela {
+namespace {
+
+std::vector<Cage> manifoldCages() {
+    std::vector<Cage> cages{cube(), torus(5, 4), pyramid(3), pyramid(5), sheet(3, 3), strangePolygons()};
+    for (std::uint32_t valence = 3; valence <= 12; ++valence) cages.push_back(star(valence));
+    return cages;
+}
+
+/// The cage itself, or its triangles where the scheme takes nothing else.
+Cage fittedTo(SubdivisionScheme scheme, const Cage& cage) {
+    Cage fitted = scheme == SubdivisionScheme::loop ? triangulated(cage) : cage;
+    fitted.scheme = scheme;
+    return fitted;
+}
+
+struct Rules {
+    FaceVaryingInterpolation faceVarying;
+    CreaseMethod creases;
+    TriangleSubdivision triangles;
+};
+
+std::vector<Rules> allRules(SubdivisionScheme scheme) {
+    std::vector<Rules> rules;
+    for (int faceVarying = 0; faceVarying <= static_cast<int>(FaceVaryingInterpolation::all); ++faceVarying) {
+        for (const CreaseMethod creases : {CreaseMethod::uniform, CreaseMethod::chaikin}) {
+            for (const auto triangles : {TriangleSubdivision::catmullClark, TriangleSubdivision::smooth}) {
+                if (triangles == TriangleSubdivision::smooth && scheme != SubdivisionScheme::catmullClark) {
+                    continue;
+                }
+                rules.push_back({static_cast<FaceVaryingInterpolation>(faceVarying), creases, triangles});
+            }
+        }
+    }
+    return rules;
+}
+
+void set(Cage& cage, const Rules& rules) {
+    cage.faceVaryingInterpolation = rules.faceVarying;
+    cage.creaseMethod = rules.creases;
+    cage.triangleSubdivision = rules.triangles;
+    cage.name += ", face-varying rule " + std::to_string(static_cast<int>(rules.faceVarying)) +
+                 ", crease method " + std::to_string(static_cast<int>(rules.creases)) + ", triangle rule " +
+                 std::to_string(static_cast<int>(rules.triangles));
+}
+
+class Agreement : public testing::TestWithParam<std::tuple<SubdivisionScheme, BoundaryInterpolation>> {
+  protected:
+    Cage prepared(const Cage& cage) const {
+        Cage result = fittedTo(std::get<0>(GetParam()), cage);
+        result.boundaryInterpolation = std::get<1>(GetParam());
+        return result;
+    }
+};
+
+TEST_P(Agreement, ofSmoothCages) {
+    Random random(1);
+    for (const Cage& plain : manifoldCages()) {
+        for (const std::uint32_t level : {1u, 3u}) {
+            Cage cage = prepared(plain);
+            shake(cage, 0.1f, random);
+            giveTornUvs(cage, random);
+            expectAgreement(cage, level);
+        }
+    }
+}
+
+// Sharp features and seams at random, and all other rules; each with some of the cages.
+TEST_P(Agreement, ofSharpCages) {
+    Random random(2);
+    const std::vector<Cage> cages = manifoldCages();
+    std::size_t turn = 0;
+    for (const Rules& rules : allRules(std::get<0>(GetParam()))) {
+        for (int i = 0; i < 4; ++i) {
+            Cage cage = prepared(cages[turn++ % cages.size()]);
+            set(cage, rules);
+            shake(cage, 0.2f, random);
+            giveTornUvs(cage, random);
+            sharpenSome(cage, random);
+            expectAgreement(cage, 2);
+        }
+    }
+}
+
+TEST_P(Agreement, aroundHoles) {
+    Random random(3);
+    for (const Cage& plain : {torus(6, 5), sheet(5, 4), star(5)}) {
+        Cage cage = prepared(plain);
+        shake(cage, 0.1f, random);
+        giveTornUvs(cage, random);
+        cage.holes = {3, 4, 9, 13};
+        expectAgreement(cage, 2);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Agreement,
+    testing::Combine(testing::Values(SubdivisionScheme::catmullClark, SubdivisionScheme::loop,
+                                     SubdivisionScheme::bilinear),
+                     testing::Values(BoundaryInterpolation::none, BoundaryInterpolation::edges,
+                                     BoundaryInterpolation::edgesAndCorners)));
+
+// Sharpness beyond the level is isolated all the same.
+TEST(Agreement, ofHighSharpness) {
+    Cage cage = cube();
+    cage.creases = {{0, 1, 5.5f}, {1, 3, 5.5f}, {3, 2, 6.25f}, {2, 0, 4.0f}};
+    cage.corners = {{7, 5.0f}};
+    expectAgreement(cage, 1);
+}
+
+TEST(Agreement, ofEdgesOfThreeFaces) {
+    Random random(4);
+    for (const SubdivisionScheme scheme : {SubdivisionScheme::catmullClark, SubdivisionScheme::loop}) {
+        Cage cage = fittedTo(scheme, book());
+        shake(cage, 0.1f, random);
+        expectAgreement(cage, 2);
+    }
+}
+
+}  // namespace
+}  // namespace candela

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <candela/cage.h>
+#include <candela/refined_cage.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace candela {
+
+/// Refines a cage with the plugin, through the library, which checks what comes back.
+RefinedCage refineWithPlugin(const Cage& cage, std::uint32_t level);
+
+/// Where a vertex of a refined cage lies on a face of the cage.
+struct GridVertex {
+    std::uint32_t vertex;
+    std::uint32_t face;
+    std::uint32_t patch;  ///< The sub-face of a face of other than 4 corners; else 0.
+    double s, t;          ///< Parameters of the patch, 0 to 1: where Far's ptex face has them.
+};
+
+/// All vertices of all faces, in the order of the faces and their patches; one that faces or patches share
+/// comes once for each. The plugin makes the polygons of a patch row after row, which tells where each of
+/// them lies; that neighbours in the grid agree on their vertices is checked on the way.
+std::vector<GridVertex> gridVertices(const Cage& cage, const RefinedCage& refined);
+
+/// The positions and normals of a table.
+struct EvaluatedLimit {
+    std::vector<glm::vec3> positions, normals, du, dv;
+};
+EvaluatedLimit evaluated(const RefinedCage& refined, const std::vector<glm::vec3>& points);
+
+}  // namespace candela
