@@ -1,0 +1,86 @@
+#pragma once
+
+#include "coarseness.h"
+#include "interaction.h"
+#include "scene_loader.h"
+#include "shader_watch.h"
+#include "view_model.h"
+#include "view_options.h"
+#include "viewport.h"
+#include "window.h"
+
+#include <candela/plugin_registry.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+/// candela-view: brings window, scene, picture and panels together.
+class Application {
+  public:
+    /// Opens the window. Throws `candela::Error` and `UsageError`.
+    explicit Application(const ViewOptions& options);
+    Application(const Application&) = delete;
+    Application& operator=(const Application&) = delete;
+    ~Application();
+
+    /// Until the window is closed or the program is interrupted, or a scripted run has ended. Throws
+    /// `candela::Error` when a scripted run fails.
+    void run();
+
+    /// What `run` does again and again, once the events are handled: takes what was loaded, dropped and
+    /// asked for, and draws the window.
+    void step();
+
+    /// All that the window shows, as its panels read and change it.
+    ViewModel& model() { return model_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void open(const std::string& scene);
+    void takeLoaded();
+    void install(SceneLoader::Result loaded);
+    void reportFailure(const std::string& text);
+    void reloadShaders();
+    void serveRequests();
+    void serveReadings();
+    void changeConfig(const std::optional<std::string>& config, const candela::DisplayChoice& choice);
+    void changeDisplay();
+    void chooseFirstColor();
+    void writePicture(const std::filesystem::path& file);
+    void finishScript();
+    void copyCommand();
+    void pick(const glm::ivec2& pixel);
+    void advanceTime();
+    void drawPicture(Motion motion);
+    void probePointer();
+    candela::GpuSceneOptions uploadOptions(const candela::ColorConfig& color) const;
+    std::uint32_t wantedFrames() const;
+    Window::Sleep sleep() const;
+    bool timeGoesOn() const;
+    bool ended() const;
+
+    /// Runs `work`; what it throws becomes a message in the window.
+    template <typename Work>
+    void guarded(Work&& work);
+
+    ViewOptions options_;
+    std::filesystem::path settingsFolder_;
+    ViewModel model_;
+    Window window_;
+    candela::Context context_;
+    candela::PluginRegistry plugins_;
+    Viewport viewport_;
+    SceneLoader loader_;
+    ShaderWatch shaders_;
+    std::optional<candela::DisplayTransform> display_;
+    candela::DisplayChoice shownChoice_;
+    std::string drawnPicture_;  ///< What the picture shows: see `pictureKey`.
+    Coarseness coarseness_;
+    Motion motion_ = Motion::rests;  ///< In the last step.
+    int settling_ = 0;               ///< Panels need some frames to come to rest after an event.
+    std::uint32_t drawnFrames_ = 0;
+    Clock::time_point lastStep_ = Clock::now();
+};

@@ -1,0 +1,101 @@
+#include "camera_control.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+/// The eye stays this far from straight above or below: a view there has no upright.
+constexpr float leastPolarAngle = 0.01f;
+constexpr float dollyFactor = 0.9f;
+constexpr float leastDistance = 1.0e-3f;
+
+/// A direction as angles: `azimuth` about +Y from +Z, `polar` from +Y.
+struct Angles {
+    float azimuth, polar;
+};
+
+Angles anglesOf(const glm::vec3& direction) {
+    return {std::atan2(direction.x, direction.z), std::acos(std::clamp(direction.y, -1.0f, 1.0f))};
+}
+
+glm::vec3 directionOf(const Angles& angles) {
+    const float polar = std::clamp(angles.polar, leastPolarAngle, pi - leastPolarAngle);
+    return {std::sin(polar) * std::sin(angles.azimuth), std::cos(polar),
+            std::sin(polar) * std::cos(angles.azimuth)};
+}
+
+/// `direction` (unit length) turned by a drag.
+glm::vec3 turned(const glm::vec3& direction, const glm::vec2& drag) {
+    Angles angles = anglesOf(direction);
+    angles.azimuth -= drag.x * pi;
+    angles.polar -= drag.y * pi;
+    return directionOf(angles);
+}
+
+}  // namespace
+
+void CameraControl::set(const candela::View& view, float distance) {
+    const glm::vec3 back(view.worldFromCamera[2]);
+    eye_ = view.eye();
+    target_ = eye_ - glm::normalize(back) * std::max(distance, leastDistance);
+    verticalFov_ = view.verticalFov;
+}
+
+void CameraControl::lookAt(const glm::vec3& eye, const glm::vec3& target) {
+    eye_ = eye;
+    target_ = target;
+}
+
+void CameraControl::frame(const candela::Bounds& box, float aspect) {
+    if (box.empty()) return;
+    const glm::vec3 center = 0.5f * (box.min + box.max);
+    const float radius = std::max(0.5f * glm::distance(box.min, box.max), leastDistance);
+    const float halfHeight = 0.5f * verticalFov_;
+    const float halfWidth = std::atan(std::tan(halfHeight) * aspect);
+    const glm::vec3 back = glm::normalize(eye_ - target_);
+    eye_ = center + back * (radius / std::sin(std::min(halfHeight, halfWidth)));
+    target_ = center;
+}
+
+void CameraControl::orbit(const glm::vec2& drag) {
+    const float distance = glm::distance(eye_, target_);
+    eye_ = target_ + distance * turned((eye_ - target_) / distance, drag);
+}
+
+void CameraControl::pan(const glm::vec2& drag) {
+    const glm::mat4 frame = view().worldFromCamera;
+    const float metresAHeight = 2.0f * std::tan(0.5f * verticalFov_) * glm::distance(eye_, target_);
+    const glm::vec3 shift = metresAHeight * (drag.y * glm::vec3(frame[1]) - drag.x * glm::vec3(frame[0]));
+    eye_ += shift;
+    target_ += shift;
+}
+
+void CameraControl::dolly(float steps) {
+    const float distance = glm::distance(eye_, target_);
+    const float nearer = std::max(distance * std::pow(dollyFactor, steps), leastDistance);
+    eye_ = target_ + (eye_ - target_) * (nearer / distance);
+}
+
+void CameraControl::turn(const glm::vec2& drag) {
+    const float distance = glm::distance(eye_, target_);
+    target_ = eye_ - distance * turned((eye_ - target_) / distance, drag);
+}
+
+void CameraControl::fly(const glm::vec3& direction, float metres) {
+    const glm::vec3 shift = metres * (glm::mat3(view().worldFromCamera) * direction);
+    eye_ += shift;
+    target_ += shift;
+}
+
+void CameraControl::setVerticalFov(float radians) {
+    verticalFov_ = radians;
+}
+
+candela::View CameraControl::view() const {
+    return candela::lookAt(eye_, target_, verticalFov_);
+}

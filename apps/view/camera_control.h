@@ -1,0 +1,43 @@
+#pragma once
+
+#include <candela/camera.h>
+#include <candela/scene.h>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+/// A camera that the hand moves: an eye that looks at a target, +Y up, without roll. Angles in radians,
+/// lengths in metres.
+class CameraControl {
+  public:
+    /// Stands where `view` does; the target lies on its axis, `distance` before the eye.
+    void set(const candela::View& view, float distance);
+    /// Looks from `eye` at `target`.
+    void lookAt(const glm::vec3& eye, const glm::vec3& target);
+    /// Moves back along the axis until the box is in the picture; `aspect` is width over height.
+    void frame(const candela::Bounds& box, float aspect);
+
+    /// `drag` is in heights of the window; a drag over the whole height turns half round.
+    void orbit(const glm::vec2& drag);
+    /// The target's point follows the pointer.
+    void pan(const glm::vec2& drag);
+    /// Nears the target by a factor for each step: 1 step is one click of the wheel.
+    void dolly(float steps);
+    /// Turns the head: the eye stays.
+    void turn(const glm::vec2& drag);
+    /// Moves eye and target by `direction` (x right, y up, z back; camera space) times `metres`.
+    void fly(const glm::vec3& direction, float metres);
+
+    void setVerticalFov(float radians);
+
+    /// A view that `candela::lookAt` makes of eye and target: what candela-render draws for
+    /// --eye, --target and --fov with these numbers.
+    candela::View view() const;
+    const glm::vec3& eye() const { return eye_; }
+    const glm::vec3& target() const { return target_; }
+    float verticalFov() const { return verticalFov_; }
+
+  private:
+    glm::vec3 eye_{0.0f, 0.0f, 5.0f}, target_{0.0f};
+    float verticalFov_ = 0.785398f;
+};

@@ -1,0 +1,155 @@
+#include "document.h"
+
+#include "common/scene_box.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace {
+
+std::string label(const char* kind, std::size_t index, const std::string& name) {
+    return std::string(kind) + " " + std::to_string(index) + (name.empty() ? "" : " '" + name + "'");
+}
+
+}  // namespace
+
+Document::Document(candela::ImportedScene imported, const candela::Context& context,
+                   const candela::GpuSceneOptions& options, std::size_t scatteredLights)
+    : scene_(std::move(imported.scene)),
+      notes_(std::move(imported.report.notes)),
+      gpuScene_(context, scene_, options),
+      visibility_(scene_.nodes.size(), candela::GpuScene::Visibility::shown),
+      restingLights_(candela::placeLights(scene_, candela::worldTransforms(scene_))),
+      shownLights_(restingLights_),
+      ownLights_(scene_.lights.size() - scatteredLights),
+      firstScattered_(ownLights_),
+      changedMaterials_(scene_.materials.size(), false) {}
+
+candela::GpuScene Document::upload(const candela::Context& context,
+                                   const candela::GpuSceneOptions& options) const {
+    candela::GpuScene uploaded(context, scene_, options);
+    uploaded.setTime(time_);
+    for (std::uint32_t node = 0; node < visibility_.size(); ++node)
+        if (visibility_[node] == candela::GpuScene::Visibility::hidden)
+            uploaded.setVisibility(node, visibility_[node]);
+    if (lightsTaken_) uploaded.setLights(shownLights_);
+    return uploaded;
+}
+
+void Document::adopt(candela::GpuScene uploaded) {
+    gpuScene_ = std::move(uploaded);
+    ++revision_;
+}
+
+bool Document::animated() const {
+    return !scene_.animations.empty() || motion_.moving;
+}
+
+void Document::setTime(double seconds) {
+    if (seconds == time_) return;
+    time_ = seconds;
+    ++revision_;
+    gpuScene_.setTime(seconds);
+    const bool carried = !lightsChanged_ && !scene_.animations.empty();
+    if (carried) placeLights();
+    if (lightsTaken_ && (carried || motion_.moving)) {
+        showLights();
+    } else if (carried) {
+        shownLights_ = restingLights_;
+    }
+}
+
+void Document::placeLights() {
+    restingLights_ = candela::placeLights(scene_, candela::worldTransforms(scene_, time_));
+}
+
+void Document::setMaterial(std::uint32_t index, const candela::Material& material) {
+    gpuScene_.setMaterial(index, material);
+    scene_.materials[index] = material;
+    changedMaterials_[index] = true;
+    ++revision_;
+}
+
+void Document::setVisibility(std::uint32_t node, candela::GpuScene::Visibility visibility) {
+    gpuScene_.setVisibility(node, visibility);
+    visibility_[node] = visibility;
+    ++revision_;
+}
+
+void Document::setLight(std::uint32_t index, const candela::PlacedLight& light) {
+    const candela::PlacedLight before = std::exchange(restingLights_[index], light);
+    try {
+        showLights();
+    } catch (...) {
+        restingLights_[index] = before;
+        showLights();
+        throw;
+    }
+    lightsChanged_ = true;
+}
+
+void Document::addLight(const candela::PlacedLight& light) {
+    restingLights_.insert(restingLights_.begin() + static_cast<std::ptrdiff_t>(firstScattered_), light);
+    ++firstScattered_;
+    lightsChanged_ = true;
+    showLights();
+}
+
+void Document::removeLight(std::uint32_t index) {
+    restingLights_.erase(restingLights_.begin() + index);
+    if (index < firstScattered_) --firstScattered_;
+    lightsChanged_ = true;
+    showLights();
+}
+
+void Document::scatterLights(const ScatterChoice& choice) {
+    scene_.lights.resize(ownLights_);
+    addScatteredLights(scene_, choice, "the scene");
+    const std::vector<candela::PlacedLight> placed =
+        candela::placeLights(scene_, candela::worldTransforms(scene_, time_));
+    restingLights_.resize(firstScattered_);
+    restingLights_.insert(restingLights_.end(), placed.begin() + static_cast<std::ptrdiff_t>(ownLights_),
+                          placed.end());
+    showLights();
+}
+
+void Document::setLightMotion(const LightMotion& motion) {
+    motion_ = motion;
+    showLights();
+}
+
+void Document::showLights() {
+    lightsTaken_ = true;
+    ++revision_;
+    moveLights(restingLights_, motion_, time_, shownLights_);
+    gpuScene_.setLights(shownLights_);
+}
+
+std::vector<std::string> Document::changes() const {
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < changedMaterials_.size(); ++i)
+        if (changedMaterials_[i]) texts.push_back(label("material", i, scene_.materials[i].name));
+    for (std::size_t i = 0; i < visibility_.size(); ++i)
+        if (visibility_[i] == candela::GpuScene::Visibility::hidden)
+            texts.push_back("hidden " + label("node", i, scene_.nodes[i].name));
+    if (lightsChanged_) texts.emplace_back("lights that were moved, added or removed by hand");
+    if (motion_.moving) texts.emplace_back("lights in motion");
+    return texts;
+}
+
+candela::Bounds Document::bounds() const {
+    return sceneBox(scene_, time_);
+}
+
+candela::Bounds Document::bounds(std::uint32_t node) const {
+    const std::vector<glm::mat4> world = candela::worldTransforms(scene_, time_);
+    std::vector<bool> inside(scene_.nodes.size(), false);
+    candela::Bounds box;
+    // Parents stand before their children.
+    for (std::uint32_t i = node; i < scene_.nodes.size(); ++i) {
+        const auto& parent = scene_.nodes[i].parent;
+        inside[i] = i == node || (parent && inside[*parent]);
+        if (inside[i]) box.add(candela::nodeBounds(scene_, i, world, time_));
+    }
+    return box;
+}

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "common/scene_options.h"
+#include "light_motion.h"
+
+#include <candela/gpu_scene.h>
+#include <candela/import.h>
+#include <candela/scene.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// The open scene: as values, on the device, and with what was changed of it in the window. What the panels
+/// show and edit; every change reaches the device at once.
+class Document {
+  public:
+    /// Uploads. The last `scatteredLights` lights of `imported` are those of --scatter-lights. Throws
+    /// `candela::Error`.
+    Document(candela::ImportedScene imported, const candela::Context& context,
+             const candela::GpuSceneOptions& options, std::size_t scatteredLights);
+
+    const candela::Scene& scene() const { return scene_; }
+    /// Grows with everything that changes the picture.
+    std::uint64_t revision() const { return revision_; }
+    const std::vector<std::string>& notes() const { return notes_; }
+    candela::GpuScene& gpuScene() { return gpuScene_; }
+
+    /// The scene on the device once more, as it is shown now: for another working space or other shaders.
+    /// Throws `candela::Error`.
+    candela::GpuScene upload(const candela::Context& context, const candela::GpuSceneOptions& options) const;
+    /// Shows what `upload` made.
+    void adopt(candela::GpuScene uploaded);
+
+    /// Poses the scene (and moves the lights, if they move) as at `seconds`.
+    void setTime(double seconds);
+    double time() const { return time_; }
+    bool animated() const;
+
+    void setMaterial(std::uint32_t index, const candela::Material& material);
+    void setVisibility(std::uint32_t node, candela::GpuScene::Visibility visibility);
+    candela::GpuScene::Visibility visibility(std::uint32_t node) const { return visibility_[node]; }
+
+    /// The lights in world space as they are shown now.
+    const std::vector<candela::PlacedLight>& lights() const { return shownLights_; }
+    /// Replaces light `index` at its resting place. Throws `candela::Error` and leaves it when it is no
+    /// light.
+    void setLight(std::uint32_t index, const candela::PlacedLight& light);
+    void addLight(const candela::PlacedLight& light);
+    void removeLight(std::uint32_t index);
+    /// Takes away the lights of an earlier call (or of --scatter-lights) and strews others. Throws
+    /// `candela::Error` and leaves the lights when there is nothing to strew them over.
+    void scatterLights(const ScatterChoice& choice);
+    void setLightMotion(const LightMotion& motion);
+    const LightMotion& lightMotion() const { return motion_; }
+
+    /// What was changed that no option of candela-render can say, a line each, such as "material 3 'brass'".
+    std::vector<std::string> changes() const;
+
+    /// The world-space box of what node `node` shows, its children included; of the whole scene without one.
+    candela::Bounds bounds() const;
+    candela::Bounds bounds(std::uint32_t node) const;
+
+  private:
+    void showLights();
+    void placeLights();
+
+    candela::Scene scene_;
+    std::vector<std::string> notes_;
+    candela::GpuScene gpuScene_;
+    std::uint64_t revision_ = 0;
+    double time_ = 0.0;
+    std::vector<candela::GpuScene::Visibility> visibility_;
+    std::vector<candela::PlacedLight> restingLights_, shownLights_;
+    std::size_t ownLights_;       ///< Of the scene's lights, those that were not strewn.
+    std::size_t firstScattered_;  ///< Of the resting lights.
+    LightMotion motion_;
+    std::vector<bool> changedMaterials_;
+    bool lightsTaken_ = false;    ///< The device has the lights that the window places, not the scene's own.
+    bool lightsChanged_ = false;  ///< By hand: nodes move them no longer.
+};

@@ -1,0 +1,12 @@
+/// candela-view: shows a scene in a window. See --help.
+
+#include "application.h"
+#include "common/run_program.h"
+#include "view_options.h"
+
+int main(int argc, char** argv) {
+    return runProgram("candela-view", [&] {
+        const std::optional<ViewOptions> options = parseViewOptions(argc, argv);
+        if (options) Application(*options).run();
+    });
+}

@@ -1,0 +1,66 @@
+#include "panels/panel_window.h"
+#include "panels/panels.h"
+#include "panels/widgets.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+namespace {
+
+/// Within what --exposure takes.
+constexpr double mostStops = 10.0;
+
+/// An empty name means the default, which is shown by its name.
+bool chooseName(const char* label, std::string& chosen, std::vector<std::string> names,
+                const std::string& defaultText) {
+    names.insert(names.begin(), "");
+    return chooseOne(label, chosen, names,
+                     [&](const std::string& name) { return name.empty() ? defaultText : name; });
+}
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+}
+
+void chooseConfig(ViewModel& model) {
+    static std::string path;
+    showWrappedText("config: " + model.color.source());
+    const bool entered = ImGui::InputTextWithHint("##config", "path of an .ocio file", &path,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::SameLine();
+    if ((ImGui::Button("Open") || entered) && !path.empty()) model.requests.ocioConfig = path;
+    ImGui::SameLine();
+    if (ImGui::Button("Default")) model.requests.ocioConfig = "";
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the file that $OCIO names, else the built-in config");
+}
+
+/// A view that the new display does not have falls back to its default.
+void chooseDisplay(ViewModel& model) {
+    candela::DisplayChoice& choice = model.options.display;
+    const std::vector<std::string> displays = model.color.displays();
+    const std::string standard = model.color.defaultDisplay();
+    const bool changed = chooseName("display", choice.display, displays, standard + " (default)");
+    const std::string& display = choice.display.empty() ? standard : choice.display;
+    if (!has(displays, display)) return showWrappedText("The config has no such display.");
+    const std::vector<std::string> views = model.color.views(display);
+    if (changed && !has(views, choice.view)) choice.view.clear();
+    chooseName("view", choice.view, views, model.color.defaultView(display) + " (default)");
+}
+
+}  // namespace
+
+void drawColorPanel(ViewModel& model) {
+    const PanelWindow window(Panel::color, "Colour", model.panels.color);
+    if (!window) return;
+    chooseConfig(model);
+    ImGui::Separator();
+    chooseDisplay(model);
+    chooseName("look", model.options.display.look, model.color.looks(), "none");
+    slideNumber("exposure", model.options.display.exposure, -mostStops, mostStops, "%+.2f stops");
+    if (ImGui::Button("No exposure")) model.options.display.exposure = 0.0;
+    ImGui::Separator();
+    showWrappedText("light is computed in " + model.color.workingSpace());
+    for (const std::string& note : model.color.notes()) showWrappedText(note);
+}

@@ -1,0 +1,100 @@
+#include "panels/panel_window.h"
+#include "panels/panel_work.h"
+#include "panels/panels.h"
+#include "panels/texts.h"
+#include "panels/widgets.h"
+
+#include <imgui.h>
+
+#include <array>
+
+namespace {
+
+/// As --subdivision-edge has it.
+constexpr float leastEdge = 0.1f, longestEdge = 1000.0f;
+/// The level that a click on "fixed" begins with.
+constexpr std::uint32_t firstLevel = 2;
+
+void chooseLighting(ViewModel& model) {
+    using enum candela::Technique;
+    constexpr std::array techniques{automatic, volumes, tiles, fullscreen};
+    constexpr std::array models{candela::BrdfModel::course, candela::BrdfModel::gltf};
+    chooseOne("technique", model.options.technique, techniques, [&](candela::Technique technique) {
+        const bool chose = technique == automatic && model.technique != automatic;
+        return std::string(candela::toString(technique)) +
+               (chose ? std::string(" (") + candela::toString(model.technique) + ")" : "");
+    });
+    chooseOne("reflection", model.options.brdf, models,
+              [](candela::BrdfModel brdf) { return candela::toString(brdf); });
+}
+
+void chooseShown(ShowChoice& choice) {
+    using enum candela::Show;
+    constexpr std::array all{picture,   normals, level,    baseColor, metallic,
+                             roughness, depth,   emission, lightCount};
+    chooseOne("show", choice.show, all, [](candela::Show show) { return candela::toString(show); });
+    ImGui::Checkbox("wireframe", &choice.overlays.wireframe);
+    ImGui::SameLine();
+    ImGui::Checkbox("cages", &choice.overlays.cage);
+}
+
+bool editSubdivision(candela::SubdivisionSettings& settings) {
+    bool changed = false;
+    if (ImGui::RadioButton("by size", !settings.level) && settings.level) {
+        settings.level.reset();
+        changed = true;
+    }
+    ImGui::SameLine();
+    if (ImGui::RadioButton("fixed level", settings.level.has_value()) && !settings.level) {
+        settings.level = firstLevel;
+        changed = true;
+    }
+    const std::uint32_t greatest = candela::greatestSubdivisionLevel;
+    if (settings.level) return slideLevel("level", *settings.level, 1, greatest) || changed;
+    changed = slideNumber("edges", settings.edgePixels,
+                          {.least = leastEdge,
+                           .most = longestEdge,
+                           .format = "%.1f px",
+                           .scale = NumberRange::Scale::logarithmic}) ||
+              changed;
+    return slideLevel("up to level", settings.maxLevel, 1, greatest) || changed;
+}
+
+std::string levelsText(const candela::CageReport& report) {
+    if (report.lowestLevel == report.highestLevel) return "level " + std::to_string(report.highestLevel);
+    return "levels " + std::to_string(report.lowestLevel) + " to " + std::to_string(report.highestLevel);
+}
+
+void showReport(const candela::CageReport& report) {
+    if (report.cages == 0) return showDimText("The scene has no cages.");
+    showText(groupedText(report.cages) + " cages, " + groupedText(report.triangles) + " triangles");
+    if (!report.subdivided)
+        return showWrappedText("No plugin that refines cages is loaded: their polygons are drawn.");
+    showText(levelsText(report) + ", tables of " + bytesText(report.tableBytes));
+    if (report.heldBack > 0)
+        showWrappedText(groupedText(report.heldBack) + " held back below what the size asks for");
+    if (!report.evaluator.empty()) showText("points are moved by " + report.evaluator);
+}
+
+void drawSubdivision(ViewModel& model) {
+    candela::SubdivisionSettings settings = model.options.subdivision;
+    const bool changed = editSubdivision(settings);
+    if (model.document) showReport(model.document->gpuScene().cageReport());
+    if (!changed) return;
+    tryTo(model, [&] {
+        if (model.document) model.document->gpuScene().setSubdivision(settings);
+        model.options.subdivision = settings;
+    });
+}
+
+}  // namespace
+
+void drawDrawingPanel(ViewModel& model) {
+    const PanelWindow window(Panel::drawing, "Drawing", model.panels.drawing);
+    if (!window) return;
+    chooseLighting(model);
+    chooseShown(model.options.show);
+    ImGui::Separator();
+    showText("subdivision");
+    drawSubdivision(model);
+}

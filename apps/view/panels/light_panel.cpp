@@ -1,0 +1,152 @@
+#include "panels/light_editor.h"
+#include "panels/light_strewing.h"
+#include "panels/panel_window.h"
+#include "panels/panel_work.h"
+#include "panels/panels.h"
+#include "panels/split_color.h"
+#include "panels/texts.h"
+#include "panels/widgets.h"
+
+#include <imgui.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace {
+
+/// Of the list while a light is edited under it.
+constexpr float listLines = 5.0f;
+/// Width of the field for a light's number, which has room for millions.
+constexpr float numberLetters = 9.0f;
+/// A new light gives its target as much as one of 1 cd at 1 m does when it stands this share of the camera's
+/// distance away.
+constexpr float newLightShare = 0.5f;
+/// A drag over this many pixels crosses the distance to the camera's target.
+constexpr float pixelsToTarget = 500.0f;
+
+struct Kept {
+    LightEditing editing;
+    std::optional<std::uint32_t> edited, scrolledTo;
+};
+
+std::string rowText(std::size_t index, const candela::PlacedLight& light) {
+    const char* unit = light.type == candela::LightType::directional ? "lx" : "cd";
+    std::array<char, 64> text;
+    std::snprintf(text.data(), text.size(), "%zu  %s  %.4g %s", index, nameOf(light.type),
+                  static_cast<double>(splitColor(light.intensity).strength), unit);
+    return text.data();
+}
+
+void drawList(ViewModel& model, Kept& kept) {
+    const auto& lights = model.document->lights();
+    const float rowHeight = ImGui::GetTextLineHeightWithSpacing();
+    ImGui::BeginChild("list", {0.0f, model.pickedLight ? listLines * rowHeight : 0.0f}, true);
+    if (model.pickedLight != kept.scrolledTo && model.pickedLight)
+        ImGui::SetScrollY(rowHeight * (static_cast<float>(*model.pickedLight) - 0.5f * listLines));
+    kept.scrolledTo = model.pickedLight;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(lights.size()), rowHeight);
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const auto index = static_cast<std::uint32_t>(i);
+            ImGui::PushID(i);
+            colorPatch("color", splitColor(lights[index].intensity).hue);
+            ImGui::SameLine();
+            const Row row = model.pickedLight == index ? Row::selected : Row::plain;
+            if (listRow(index, row, rowText(index, lights[index]))) {
+                model.pickedLight = index;
+                kept.scrolledTo = index;
+            }
+            ImGui::PopID();
+        }
+    }
+    ImGui::EndChild();
+}
+
+bool same(const candela::PlacedLight& a, const candela::PlacedLight& b) {
+    return a.type == b.type && a.position == b.position && a.intensity == b.intensity && a.range == b.range;
+}
+
+void addLight(ViewModel& model) {
+    candela::PlacedLight light;
+    light.position = model.camera.target();
+    const float metres = newLightShare * glm::distance(model.camera.eye(), model.camera.target());
+    light.intensity = glm::vec3(std::clamp(metres * metres, 1.0e-6f, 1.0e20f));
+    tryTo(model, [&] {
+        model.document->addLight(light);
+        const auto& lights = model.document->lights();
+        const auto found = std::ranges::find_if(lights, [&](const auto& one) { return same(one, light); });
+        if (found != lights.end()) model.pickedLight = static_cast<std::uint32_t>(found - lights.begin());
+    });
+}
+
+void drawButtons(ViewModel& model) {
+    if (ImGui::Button("Add")) addLight(model);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("a point light where the camera looks");
+    if (!model.pickedLight) return;
+    ImGui::SameLine();
+    if (!ImGui::Button("Remove")) return;
+    tryTo(model, [&] {
+        model.document->removeLight(*model.pickedLight);
+        model.pickedLight.reset();
+    });
+}
+
+/// To find one light among very many.
+void drawIndex(ViewModel& model) {
+    const auto last = static_cast<std::uint32_t>(model.document->lights().size() - 1);
+    std::uint32_t index = model.pickedLight.value_or(0);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(numberLetters * ImGui::GetFontSize());
+    if (countInput("##number", index, last)) model.pickedLight = index;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("pick a light by its number");
+}
+
+void drawEditor(ViewModel& model, Kept& kept) {
+    if (!model.pickedLight) return;
+    if (model.document->lightMotion().moving)
+        return showWrappedText("The lights move. Stop them to edit one.");
+    if (kept.edited != model.pickedLight) kept.editing.hue = glm::vec3(1.0f);
+    kept.edited = model.pickedLight;
+    kept.editing.target = model.camera.target();
+    kept.editing.metresAPixel = glm::distance(model.camera.eye(), model.camera.target()) / pixelsToTarget;
+    candela::PlacedLight light = model.document->lights()[*model.pickedLight];
+    ImGui::PushID(static_cast<int>(*model.pickedLight));
+    const bool changed = editLight(light, kept.editing);
+    ImGui::PopID();
+    if (changed) tryTo(model, [&] { model.document->setLight(*model.pickedLight, light); });
+}
+
+void drawLights(ViewModel& model) {
+    auto& kept = keptOfScene<Kept>(model);
+    drawButtons(model);
+    const std::size_t count = model.document->lights().size();
+    if (model.pickedLight && *model.pickedLight >= count) model.pickedLight.reset();
+    if (count == 0) return showDimText("The scene has no lights.");
+    drawIndex(model);
+    drawList(model, kept);
+    drawEditor(model, kept);
+}
+
+}  // namespace
+
+void drawLightPanel(ViewModel& model) {
+    const PanelWindow window(Panel::lights, "Lights", model.panels.lights);
+    if (!window || !model.document || !ImGui::BeginTabBar("tabs")) return;
+    if (ImGui::BeginTabItem("List")) {
+        drawLights(model);
+        ImGui::EndTabItem();
+    }
+    if (ImGui::BeginTabItem("Strew")) {
+        drawLightStrewing(model);
+        ImGui::EndTabItem();
+    }
+    if (ImGui::BeginTabItem("Move")) {
+        drawLightMotion(model);
+        ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+}

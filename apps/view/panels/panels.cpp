@@ -1,0 +1,21 @@
+#include "panels/panels.h"
+
+#include "panels/panel_window.h"
+#include "panels/panel_work.h"
+
+void drawPanels(ViewModel& model) {
+    sceneNumber(model);  // a panel that is closed while a scene is opened learns of it here
+    drawMenuBar(model);
+    if (model.panels.scene) drawScenePanel(model);
+    if (model.panels.material) drawMaterialPanel(model);
+    if (model.panels.lights) drawLightPanel(model);
+    if (model.panels.camera) drawCameraPanel(model);
+    if (model.panels.color) drawColorPanel(model);
+    if (model.panels.drawing) drawDrawingPanel(model);
+    if (model.panels.statistics) drawStatisticsPanel(model);
+    if (model.panels.probe) drawProbePanel(model);
+    drawHeatLegend(model);
+    drawLoading(model);
+    drawMessages(model);
+    endArrangement();
+}

@@ -1,0 +1,123 @@
+#include "render_command_line.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <numbers>
+#include <string_view>
+
+namespace {
+
+/// The shortest text that is read back as the same number.
+template <typename Number>
+std::string numberText(Number number) {
+    std::array<char, 64> buffer;
+    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
+    return std::string(buffer.data(), end);
+}
+
+std::string pointText(const glm::vec3& point) {
+    return numberText(point.x) + "," + numberText(point.y) + "," + numberText(point.z);
+}
+
+bool needsNoQuotes(char c) {
+    constexpr std::string_view plain = "-_./:,=+@%";
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           plain.find(c) != plain.npos;
+}
+
+std::string quoted(const std::string& word) {
+    if (!word.empty() && std::ranges::all_of(word, needsNoQuotes)) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+bool isNumeral(char c) {
+    return (c >= '0' && c <= '9') || c == '.';
+}
+
+/// A file whose name begins with a dash is reached by its folder.
+std::string sceneWord(const std::string& scene) {
+    return scene.starts_with('-') ? "./" + scene : scene;
+}
+
+class Command {
+  public:
+    void word(const std::string& text) { text_ += (text_.empty() ? "" : " ") + quoted(text); }
+    void option(const char* name, const std::string& value) {
+        text_ += " " + std::string(name);
+        // A name may look like an option; a negative number does not.
+        const bool likeOption = value.size() > 1 && value[0] == '-' && !isNumeral(value[1]);
+        text_ += (likeOption ? "=" : " ") + quoted(value);
+    }
+    void optionUnlessEmpty(const char* name, const std::string& value) {
+        if (!value.empty()) option(name, value);
+    }
+    const std::string& text() const { return text_; }
+
+  private:
+    std::string text_;
+};
+
+std::string scatterText(const ScatterChoice& choice) {
+    std::string text = std::to_string(choice.count);
+    if (choice.range) text += "," + numberText(*choice.range);
+    if (choice.range && choice.candela) text += "," + numberText(*choice.candela);
+    if (choice.range && choice.candela && choice.seed != 1) text += "," + std::to_string(choice.seed);
+    return text;
+}
+
+std::string showText(const ShowChoice& choice) {
+    std::string text = candela::toString(choice.show);
+    if (choice.overlays.wireframe) text += ",wireframe";
+    if (choice.overlays.cage) text += ",cage";
+    return text;
+}
+
+void addCamera(Command& command, const SceneOptions& options) {
+    if (options.eye) {
+        command.option("--eye", pointText(options.eye->eye));
+        command.option("--target", pointText(options.eye->target));
+    } else if (options.camera) {
+        command.option("--camera", *options.camera);
+    }
+    if (options.verticalFov)
+        command.option("--fov", numberText(*options.verticalFov * 180.0 / std::numbers::pi));
+}
+
+void addSubdivision(Command& command, const candela::SubdivisionSettings& settings) {
+    const candela::SubdivisionSettings standard;
+    if (settings.level) command.option("--subdivision-level", std::to_string(*settings.level));
+    if (settings.edgePixels != standard.edgePixels)
+        command.option("--subdivision-edge", numberText(settings.edgePixels));
+    if (settings.maxLevel != standard.maxLevel)
+        command.option("--subdivision-max-level", std::to_string(settings.maxLevel));
+}
+
+}  // namespace
+
+std::string renderCommandLine(const SceneOptions& options) {
+    Command command;
+    command.word("candela-render");
+    command.word(sceneWord(options.scene));
+    command.option("--size", std::to_string(options.width) + "x" + std::to_string(options.height));
+    addCamera(command, options);
+    if (options.time != 0.0) command.option("--time", numberText(options.time));
+    if (options.scatter) command.option("--scatter-lights", scatterText(*options.scatter));
+    for (const std::filesystem::path& folder : options.pluginFolders)
+        command.option("--plugin-path", folder.string());
+    command.option("--brdf", candela::toString(options.brdf));
+    command.option("--technique", candela::toString(options.technique));
+    const ShowChoice& show = options.show;
+    if (show.show != candela::Show::picture || show.overlays.wireframe || show.overlays.cage)
+        command.option("--show", showText(show));
+    addSubdivision(command, options.subdivision);
+    if (options.ocio) command.option("--ocio", *options.ocio);
+    command.optionUnlessEmpty("--display", options.display.display);
+    command.optionUnlessEmpty("--view", options.display.view);
+    command.optionUnlessEmpty("--look", options.display.look);
+    if (options.display.exposure != 0.0) command.option("--exposure", numberText(options.display.exposure));
+    command.option("-o", "candela.png");
+    return command.text();
+}

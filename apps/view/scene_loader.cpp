@@ -1,0 +1,87 @@
+#include "scene_loader.h"
+
+#include "common/scene_box.h"
+
+#include <candela/error.h>
+
+#include <exception>
+#include <mutex>
+#include <utility>
+
+namespace {
+
+/// The window is woken when so much more of the scene has been read.
+constexpr double shownStep = 0.005;
+
+}  // namespace
+
+struct SceneLoader::Job {
+    Job(const candela::PluginRegistry& registry, const SceneOptions& chosen, void (*wakeUp)())
+        : plugins(registry), options(chosen), wake(wakeUp) {
+        result.options = chosen;
+    }
+
+    const candela::PluginRegistry plugins;
+    const SceneOptions options;
+    void (*const wake)();
+    std::atomic<bool> cancelled{false};
+    std::atomic<double> share{0.0};
+    std::atomic<bool> ended{false};
+    Result result;  ///< To be read once `ended` is set.
+
+    bool goOn(double now) {
+        if (now - share >= shownStep) {
+            share = now;
+            wake();
+        }
+        return !cancelled;
+    }
+
+    void read() {
+        candela::ImportedScene imported =
+            candela::importScene(plugins, options.scene, [this](double now) { return goOn(now); });
+        if (options.scatter) addScatteredLights(imported.scene, *options.scatter, options.scene);
+        result.scene = std::move(imported);
+    }
+
+    void run() {
+        try {
+            read();
+        } catch (const std::exception& error) {
+            if (!cancelled) result.error = error.what();
+        }
+        ended = true;
+        wake();
+    }
+};
+
+SceneLoader::~SceneLoader() {
+    cancel();
+    if (thread_.joinable()) thread_.join();
+}
+
+void SceneLoader::start(const candela::PluginRegistry& plugins, const SceneOptions& options, void (*wake)()) {
+    cancel();
+    if (thread_.joinable()) thread_.join();
+    job_ = std::make_shared<Job>(plugins, options, wake);
+    thread_ = std::thread([job = job_] { job->run(); });
+}
+
+void SceneLoader::cancel() {
+    if (job_) job_->cancelled = true;
+}
+
+std::optional<LoadStatus> SceneLoader::status() const {
+    if (!job_ || job_->cancelled) return std::nullopt;
+    return LoadStatus{job_->options.scene, job_->share};
+}
+
+std::optional<SceneLoader::Result> SceneLoader::take() {
+    if (!job_ || !job_->ended) return std::nullopt;
+    thread_.join();
+    Result result = std::move(job_->result);
+    // It may have been read to its end before it heard of that.
+    if (job_->cancelled) result = {result.options, std::nullopt, ""};
+    job_.reset();
+    return result;
+}

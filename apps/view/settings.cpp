@@ -1,0 +1,139 @@
+#include "settings.h"
+
+#include "common/output_file.h"
+#include "common/parse.h"
+
+#include <candela/error.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* settingsName = "view.json";
+constexpr const char* layoutName = "view-layout.ini";
+constexpr int largestSide = 16384;
+
+/// The panels by name.
+template <typename Panels, typename Visit>
+void visitPanels(Panels& panels, Visit&& visit) {
+    visit("scene", panels.scene);
+    visit("material", panels.material);
+    visit("lights", panels.lights);
+    visit("camera", panels.camera);
+    visit("color", panels.color);
+    visit("drawing", panels.drawing);
+    visit("statistics", panels.statistics);
+    visit("probe", panels.probe);
+}
+
+Json toJson(const ViewModel& model) {
+    const SceneOptions& options = model.options;
+    Json panels = Json::object();
+    visitPanels(model.panels, [&](const char* name, bool open) { panels[name] = open; });
+    return {{"size", {options.width, options.height}},
+            {"panels", panels},
+            {"recent", model.recent},
+            {"brdf", candela::toString(options.brdf)},
+            {"technique", candela::toString(options.technique)},
+            {"ocio", options.ocio.value_or("")},
+            {"display", options.display.display},
+            {"view", options.display.view},
+            {"look", options.display.look},
+            {"exposure", options.display.exposure},
+            {"subdivision_edge", options.subdivision.edgePixels},
+            {"subdivision_max_level", options.subdivision.maxLevel}};
+}
+
+void readSize(const Json& json, SceneOptions& options) {
+    const auto [width, height] = json.at("size").get<std::pair<int, int>>();
+    options.width = std::clamp(width, 1, largestSide);
+    options.height = std::clamp(height, 1, largestSide);
+}
+
+void readColor(const Json& json, SceneOptions& options) {
+    const auto config = json.at("ocio").get<std::string>();
+    if (!config.empty()) options.ocio = config;
+    options.display.display = json.at("display").get<std::string>();
+    options.display.view = json.at("view").get<std::string>();
+    options.display.look = json.at("look").get<std::string>();
+    options.display.exposure = std::clamp(json.at("exposure").get<double>(), -63.0, 63.0);
+}
+
+void readSubdivision(const Json& json, SceneOptions& options) {
+    options.subdivision.edgePixels = std::clamp(json.at("subdivision_edge").get<float>(), 0.1f, 1.0e5f);
+    options.subdivision.maxLevel = std::clamp(json.at("subdivision_max_level").get<std::uint32_t>(), 1u,
+                                              candela::greatestSubdivisionLevel);
+}
+
+/// Into copies, so that a file with a mistake leaves everything as it was.
+void takeSettings(const Json& json, const ViewOptions& given, ViewModel& model) {
+    SceneOptions options = model.options;
+    PanelChoice panels = model.panels;
+    auto recent = json.at("recent").get<std::vector<std::string>>();
+    visitPanels(panels, [&](const char* name, bool& open) { open = json.at("panels").at(name).get<bool>(); });
+    if (!given.sizeGiven) readSize(json, options);
+    if (!given.displayGiven) readColor(json, options);
+    if (!given.subdivisionGiven) readSubdivision(json, options);
+    if (!given.drawingGiven) {
+        options.brdf = parseBrdf(json.at("brdf").get<std::string>());
+        options.technique = parseTechnique(json.at("technique").get<std::string>());
+    }
+    model.options = options;
+    model.panels = panels;
+    model.recent = std::move(recent);
+}
+
+}  // namespace
+
+std::filesystem::path settingsFolder() {
+    const char* configured = std::getenv("XDG_CONFIG_HOME");
+    if (configured && *configured) return std::filesystem::path(configured) / "candela";
+    const char* home = std::getenv("HOME");
+    if (home && *home) return std::filesystem::path(home) / ".config" / "candela";
+    return {};
+}
+
+void readSettings(const std::filesystem::path& folder, const ViewOptions& options, ViewModel& model) {
+    if (folder.empty()) return;
+    const std::filesystem::path file = folder / settingsName;
+    std::ifstream stream(file);
+    if (!stream) return;
+    try {
+        takeSettings(Json::parse(stream), options, model);
+    } catch (const std::exception& error) {
+        model.messages.push_back(
+            {Message::Kind::note,
+             file.string() + ": the settings of the last session are not used: " + error.what()});
+    }
+}
+
+void writeSettings(const std::filesystem::path& folder, const ViewModel& model) {
+    if (folder.empty()) return;
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);  // writing says what is wrong
+    // A file's name need not be UTF-8.
+    const std::string text = toJson(model).dump(2, ' ', false, Json::error_handler_t::replace);
+    writeText(folder / settingsName, text + "\n");
+}
+
+void forgetSettings(const std::filesystem::path& folder) {
+    if (folder.empty()) return;
+    for (const char* name : {settingsName, layoutName}) {
+        std::error_code failed;
+        std::filesystem::remove(folder / name, failed);  // none to remove is no failure
+        if (failed)
+            throw candela::Error(candela::ErrorKind::environment, (folder / name).string(),
+                                 "cannot be removed: " + failed.message());
+    }
+}
+
+std::filesystem::path layoutFile(const std::filesystem::path& folder) {
+    return folder.empty() ? folder : folder / layoutName;
+}

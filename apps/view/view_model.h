@@ -1,0 +1,80 @@
+#pragma once
+
+#include "camera_control.h"
+#include "common/scene_options.h"
+#include "document.h"
+#include "scene_loader.h"
+
+#include <candela/color.h>
+#include <candela/renderer.h>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A line that the window shows until it is dismissed.
+struct Message {
+    enum class Kind { note, error } kind = Kind::note;
+    std::string text;
+};
+
+/// What the last frames took, for the running graph.
+struct FrameRecord {
+    std::vector<candela::PassTime> passes;
+    double milliseconds = 0.0;
+};
+
+/// Which panels are open; kept in the settings.
+struct PanelChoice {
+    bool scene = true, material = false, lights = true, camera = true, color = true, drawing = true,
+         statistics = true, probe = false;
+};
+
+/// What the panels ask the application to do once they are drawn: it touches files, threads or the device.
+struct Requests {
+    std::optional<std::string> open;  ///< A file or a made scene.
+    bool cancelLoading = false;
+    bool frameAll = false, framePicked = false;
+    std::optional<glm::ivec2> pick;  ///< What this pixel shows.
+    bool countPairs = false;
+    std::optional<std::string> ocioConfig;        ///< Read this OpenColorIO config.
+    std::optional<std::string> savePng, saveExr;  ///< Write the picture here.
+    bool copyCommand = false;
+};
+
+/// All that the window shows. The panels read and change it; the application draws it.
+struct ViewModel {
+    /// What candela-render would be given for this picture, the camera included: a camera that was moved by
+    /// hand is its `eye`.
+    SceneOptions options;
+    CameraControl camera;  ///< Stands where the picture is taken from; see camera_choice.h.
+    bool playing = false;  ///< Time goes on.
+
+    candela::ColorConfig color = candela::ColorConfig::builtIn();
+    std::unique_ptr<Document> document;  ///< Null until the first scene is there.
+    std::optional<LoadStatus> loading;   ///< While a scene is being read.
+
+    std::optional<glm::ivec2> pointer;  ///< The pixel under the pointer, from the top; none over a panel.
+    std::optional<std::uint32_t> pickedNode, pickedLight, pickedMaterial;
+    std::optional<candela::PixelProbe> probe;  ///< Under the pointer, while its panel is open.
+    glm::vec3 probeDisplay{0.0f};              ///< Its display value, 0 to 1.
+
+    std::deque<FrameRecord> frames;            ///< The latest last; at most 240.
+    std::optional<candela::PairCounts> pairs;  ///< Of the resting picture, when the statistics are open.
+    std::uint32_t greatestLightCount = 0;      ///< End of the heat map.
+    int divisor = 1;  ///< The last picture's width and height were divided by it: coarser while it moves.
+    std::string renderer;                                          ///< GL_RENDERER.
+    candela::Technique technique = candela::Technique::automatic;  ///< That the last frame used.
+
+    PanelChoice panels;
+    std::vector<std::string> recent;  ///< Scenes opened, the latest first; at most 10.
+    std::deque<Message> messages;
+    std::string shaderError;  ///< Of the last reload; empty when it went well.
+    Requests requests;
+};

@@ -1,0 +1,110 @@
+#include "view_options.h"
+
+#include "common/parse.h"
+
+#include <candela/version.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <iostream>
+#include <limits>
+
+namespace {
+
+constexpr const char* description =
+    "Shows a scene lit by any number of point lights in a window. SCENE may be left out: drop a file on the\n"
+    "window. Takes the options of candela-render and draws the same picture.\n";
+
+constexpr const char* footer =
+    "In the window:\n"
+    "  left button      turn round the target; a click picks what is under the pointer\n"
+    "  middle button    (or shift and left) move sideways;  wheel: come nearer\n"
+    "  right button     look around, and fly with W A S D Q E\n"
+    "  F, shift F       frame all, frame what is picked;  space: time goes on or stops\n"
+    "\n"
+    "Exit codes:\n"
+    "  0  done\n"
+    "  1  this machine is at fault, or the scene of a run with --frames or --screenshot; one line says why\n"
+    "  2  wrong usage";
+
+void declareWindow(CLI::App& app, ViewOptions& options) {
+    app.add_option_function<std::string>(
+           "--frames",
+           [&options](const std::string& text) {
+               options.frames = static_cast<std::uint32_t>(
+                   parseInteger("--frames", text, 1, std::numeric_limits<std::int32_t>::max()));
+           },
+           "End after N frames of the scene")
+        ->type_name("N")
+        ->group("Running");
+    app.add_option("--screenshot", options.screenshot,
+                   "Write the picture, without the panels, and end: .png as the display shows it,\n"
+                   ".exr with all channels. Such a run, and one with --frames, keeps no settings")
+        ->type_name("FILE")
+        ->group("Running");
+    app.add_option("--window-screenshot", options.windowScreenshot,
+                   "Write the whole window with its panels as a PNG, and end")
+        ->type_name("FILE.png")
+        ->group("Running");
+    app.add_flag_callback(
+           "--reset", [&options] { options.settings = StoredSettings::reset; },
+           "Forget the settings that earlier sessions left")
+        ->group("Running");
+}
+
+void noteGiven(const CLI::App& app, ViewOptions& options) {
+    const auto given = [&app](const char* name) { return app.count(name) > 0; };
+    options.sizeGiven = given("--size");
+    options.displayGiven =
+        given("--ocio") || given("--display") || given("--view") || given("--look") || given("--exposure");
+    options.drawingGiven = given("--brdf") || given("--technique") || given("--show");
+    options.subdivisionGiven =
+        given("--subdivision-level") || given("--subdivision-edge") || given("--subdivision-max-level");
+}
+
+void check(const ViewOptions& options) {
+    if (options.screenshot && options.scene.empty()) throw UsageError("--screenshot needs a SCENE");
+    if (options.screenshot && endingOf(*options.screenshot) != ".png" &&
+        endingOf(*options.screenshot) != ".exr")
+        throw UsageError("--screenshot \"" + options.screenshot->string() +
+                         "\": expected a file name that ends in .png or .exr");
+    if (options.windowScreenshot && endingOf(*options.windowScreenshot) != ".png")
+        throw UsageError("--window-screenshot \"" + options.windowScreenshot->string() +
+                         "\": expected a file name that ends in .png");
+}
+
+}  // namespace
+
+std::string endingOf(const std::filesystem::path& file) {
+    std::string ending = file.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](char c) {
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    });
+    return ending;
+}
+
+std::optional<ViewOptions> parseViewOptions(int argc, const char* const* argv) {
+    ViewOptions options;
+    CLI::App app(description, "candela-view");
+    app.get_formatter()->column_width(32);
+    app.get_formatter()->label("OPTIONS", "OPTION...");
+    app.set_help_flag("-h,--help", "Show this help")->group("Asking");
+    app.set_version_flag("--version", "candela " CANDELA_VERSION, "Show the version")->group("Asking");
+    app.footer(footer);
+    SceneOptionReader sceneOptions(app, options);
+    declareWindow(app, options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {
+        app.exit(asked, std::cout, std::cerr);
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(error.what());
+    }
+    sceneOptions.finish();
+    noteGiven(app, options);
+    check(options);
+    return options;
+}

@@ -1,0 +1,83 @@
+#include "viewport.h"
+
+#include <epoxy/gl.h>
+
+#include <glm/common.hpp>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <utility>
+
+Viewport::Viewport(const candela::Context& context) : context_(context), renderer_(context) {
+    glCreateFramebuffers(1, &framebuffer_);
+    glObjectLabel(GL_FRAMEBUFFER, framebuffer_, -1, "picture");
+}
+
+Viewport::~Viewport() {
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteTextures(1, &texture_);
+}
+
+void Viewport::resize(const glm::ivec2& size) {
+    if (size == size_) return;
+    glDeleteTextures(1, &texture_);
+    glCreateTextures(GL_TEXTURE_2D, 1, &texture_);
+    glObjectLabel(GL_TEXTURE, texture_, -1, "picture");
+    glTextureStorage2D(texture_, 1, GL_RGBA8, size.x, size.y);
+    glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, texture_, 0);
+    size_ = size;
+}
+
+double Viewport::draw(const Inputs& inputs) {
+    const auto start = std::chrono::steady_clock::now();
+    drawn_ = false;
+    draw(renderer_, inputs);
+    glFinish();
+    drawn_ = true;
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void Viewport::draw(candela::Renderer& renderer, const Inputs& inputs) {
+    fullSize_ = {inputs.options.width, inputs.options.height};
+    resize(glm::max(fullSize_ / inputs.divisor, 1));
+    candela::FrameInputs frame;
+    frame.width = size_.x;
+    frame.height = size_.y;
+    frame.view = inputs.view;
+    frame.brdf = inputs.options.brdf;
+    frame.technique = inputs.options.technique;
+    frame.show = inputs.options.show.show;
+    frame.overlays = inputs.options.show.overlays;
+    renderer.render(inputs.scene, frame);
+    renderer.display(inputs.display, {.framebuffer = framebuffer_, .x = 0, .y = 0});
+}
+
+void Viewport::show(const glm::ivec2& size) const {
+    constexpr std::array<float, 4> black{0.0f, 0.0f, 0.0f, 1.0f};
+    glClearNamedFramebufferfv(0, GL_COLOR, 0, black.data());
+    if (size_ == glm::ivec2(0)) return;
+    const GLenum filter = size == size_ ? GL_NEAREST : GL_LINEAR;
+    glBlitNamedFramebuffer(framebuffer_, 0, 0, 0, size_.x, size_.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT,
+                           filter);
+}
+
+glm::ivec2 Viewport::pixelAt(const glm::ivec2& pixel) const {
+    return glm::clamp(pixel * size_ / fullSize_, glm::ivec2(0), size_ - 1);
+}
+
+glm::vec3 Viewport::displayValue(const glm::ivec2& pixel) const {
+    const glm::ivec2 place = pixelAt(pixel);
+    std::array<std::uint8_t, 4> value{};
+    glGetTextureSubImage(texture_, 0, place.x, size_.y - 1 - place.y, 0, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                         static_cast<GLsizei>(value.size()), value.data());
+    return glm::vec3(value[0], value[1], value[2]) / 255.0f;
+}
+
+void Viewport::reloadShaders(const std::optional<Inputs>& inputs) {
+    candela::Renderer fresh(context_);
+    // Most programs are made when they are first drawn with.
+    if (inputs) draw(fresh, *inputs);
+    renderer_ = std::move(fresh);
+    drawn_ = inputs.has_value();
+}

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "common/scene_options.h"
+
+#include <candela/camera.h>
+#include <candela/color.h>
+#include <candela/context.h>
+#include <candela/renderer.h>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <optional>
+
+/// The picture of the scene: drawn when it changes, shown in the window as often as that is drawn.
+class Viewport {
+  public:
+    explicit Viewport(const candela::Context& context);
+    Viewport(const Viewport&) = delete;
+    Viewport& operator=(const Viewport&) = delete;
+    ~Viewport();
+
+    struct Inputs {
+        const candela::GpuScene& scene;
+        const SceneOptions& options;  ///< Its size is the picture's.
+        const candela::View& view;
+        const candela::DisplayTransform& display;
+        int divisor = 1;  ///< Width and height are divided by it: coarser, faster.
+    };
+    /// Draws the picture. Returns the milliseconds it took. Throws `candela::Error`.
+    double draw(const Inputs& inputs);
+    /// Has the renderer a picture, so that it can be asked about it?
+    bool drawn() const { return drawn_; }
+    /// Copies the picture over the window, whose framebuffer has `size`; black before the first picture.
+    void show(const glm::ivec2& size) const;
+
+    /// The pixel of the picture that covers a pixel of the full size. Both count from the top.
+    glm::ivec2 pixelAt(const glm::ivec2& pixel) const;
+    /// Its display value, 0 to 1 each.
+    glm::vec3 displayValue(const glm::ivec2& pixel) const;
+
+    /// Makes the renderer anew from the shaders as they are now, and draws `inputs`, if given, with it.
+    /// Throws `candela::Error` that holds the compiler's message, and goes on with the old renderer; the
+    /// picture has to be drawn again then.
+    void reloadShaders(const std::optional<Inputs>& inputs);
+
+    candela::Renderer& renderer() { return renderer_; }
+
+  private:
+    void draw(candela::Renderer& renderer, const Inputs& inputs);
+    void resize(const glm::ivec2& size);
+
+    const candela::Context& context_;
+    candela::Renderer renderer_;
+    unsigned texture_ = 0, framebuffer_ = 0;
+    glm::ivec2 size_{0};
+    glm::ivec2 fullSize_{1};
+    bool drawn_ = false;
+};

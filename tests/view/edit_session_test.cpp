@@ -1,0 +1,237 @@
+// What is edited in the window changes the picture as if the scene had been made that way.
+
+#include "temporary_config.h"
+#include "view_session.h"
+
+#include <candela/error.h>
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace {
+
+using candela::test::configText;
+using Visibility = candela::GpuScene::Visibility;
+
+class EditSession : public ViewTest {
+  protected:
+    /// The sample scene, with what `change` makes of it, as a file of this name.
+    template <typename Change>
+    void writeChanged(const std::string& name, Change&& change) const {
+        nlohmann::json scene = nlohmann::json::parse(std::ifstream(folder / "square.gltf"));
+        change(scene);
+        folder.write(name, scene.dump());
+    }
+
+    static std::vector<std::string> small(std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {"--size", smallSize});
+        return arguments;
+    }
+    void expectPicture(ViewSession& session, std::vector<std::string> arguments) const {
+        EXPECT_EQ(greatestDifference(session.picture(), rendered(small(std::move(arguments)))), 0);
+    }
+};
+
+TEST_F(EditSession, AMaterialIsThatOfAFreshScene) {
+    writeChanged("red.gltf", [](auto& scene) {
+        auto& material = scene["materials"][0]["pbrMetallicRoughness"];
+        material["baseColorFactor"] = {0.75, 0.0625, 0.03125, 1};
+        material["metallicFactor"] = 0.5;
+        material["roughnessFactor"] = 0.25;
+    });
+    ViewSession session(small({"square.gltf"}));
+    session.awaitScene();
+    candela::Material material = session.document().scene().materials[0];
+    material.baseColor = {0.75f, 0.0625f, 0.03125f, 1.0f};
+    material.metallic = 0.5f;
+    material.roughness = 0.25f;
+    session.document().setMaterial(0, material);
+    expectPicture(session, {"red.gltf"});
+    ASSERT_EQ(session.document().changes().size(), 1u);
+    EXPECT_NE(session.document().changes()[0].find("material 0"), std::string::npos);
+}
+
+TEST_F(EditSession, AHiddenNodeIsGoneAndComesBack) {
+    ViewSession session(small({"square.gltf"}));
+    session.awaitScene();
+    session.document().setVisibility(0, Visibility::hidden);
+    EXPECT_EQ(session.picture().colors(), 1u);
+    EXPECT_EQ(session.document().changes().size(), 1u);
+    session.document().setVisibility(0, Visibility::shown);
+    expectPicture(session, {"square.gltf"});
+    EXPECT_TRUE(session.document().changes().empty());
+}
+
+TEST_F(EditSession, StrewnLightsAreThoseOfTheCommandLine) {
+    ViewSession session(small({"square.gltf", "--scatter-lights", "500"}));
+    session.awaitScene();
+    expectPicture(session, {"square.gltf", "--scatter-lights", "500"});
+    session.document().scatterLights({.count = 40, .range = 1.0f, .candela = 0.5f, .seed = 9});
+    expectPicture(session, {"square.gltf", "--scatter-lights", "40,1,0.5,9"});
+    EXPECT_EQ(session.document().lights().size(), 41u);
+    session.document().scatterLights({.count = 0, .range = {}, .candela = {}});
+    expectPicture(session, {"square.gltf"});
+    EXPECT_TRUE(session.document().changes().empty());
+}
+
+TEST_F(EditSession, TimeMovesTheLightsOfNodesAmongStrewnOnes) {
+    ViewSession session(small({"square.gltf"}));
+    session.awaitScene();
+    session.model().options.time = 0.25;
+    session.step();
+    expectPicture(session, {"square.gltf", "--time", "0.25"});
+    session.document().scatterLights({.count = 30, .range = 1.0f, .candela = 0.5f, .seed = 1});
+    expectPicture(session, {"square.gltf", "--time", "0.25", "--scatter-lights", "30,1,0.5"});
+    session.model().options.time = 0.75;
+    session.step();
+    expectPicture(session, {"square.gltf", "--time", "0.75", "--scatter-lights", "30,1,0.5"});
+}
+
+TEST_F(EditSession, LightsAreStrewnAlikeAtEveryTime) {
+    // The square grows: its box at 1 s is another one than at the start.
+    writeChanged("growing.gltf",
+                 [](auto& scene) { scene["animations"][0]["channels"][0]["target"]["node"] = 0; });
+    ViewSession session(
+        small({"growing.gltf", "--scatter-lights", "30", "--eye", "0,0,14", "--target", "0,0,0"}));
+    session.awaitScene();
+    session.model().options.time = 1.0;
+    session.step();
+    expectPicture(session, {"growing.gltf", "--scatter-lights", "30", "--eye", "0,0,14", "--target", "0,0,0",
+                            "--time", "1"});
+}
+
+TEST_F(EditSession, ALightIsReplacedAddedAndRemoved) {
+    writeChanged("two.gltf", [](auto& scene) {
+        scene["extensions"]["KHR_lights_punctual"]["lights"][0]["intensity"] = 4;
+        scene["extensions"]["KHR_lights_punctual"]["lights"].push_back(
+            {{"type", "point"}, {"color", {0, 1, 0}}, {"intensity", 3}, {"range", 20}});
+        scene["nodes"].push_back(
+            {{"translation", {0.5, 0, 2}}, {"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
+        scene["scenes"][0]["nodes"].push_back(4);
+    });
+    ViewSession session(small({"square.gltf"}));
+    session.awaitScene();
+    candela::PlacedLight light = session.document().lights()[0];
+    const candela::PlacedLight first = light;
+    light.intensity = glm::vec3(4.0f);
+    session.document().setLight(0, light);
+    light.position = {0.5f, 0.0f, 2.0f};
+    light.intensity = {0.0f, 3.0f, 0.0f};
+    session.document().addLight(light);
+    expectPicture(session, {"two.gltf"});
+    session.document().removeLight(1);
+    session.document().setLight(0, first);
+    expectPicture(session, {"square.gltf"});
+}
+
+TEST_F(EditSession, WhatIsNoLightIsRefusedAndChangesNothing) {
+    ViewSession session(small({"square.gltf"}));
+    session.awaitScene();
+    candela::PlacedLight light = session.document().lights()[0];
+    light.intensity = glm::vec3(-1.0f);
+    EXPECT_THROW(session.document().setLight(0, light), candela::Error);
+    session.document().setLightMotion({});  // sends the lights once more
+    expectPicture(session, {"square.gltf"});
+    EXPECT_TRUE(session.document().changes().empty());
+}
+
+TEST_F(EditSession, MovingLightsMoveThePictureAndStop) {
+    ViewSession session(small({"square.gltf"}));
+    session.awaitScene();
+    session.document().setLightMotion({.moving = true, .radius = 0.5f, .speed = 1.0f});
+    session.model().playing = true;
+    const double start = session.model().options.time;
+    ASSERT_TRUE(session.stepUntil([&] { return session.model().options.time > start + 0.2; }));
+    session.model().playing = false;
+    session.step();
+    const PngPicture moved = session.picture();
+    session.step(5);
+    EXPECT_EQ(greatestDifference(session.picture(), moved), 0);
+    EXPECT_GT(greatestDifference(moved, rendered(small({"square.gltf"}))), 2);
+    session.document().setLightMotion({});
+    session.model().options.time = 0.0;
+    session.step();
+    expectPicture(session, {"square.gltf"});
+}
+
+TEST_F(EditSession, DrawingOptionsAreThoseOfTheCommandLine) {
+    ViewSession session(small({"plaza:64"}));
+    session.awaitScene();
+    session.model().options.brdf = candela::BrdfModel::gltf;
+    session.model().options.technique = candela::Technique::volumes;
+    expectPicture(session, {"plaza:64", "--brdf", "gltf", "--technique", "volumes"});
+    session.model().options.show.show = candela::Show::normals;
+    expectPicture(session, {"plaza:64", "--show", "normals"});
+    session.model().options.show = {candela::Show::lightCount, {.wireframe = true, .cage = false}};
+    expectPicture(session, {"plaza:64", "--show", "light_count,wireframe"});
+    EXPECT_GT(session.model().greatestLightCount, 0u);
+}
+
+TEST_F(EditSession, DisplayViewAndExposureAreThoseOfTheCommandLine) {
+    ViewSession session(small({"plaza:64"}));
+    session.awaitScene();
+    session.model().options.display = {"Display P3", "Un-tone-mapped", "", 2.5};
+    session.step();
+    expectPicture(session,
+                  {"plaza:64", "--display", "Display P3", "--view", "Un-tone-mapped", "--exposure", "2.5"});
+    session.model().options.display = {"sRGB", "Raw", "", 0.0};
+    session.step();
+    expectPicture(session, {"plaza:64", "--view", "Raw"});
+    session.model().options.display = {"sRGB", "ACES 1.0 SDR", "", 0.0};
+    session.step();
+    // Two runs may choose another form of this view, which differ by a quarter of a code and its rounding.
+    EXPECT_LE(greatestDifference(session.picture(), rendered(small({"plaza:64", "--view", "ACES 1.0 SDR"}))),
+              1);
+}
+
+TEST_F(EditSession, AViewThatIsNotThereIsAMessageAndThePictureStays) {
+    ViewSession session(small({"square.gltf"}));
+    session.awaitScene();
+    const PngPicture before = session.picture();
+    session.model().options.display.view = "Sepia";
+    session.step(5);
+    EXPECT_EQ(session.messages(Message::Kind::error), 1u);
+    EXPECT_EQ(greatestDifference(session.picture(), before), 0);
+}
+
+TEST_F(EditSession, AConfigBringsItsViewsAndItsWorkingSpace) {
+    folder.write("aces.ocio",
+                 configText("  aces_interchange: ACES2065-1\n  scene_linear: ACEScg\n",
+                            "  - !<ColorSpace> {name: ACES2065-1, isdata: false}\n"
+                            "  - !<ColorSpace>\n"
+                            "    name: ACEScg\n"
+                            "    to_scene_reference: !<BuiltinTransform> {style: ACEScg_to_ACES2065-1}\n"));
+    ViewSession session(small({"square.gltf", "--view", "Raw"}));
+    session.awaitScene();
+    const PngPicture before = session.picture();
+    session.model().requests.ocioConfig = "aces.ocio";
+    session.step(2);
+    EXPECT_EQ(session.messages(Message::Kind::error), 0u);
+    expectPicture(session, {"square.gltf", "--ocio", "aces.ocio"});
+    EXPECT_GT(greatestDifference(session.picture(), before), 5) << "another working space";
+    session.model().requests.ocioConfig = "absent.ocio";
+    session.step(2);
+    EXPECT_EQ(session.messages(Message::Kind::error), 1u);
+    EXPECT_EQ(session.model().options.ocio, "aces.ocio");
+    expectPicture(session, {"square.gltf", "--ocio", "aces.ocio"});
+    session.model().requests.ocioConfig = "";
+    session.model().options.display.view = "";
+    session.step(2);
+    expectPicture(session, {"square.gltf"});
+}
+
+TEST_F(EditSession, WhatWasEditedOutlivesAnotherConfig) {
+    ViewSession session(small({"square.gltf", "--scatter-lights", "20"}));
+    session.awaitScene();
+    session.model().options.time = 0.5;
+    session.document().setVisibility(0, Visibility::hidden);
+    session.document().scatterLights({.count = 10, .range = 2.0f, .candela = 1.0f, .seed = 3});
+    session.model().requests.ocioConfig = "";
+    session.step(2);
+    EXPECT_EQ(session.picture().colors(), 1u);
+    session.document().setVisibility(0, Visibility::shown);
+    expectPicture(session, {"square.gltf", "--time", "0.5", "--scatter-lights", "10,2,1,3"});
+}
+
+}  // namespace

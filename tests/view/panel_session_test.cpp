@@ -1,0 +1,101 @@
+// The panels, used by the pointer: what is chosen in them reaches the picture.
+
+#include "own_display.h"
+#include "view_session.h"
+
+#include <imgui_internal.h>
+
+namespace {
+
+/// A window with one panel open, large enough for all that it holds.
+class PanelSession : public ViewTest {
+  protected:
+    void open(bool PanelChoice::*panel) {
+        session = std::make_unique<ViewSession>(std::vector<std::string>{"plaza:16", "--size", "640x480"});
+        session->model().panels = {};
+        for (bool PanelChoice::*each :
+             {&PanelChoice::scene, &PanelChoice::material, &PanelChoice::lights, &PanelChoice::camera,
+              &PanelChoice::color, &PanelChoice::drawing, &PanelChoice::statistics, &PanelChoice::probe})
+            session->model().panels.*each = each == panel;
+        session->awaitScene();
+        session->step(3);
+    }
+
+    /// Opens one list of a panel after another, from the top, and takes the last row of each, until `chosen`
+    /// holds.
+    bool chooseIn(const char* panel, const std::function<bool()>& chosen) {
+        const ImGuiWindow* window = ImGui::FindWindowByName(panel);
+        if (!window) return false;
+        const int x = static_cast<int>(window->Pos.x) + 20;
+        const int end = static_cast<int>(window->Pos.y + window->Size.y);
+        for (int y = static_cast<int>(window->Pos.y) + 30; y < end && !chosen(); y += 10) {
+            session->click(x, y);
+            takeLastRow();
+        }
+        return chosen();
+    }
+
+    std::unique_ptr<ViewSession> session;
+
+  private:
+    void takeLastRow() {
+        const ImVector<ImGuiPopupData>& popups = GImGui->OpenPopupStack;
+        if (popups.empty() || !popups.back().Window) return;
+        const ImGuiWindow& list = *popups.back().Window;
+        session->click(static_cast<int>(list.Pos.x) + 10,
+                       static_cast<int>(list.Pos.y + list.Size.y - 0.8f * ImGui::GetFontSize()));
+    }
+};
+
+TEST_F(PanelSession, DisplayAndViewAreChosenFromLists) {
+    open(&PanelChoice::color);
+    const PngPicture before = session->picture();
+    ASSERT_TRUE(chooseIn("Colour", [&] { return !session->model().options.display.display.empty(); }));
+    ASSERT_TRUE(chooseIn("Colour", [&] { return !session->model().options.display.view.empty(); }));
+    const candela::DisplayChoice choice = session->model().options.display;
+    EXPECT_EQ(choice.display, session->model().color.displays().back());
+    EXPECT_EQ(choice.view, session->model().color.views(choice.display).back());
+    const PngPicture shown = session->picture();
+    EXPECT_GT(greatestDifference(shown, before), 5);
+    // Two runs may choose another form of an ACES view, which differ by a quarter of a code and its rounding.
+    EXPECT_LE(greatestDifference(shown, renderedBy(session->copiedCommand())), 1);
+}
+
+TEST_F(PanelSession, TechniqueAndReflectionAreChosenFromLists) {
+    open(&PanelChoice::drawing);
+    ASSERT_TRUE(chooseIn("Drawing", [&] {
+        return session->model().options.technique != candela::Technique::automatic &&
+               session->model().options.brdf != candela::BrdfModel::course;
+    }));
+    EXPECT_EQ(session->model().options.technique, candela::Technique::fullscreen);
+    EXPECT_EQ(greatestDifference(session->picture(), renderedBy(session->copiedCommand())), 0);
+}
+
+TEST_F(PanelSession, EveryPanelOpensFromTheMenu) {
+    open(nullptr);
+    // The second menu of the bar; its first rows are the panels.
+    session->click(70, 9);
+    ASSERT_FALSE(GImGui->OpenPopupStack.empty());
+    const ImGuiWindow& menu = *GImGui->OpenPopupStack.back().Window;
+    session->click(static_cast<int>(menu.Pos.x) + 20, static_cast<int>(menu.Pos.y) + 16);
+    EXPECT_TRUE(session->model().panels.scene);
+    EXPECT_FALSE(session->model().panels.lights);
+}
+
+TEST_F(PanelSession, AllPanelsAtOnceLeaveNoErrorInAnySize) {
+    open(nullptr);
+    session->model().panels = {true, true, true, true, true, true, true, true};
+    session->model().pickedNode = 1;
+    session->model().pickedMaterial = 0;
+    session->model().pickedLight = 3;
+    for (const auto& [width, height] : {std::pair(640, 480), std::pair(100, 80), std::pair(1200, 900)}) {
+        session->resize(width, height);
+        session->model().requests.countPairs = true;
+        session->step(4);
+    }
+    ASSERT_TRUE(session->model().pairs);
+    EXPECT_GT(session->model().pairs->pairsLit, 0u);
+    EXPECT_EQ(session->messages(Message::Kind::error), 0u);
+}
+
+}  // namespace

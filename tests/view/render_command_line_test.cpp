@@ -1,0 +1,162 @@
+// The copied command line: what a shell makes of it, and what the options of candela-render make of that.
+
+#include "render_command_line.h"
+#include "common/usage_error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// The words that /bin/sh makes of a command.
+Words wordsOf(const std::string& command) {
+    const std::unique_ptr<FILE, int (*)(FILE*)> shell(popen(("printf '%s\\0' " + command).c_str(), "r"),
+                                                      pclose);
+    if (!shell) throw std::runtime_error("no shell can be started");
+    Words words;
+    std::string word;
+    for (int c = std::getc(shell.get()); c != EOF; c = std::getc(shell.get())) {
+        if (c != 0) {
+            word += static_cast<char>(c);
+            continue;
+        }
+        words.push_back(word);
+        word.clear();
+    }
+    return words;
+}
+
+/// What candela-render reads from a command.
+SceneOptions readBack(const std::string& command) {
+    CLI::App app;
+    SceneOptions options;
+    SceneOptionReader reader(app, options);
+    std::string output;
+    app.add_option("-o", output);
+    Words words = wordsOf(command);
+    EXPECT_EQ(words.at(0), "candela-render");
+    std::vector<const char*> pointers;
+    for (const std::string& word : words) pointers.push_back(word.c_str());
+    app.parse(static_cast<int>(pointers.size()), pointers.data());
+    reader.finish();
+    return options;
+}
+
+SceneOptions readBack(const SceneOptions& options) {
+    return readBack(renderCommandLine(options));
+}
+
+SceneOptions someScene() {
+    SceneOptions options;
+    options.scene = "plaza:64";
+    return options;
+}
+
+TEST(RenderCommandLine, NamesTheSceneTheSizeAndThePicture) {
+    EXPECT_EQ(renderCommandLine(someScene()),
+              "candela-render plaza:64 --size 1280x720 --brdf course --technique auto -o candela.png");
+}
+
+TEST(RenderCommandLine, ReachesTheProgramThroughAShell) {
+    for (const char* name :
+         {"two words.gltf", "it's.gltf", "''", "$HOME.gltf", "`date`.gltf", "a\"b\\c.gltf", "~/x.gltf",
+          "a\nb.gltf", "*.gltf", "a;b&c|d<e>f(g)h!.gltf", "#a.gltf", "Z\xc3\xbcrich.gltf", "-dash.gltf"}) {
+        SceneOptions options;
+        options.scene = name;
+        const std::string read = readBack(options).scene;
+        // A file whose name begins with a dash is reached by its folder.
+        EXPECT_EQ(read, (*name == '-' ? std::string("./") : std::string()) + name);
+    }
+}
+
+TEST(RenderCommandLine, KeepsNamesThatLookLikeOptions) {
+    SceneOptions options = someScene();
+    options.camera = "--eye";
+    options.display.look = "-o";
+    options.display.view = "ACES 1.0 SDR";
+    options.ocio = "my 'own'.ocio";
+    const SceneOptions read = readBack(options);
+    EXPECT_EQ(read.camera, "--eye");
+    EXPECT_EQ(read.display.look, "-o");
+    EXPECT_EQ(read.display.view, "ACES 1.0 SDR");
+    EXPECT_EQ(read.ocio, "my 'own'.ocio");
+}
+
+TEST(RenderCommandLine, KeepsNumbersToTheLastBit) {
+    SceneOptions options = someScene();
+    options.eye = EyeChoice{{-1.0f / 3.0f, 1.0e-9f, 123456.789f}, {0.1f, -0.0f, 16777216.0f}};
+    options.time = 1.0 / 7.0;
+    options.display.exposure = -0.1;
+    options.subdivision.edgePixels = 1.0f / 3.0f;
+    options.scatter = ScatterChoice{1000, 2.0f / 3.0f, 0.7f, 4294967295u};
+    const SceneOptions read = readBack(options);
+    ASSERT_TRUE(read.eye);
+    EXPECT_EQ(read.eye->eye, options.eye->eye);
+    EXPECT_EQ(read.eye->target, options.eye->target);
+    EXPECT_EQ(read.time, options.time);
+    EXPECT_EQ(read.display.exposure, options.display.exposure);
+    EXPECT_EQ(read.subdivision.edgePixels, options.subdivision.edgePixels);
+    ASSERT_TRUE(read.scatter);
+    EXPECT_EQ(read.scatter->count, 1000u);
+    EXPECT_EQ(read.scatter->range, options.scatter->range);
+    EXPECT_EQ(read.scatter->candela, options.scatter->candela);
+    EXPECT_EQ(read.scatter->seed, options.scatter->seed);
+}
+
+TEST(RenderCommandLine, KeepsEveryFieldOfView) {
+    // The option is in degrees: the way there and back must not lose a bit of the radians.
+    for (float radians = 0.01f; radians < std::numbers::pi_v<float> - 0.01f; radians *= 1.0071f) {
+        SceneOptions options = someScene();
+        options.verticalFov = radians;
+        const std::string command = renderCommandLine(options);
+        const std::size_t start = command.find("--fov ") + 6;
+        const double degrees = std::stod(command.substr(start));
+        // As the option reader has it; a shell for each of these numbers would take long.
+        EXPECT_EQ(static_cast<float>(degrees * std::numbers::pi / 180.0), radians);
+    }
+}
+
+TEST(RenderCommandLine, KeepsWords) {
+    SceneOptions options = someScene();
+    options.width = 7;
+    options.height = 16384;
+    options.brdf = candela::BrdfModel::gltf;
+    options.technique = candela::Technique::volumes;
+    options.show.show = candela::Show::lightCount;
+    options.show.overlays = {.wireframe = true, .cage = true};
+    options.subdivision.level = 3;
+    options.subdivision.maxLevel = 7;
+    options.pluginFolders = {"one folder", "other"};
+    options.display.display = "Display P3";
+    const SceneOptions read = readBack(options);
+    EXPECT_EQ(read.width, 7);
+    EXPECT_EQ(read.height, 16384);
+    EXPECT_EQ(read.brdf, candela::BrdfModel::gltf);
+    EXPECT_EQ(read.technique, candela::Technique::volumes);
+    EXPECT_EQ(read.show.show, candela::Show::lightCount);
+    EXPECT_TRUE(read.show.overlays.wireframe);
+    EXPECT_TRUE(read.show.overlays.cage);
+    EXPECT_EQ(read.subdivision.level, 3u);
+    EXPECT_EQ(read.subdivision.maxLevel, 7u);
+    EXPECT_EQ(read.pluginFolders, options.pluginFolders);
+    EXPECT_EQ(read.display.display, "Display P3");
+}
+
+TEST(RenderCommandLine, PutsTheHandsEyeBeforeACamera) {
+    SceneOptions options = someScene();
+    options.camera = "front";
+    EXPECT_EQ(readBack(options).camera, "front");
+    options.eye = EyeChoice{{1.0f, 2.0f, 3.0f}, {0.0f, 0.0f, 0.0f}};
+    EXPECT_FALSE(readBack(options).camera);
+}
+
+}  // namespace

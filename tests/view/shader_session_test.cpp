@@ -1,0 +1,121 @@
+// Shaders are read again when a file of CANDELA_SHADER_DIR changes.
+
+#include "view_session.h"
+
+#include <candela/error.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+/// A copy of the shaders that the viewer takes them from.
+class ShaderSession : public ViewTest {
+  protected:
+    ShaderSession() : variable_("CANDELA_SHADER_DIR", folder / "shaders") {
+        std::filesystem::copy(CANDELA_SHADERS, folder / "shaders", std::filesystem::copy_options::recursive);
+    }
+
+    std::string text(const std::string& name) const {
+        std::ostringstream text;
+        text << std::ifstream(folder / ("shaders/" + name)).rdbuf();
+        return text.str();
+    }
+    /// Writes a shader with `line` put before its last brace.
+    void insert(const std::string& name, std::string text, const std::string& line) const {
+        folder.write("shaders/" + name, text.insert(text.rfind('}'), line));
+    }
+
+  private:
+    ScopedEnvironment variable_;
+};
+
+bool isRed(const PngPicture& picture) {
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+        if (picture.rgba[i] != 255 || picture.rgba[i + 1] != 0 || picture.rgba[i + 2] != 0) return false;
+    return true;
+}
+
+constexpr const char* red = "    code = vec4(1.0, 0.0, 0.0, 1.0);\n";
+constexpr const char* wrong = "    this is no GLSL;\n";
+
+TEST_F(ShaderSession, AChangeShowsAnErrorKeepsTheLastGoodOneAndMendingHeals) {
+    ViewSession session({"square.gltf", "--size", smallSize});
+    session.awaitScene();
+    const PngPicture first = session.picture();
+    const std::string good = text("display.frag");
+
+    insert("display.frag", good, red);
+    EXPECT_TRUE(session.stepUntil([&] { return isRed(session.picture()); }));
+    EXPECT_EQ(session.model().shaderError, "");
+
+    insert("display.frag", good, wrong);
+    ASSERT_TRUE(session.stepUntil([&] { return !session.model().shaderError.empty(); }));
+    EXPECT_NE(session.model().shaderError.find("display.frag"), std::string::npos)
+        << session.model().shaderError;
+    EXPECT_TRUE(isRed(session.picture())) << "the last good program goes on";
+    session.resize(200, 160);
+    EXPECT_TRUE(isRed(session.picture()));
+    session.resize(320, 240);
+    EXPECT_EQ(session.messages(Message::Kind::error), 0u);
+
+    folder.write("shaders/display.frag", good);
+    ASSERT_TRUE(session.stepUntil([&] { return session.model().shaderError.empty(); }));
+    session.step();
+    EXPECT_EQ(greatestDifference(session.picture(), first), 0);
+}
+
+TEST_F(ShaderSession, FilesInFoldersAndFilesThatGoCountToo) {
+    ViewSession session({"square.gltf", "--size", smallSize});
+    session.awaitScene();
+    const PngPicture first = session.picture();
+    const std::string good = text("lib/gbuffer.glsl");
+    insert("lib/gbuffer.glsl", good, wrong);
+    ASSERT_TRUE(session.stepUntil([&] { return !session.model().shaderError.empty(); }));
+    EXPECT_EQ(greatestDifference(session.picture(), first), 0);
+    folder.write("shaders/lib/gbuffer.glsl", good);
+    ASSERT_TRUE(session.stepUntil([&] { return session.model().shaderError.empty(); }));
+
+    std::filesystem::rename(folder / "shaders/surface_plain.frag", folder / "surface_plain.frag");
+    ASSERT_TRUE(session.stepUntil([&] { return !session.model().shaderError.empty(); }));
+    EXPECT_NE(session.model().shaderError.find("surface_plain.frag"), std::string::npos);
+    EXPECT_EQ(greatestDifference(session.picture(), first), 0);
+    std::filesystem::rename(folder / "surface_plain.frag", folder / "shaders/surface_plain.frag");
+    ASSERT_TRUE(session.stepUntil([&] { return session.model().shaderError.empty(); }));
+}
+
+TEST_F(ShaderSession, AProgramThatIsNeededLaterFailsWithAMessage) {
+    ViewSession session({"square.gltf", "--size", smallSize});
+    session.awaitScene();
+    const PngPicture first = session.picture();
+    insert("show.frag", text("show.frag"), wrong);
+    session.model().options.show.show = candela::Show::normals;
+    ASSERT_TRUE(session.stepUntil([&] { return session.messages(Message::Kind::error) > 0; }));
+    EXPECT_NE(session.model().messages.back().text.find("show.frag"), std::string::npos);
+    session.step(5);
+    EXPECT_EQ(session.messages(Message::Kind::error), 1u) << "once, not in every frame";
+    session.model().options.show.show = candela::Show::picture;
+    session.step();
+    EXPECT_EQ(greatestDifference(session.picture(), first), 0);
+}
+
+TEST_F(ShaderSession, WithoutASceneTheyAreReadToo) {
+    ViewSession session({"--size", smallSize});
+    const std::string good = text("display.frag");
+    session.step(2);
+    insert("display.frag", good, red);
+    session.drop("square.gltf");
+    EXPECT_TRUE(session.stepUntil([&] { return isRed(session.picture()); }));
+}
+
+TEST_F(ShaderSession, AFolderThatIsNotThereIsAnError) {
+    const ScopedEnvironment variable("CANDELA_SHADER_DIR", folder / "nowhere");
+    try {
+        ViewSession session({"--size", smallSize});
+        FAIL() << "there are no shaders";
+    } catch (const candela::Error& error) {
+        EXPECT_NE(std::string(error.what()).find("CANDELA_SHADER_DIR"), std::string::npos) << error.what();
+    }
+}
+
+}  // namespace

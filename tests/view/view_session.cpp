@@ -1,0 +1,180 @@
+#include "view_session.h"
+
+#include "command.h"
+#include "own_display.h"
+#include "sample_scene.h"
+
+#include <epoxy/gl.h>
+// After epoxy, which stands for the OpenGL headers that GLFW would include.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <stdexcept>
+#include <thread>
+
+namespace {
+
+using namespace std::chrono_literals;
+
+ViewOptions parsed(const std::vector<std::string>& arguments) {
+    std::vector<const char*> words{"candela-view"};
+    for (const std::string& argument : arguments) words.push_back(argument.c_str());
+    return parseViewOptions(static_cast<int>(words.size()), words.data()).value();
+}
+
+/// A shader that does not compile is no error of the window: its text is at fault.
+void GLAPIENTRY report(GLenum source, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message,
+                       const void* count) {
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
+    if (type != GL_DEBUG_TYPE_ERROR && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR) return;
+    ADD_FAILURE() << "the driver reports: " << message;
+    ++*static_cast<std::size_t*>(const_cast<void*>(count));
+}
+
+}  // namespace
+
+ViewSession::ViewSession(const std::vector<std::string>& arguments)
+    : application_(std::make_unique<Application>(parsed(arguments))), window_(glfwGetCurrentContext()) {
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(report, &glErrors_);
+    // The pointer of the last test is not this one's.
+    useHand("mousemove 639 479");
+    settle();
+}
+
+ViewSession::~ViewSession() {
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+    EXPECT_EQ(glErrors_, 0u);
+}
+
+void ViewSession::step(int times) {
+    for (int i = 0; i < times; ++i) {
+        glfwPollEvents();
+        application_->step();
+        ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+    }
+}
+
+bool ViewSession::stepUntil(const std::function<bool()>& reached) {
+    const auto end = std::chrono::steady_clock::now() + 60s;
+    while (!reached()) {
+        if (std::chrono::steady_clock::now() > end) return false;
+        step();
+        std::this_thread::sleep_for(1ms);
+    }
+    return true;
+}
+
+void ViewSession::awaitScene() {
+    step(2);  // the request is served, then shown
+    ASSERT_TRUE(stepUntil([&] { return !model().loading; }));
+    step();
+}
+
+void ViewSession::settle() {
+    // The X server hands events over within a few milliseconds; panels see them a frame later.
+    for (int i = 0; i < 4; ++i) {
+        std::this_thread::sleep_for(5ms);
+        step();
+    }
+}
+
+void ViewSession::drop(const std::string& file) {
+    // GLFW tells its callback; this is who it would tell.
+    const GLFWdropfun dropped = glfwSetDropCallback(window_, nullptr);
+    glfwSetDropCallback(window_, dropped);
+    const char* files[] = {file.c_str()};
+    dropped(window_, 1, files);
+    awaitScene();
+}
+
+void ViewSession::resize(int width, int height) {
+    glfwSetWindowSize(window_, width, height);
+    ASSERT_TRUE(
+        stepUntil([&] { return model().options.width == width && model().options.height == height; }));
+    step();
+}
+
+void ViewSession::pointTo(int x, int y) {
+    int left = 0, top = 0;
+    glfwGetWindowPos(window_, &left, &top);
+    useHand("mousemove " + std::to_string(left + x) + " " + std::to_string(top + y));
+    settle();
+}
+
+void ViewSession::drag(int button, int fromX, int fromY, int toX, int toY) {
+    pointTo(fromX, fromY);
+    useHand("mousedown " + std::to_string(button));
+    settle();
+    pointTo((fromX + toX) / 2, (fromY + toY) / 2);
+    pointTo(toX, toY);
+    useHand("mouseup " + std::to_string(button));
+    settle();
+}
+
+void ViewSession::click(int x, int y) {
+    pointTo(x, y);
+    useHand("mousedown 1");
+    settle();
+    useHand("mouseup 1");
+    settle();
+}
+
+PngPicture ViewSession::picture() {
+    const std::string file = pictures_ / "picture.png";
+    std::filesystem::remove(file);
+    model().requests.savePng = file;
+    step();
+    return readPng(file);
+}
+
+std::string ViewSession::copiedCommand() {
+    model().requests.copyCommand = true;
+    step();
+    return glfwGetClipboardString(window_);
+}
+
+std::size_t ViewSession::messages(Message::Kind kind) {
+    return static_cast<std::size_t>(std::ranges::count(model().messages, kind, &Message::kind));
+}
+
+ViewTest::ViewTest()
+    : before_(std::filesystem::current_path()), config_("XDG_CONFIG_HOME", folder / "config") {
+    std::filesystem::current_path(folder.path());
+    folder.write("square.gltf", sampleScene());
+}
+
+ViewTest::~ViewTest() {
+    std::filesystem::current_path(before_);
+}
+
+void ViewTest::SetUp() {
+    if (!takeOwnDisplay().empty()) GTEST_SKIP() << takeOwnDisplay();
+    if (std::system("command -v xdotool > /dev/null") != 0) GTEST_SKIP() << "xdotool is not installed";
+}
+
+PngPicture ViewTest::rendered(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.end(), {"-o", "rendered.png", "--quiet"});
+    expectDone(runCommand(arguments, {.folder = folder.path()}));
+    return readPng(folder / "rendered.png");
+}
+
+PngPicture ViewTest::renderedBy(const std::string& command) const {
+    const std::string programs = std::filesystem::path(CANDELA_COMMAND).parent_path().string();
+    expectDone(runCommand({"-c", command}, {.folder = folder.path(),
+                                            .environment = {"PATH=" + programs + ":/usr/bin:/bin"},
+                                            .program = "/bin/sh"}));
+    return readPng(folder / "candela.png");
+}
+
+int greatestDifference(const PngPicture& a, const PngPicture& b) {
+    if (a.width != b.width || a.height != b.height) return 256;
+    int greatest = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i)
+        greatest = std::max(greatest, std::abs(int{a.rgba[i]} - int{b.rgba[i]}));
+    return greatest;
+}

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "application.h"
+#include "picture_reader.h"
+#include "scoped_environment.h"
+#include "temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+/// candela-view in this process, its loop turned by the test. A step fails the test when it leaves a GL error
+/// or the driver reports one.
+class ViewSession {
+  public:
+    /// `arguments` are those of the command line.
+    explicit ViewSession(const std::vector<std::string>& arguments);
+    ~ViewSession();
+
+    Application& application() { return *application_; }
+    ViewModel& model() { return application_->model(); }
+    GLFWwindow* window() { return window_; }
+    Document& document() { return *model().document; }
+
+    /// Turns the loop.
+    void step(int times = 1);
+    /// Turns it until `reached` holds; false when that takes a minute.
+    bool stepUntil(const std::function<bool()>& reached);
+    /// Turns it until nothing is being read; the scene, or a message, is there then.
+    void awaitScene();
+    /// Lets what the hand did arrive and take effect.
+    void settle();
+
+    void drop(const std::string& file);
+    void resize(int width, int height);
+    /// Moves the pointer to a pixel of the window.
+    void pointTo(int x, int y);
+    /// Presses the button, moves the pointer through the places, and lets go.
+    void drag(int button, int fromX, int fromY, int toX, int toY);
+    void click(int x, int y);
+
+    /// The picture as "Save PNG" writes it.
+    PngPicture picture();
+    /// What "Copy candela-render command" leaves in the clipboard.
+    std::string copiedCommand();
+
+    std::size_t messages(Message::Kind kind);
+
+  private:
+    std::unique_ptr<Application> application_;
+    GLFWwindow* window_ = nullptr;
+    TemporaryFolder pictures_;
+    std::size_t glErrors_ = 0;
+};
+
+/// A folder with the sample scene ("square.gltf") in it, which is the working directory while the test runs;
+/// settings go into it too.
+class ViewTest : public testing::Test {
+  protected:
+    ViewTest();
+    ~ViewTest() override;
+    void SetUp() override;
+
+    /// What candela-render makes of these arguments, given without -o.
+    PngPicture rendered(std::vector<std::string> arguments) const;
+    /// What the shell makes of a copied command.
+    PngPicture renderedBy(const std::string& command) const;
+
+    TemporaryFolder folder;
+
+  private:
+    std::filesystem::path before_;
+    ScopedEnvironment config_;
+};
+
+/// Small enough to be drawn fast, with a place for the panels at every side.
+constexpr const char* smallSize = "320x240";
+
+/// The greatest difference of two pictures in code values; 256 when their sizes differ.
+int greatestDifference(const PngPicture& a, const PngPicture& b);
