@@ -4,8 +4,8 @@
 namespace help {
 
 constexpr const char* scene =
-    "A file that a plugin reads (.gltf, .glb, .obj), or a made scene such as plaza:4096,\n"
-    "the benchmark scene with that many lights";
+    "A file that a plugin reads (.gltf, .glb, .obj), or a made scene such as\n"
+    "plaza:4096, the benchmark scene with that many lights";
 constexpr const char* scatterLights =
     "Strew N more point lights over the scene's box, the same ones every time.\n"
     "RANGE in metres (default: twice their mean spacing), CANDELA each (default:\n"
@@ -16,8 +16,9 @@ constexpr const char* time = "Time of the picture, or of frame 0, in seconds. De
 constexpr const char* size = "Width and height in pixels, 1 to 16384 each. Default: 1280x720";
 constexpr const char* show =
     "Show something else than the lit picture: normals, level (of subdivision),\n"
-    "base_color, metallic, roughness, depth, emission or light_count; and lines over\n"
-    "it: wireframe, cage. Several are separated by commas, such as level,wireframe";
+    "base_color, metallic, roughness, depth, emission or light_count; and lines\n"
+    "over it: wireframe, cage. Several are separated by commas, such as\n"
+    "level,wireframe";
 
 constexpr const char* camera =
     "A camera of the scene, by name or by number from 0. Default: the first one;\n"
