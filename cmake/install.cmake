@@ -1,11 +1,11 @@
-# `cmake --install`: headers, the shared library, plugins (declared in plugins/), candela-render, and what lets other
+# `cmake --install`: headers, the shared library, plugins (declared in plugins/), the programs, and what lets other
 # projects find them: a CMake package and a pkg-config file. The tree can be moved after installation.
 
 # GLM is the vocabulary of the public headers, so whoever links candela needs it too.
 target_link_libraries(candela INTERFACE $<INSTALL_INTERFACE:glm::glm>)
 
 install(TARGETS candela EXPORT candelaTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS candela-render candela-bench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS candela-render candela-view candela-bench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/candela ${PROJECT_BINARY_DIR}/include/candela
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 
