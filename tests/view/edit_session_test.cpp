@@ -1,10 +1,13 @@
 // What is edited in the window changes the picture as if the scene had been made that way.
 
+#include "camera_choice.h"
+#include "sample_scene.h"
 #include "temporary_config.h"
 #include "view_session.h"
 
 #include <candela/error.h>
 
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include <fstream>
@@ -99,6 +102,53 @@ TEST_F(EditSession, LightsAreStrewnAlikeAtEveryTime) {
     session.step();
     expectPicture(session, {"growing.gltf", "--scatter-lights", "30", "--eye", "0,0,14", "--target", "0,0,0",
                             "--time", "1"});
+}
+
+TEST_F(EditSession, TheHandTakesOverFromACameraThatMoves) {
+    // "front" moves instead of the light: it stands at (0, 0, 5) after half a second.
+    writeChanged("ride.gltf",
+                 [](auto& scene) { scene["animations"][0]["channels"][0]["target"]["node"] = 2; });
+    ViewSession session(small({"ride.gltf"}));
+    session.awaitScene();
+    session.model().options.time = 0.5;
+    session.step();
+    expectPicture(session, {"ride.gltf", "--time", "0.5"});
+    EXPECT_EQ(session.model().camera.eye(), glm::vec3(0.0f, 0.0f, 5.0f));
+}
+
+TEST_F(EditSession, TheHandTakesOverFromAViewThatFramesTheScene) {
+    folder.write("plain.gltf", sampleSceneWithoutCameras());
+    ViewSession session(small({"plain.gltf"}));
+    session.awaitScene();
+    const glm::vec3 wide = session.model().camera.eye();
+    session.resize(100, 300);
+    const glm::vec3 narrow = session.model().camera.eye();
+    EXPECT_GT(glm::length(narrow), 1.5f * glm::length(wide)) << "a narrow window needs a step back";
+    const PngPicture framed = session.picture();
+    giveCamera(session.model());
+    session.step();
+    // A camera by hand looks at the middle of what was framed: the same view but for rounding.
+    EXPECT_LE(greatestDifference(session.picture(), framed), 3);
+}
+
+TEST_F(EditSession, TimeDoesNotMoveAViewThatFramesTheScene) {
+    writeChanged("growing.gltf", [](auto& scene) {
+        scene["animations"][0]["channels"][0]["target"]["node"] = 0;
+        scene.erase("cameras");
+        scene["nodes"].erase(3);
+        scene["nodes"].erase(2);
+        scene["scenes"][0]["nodes"] = {0, 1};
+    });
+    ViewSession session(small({"growing.gltf"}));
+    session.awaitScene();
+    const glm::vec3 eye = session.model().camera.eye();
+    session.model().playing = true;
+    ASSERT_TRUE(session.stepUntil([&] { return session.model().options.time > 0.2; }));
+    session.model().playing = false;
+    session.step();
+    EXPECT_EQ(session.model().camera.eye(), eye);
+    const PngPicture shown = session.picture();
+    EXPECT_EQ(greatestDifference(shown, renderedBy(session.copiedCommand())), 0);
 }
 
 TEST_F(EditSession, ALightIsReplacedAddedAndRemoved) {

@@ -99,6 +99,19 @@ TEST_F(ShaderSession, AProgramThatIsNeededLaterFailsWithAMessage) {
     EXPECT_EQ(greatestDifference(session.picture(), first), 0);
 }
 
+TEST_F(ShaderSession, CagesAndWhatWasEditedOutliveIt) {
+    ViewSession session({"sculpture:64", "--size", smallSize});
+    session.awaitScene();
+    session.document().scatterLights({.count = 40, .range = 9.0f, .candela = 20.0f, .seed = 2});
+    const PngPicture first = session.picture();
+    const std::string good = text("display.frag");
+    insert("display.frag", good, red);
+    EXPECT_TRUE(session.stepUntil([&] { return isRed(session.picture()); }));
+    folder.write("shaders/display.frag", good);
+    EXPECT_TRUE(session.stepUntil([&] { return !isRed(session.picture()); }));
+    EXPECT_EQ(greatestDifference(session.picture(), first), 0);
+}
+
 TEST_F(ShaderSession, WithoutASceneTheyAreReadToo) {
     ViewSession session({"--size", smallSize});
     const std::string good = text("display.frag");

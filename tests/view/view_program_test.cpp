@@ -122,7 +122,7 @@ TEST_F(ViewProgram, WithoutADisplayItNamesCandelaRender) {
 }
 
 TEST_F(ViewProgram, ScreenshotsAreTheFilesOfCandelaRender) {
-    const std::array<Words, 11> cases{
+    const std::array<Words, 13> cases{
         Words{"plaza:64"},
         Words{"plaza:64", "--eye", "3,4,5", "--target", "0,1,0", "--fov", "60"},
         Words{"square.gltf"},
@@ -132,6 +132,8 @@ TEST_F(ViewProgram, ScreenshotsAreTheFilesOfCandelaRender) {
         Words{"plaza:64", "--technique", "volumes"},
         Words{"plaza:64", "--show", "normals"},
         Words{"plaza:64", "--show", "light_count,wireframe"},
+        Words{"sculpture:64", "--subdivision-level", "2"},
+        Words{"sculpture:64", "--show", "level,cage", "--subdivision-edge", "20"},
         Words{"square.gltf", "--scatter-lights", "50,1,0.5,7"},
         Words{"square.gltf", "--scatter-lights", "50", "--camera", "1"},
     };
