@@ -1,7 +1,6 @@
 #include "limit_surface.h"
 
 #include <opensubdiv/far/patchTableFactory.h>
-#include <opensubdiv/far/stencilTableFactory.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 
 #include <algorithm>
@@ -11,9 +10,6 @@ namespace candela_opensubdiv {
 namespace {
 
 namespace Far = OpenSubdiv::Far;
-
-using Stencils = Far::StencilTableReal<double>;
-using StencilFactory = Far::StencilTableFactoryReal<double>;
 
 /// Of any kind of patch: a Gregory patch has 20 points, a triangular one 18.
 constexpr int mostPatchPoints = 20;
@@ -55,24 +51,6 @@ std::unique_ptr<const Far::PatchTable> makePatches(const Far::TopologyRefiner& t
     return std::unique_ptr<const Far::PatchTable>(Far::PatchTableFactory::Create(topology, options));
 }
 
-/// The stencils of the refined points, and after them of those that patches have for themselves.
-std::unique_ptr<const Stencils> makeStencils(const Far::TopologyRefiner& topology,
-                                             const Far::PatchTable& patches, Primvar primvar) {
-    const bool isPosition = primvar == Primvar::position;
-    StencilFactory::Options options;
-    options.interpolationMode =
-        isPosition ? StencilFactory::INTERPOLATE_VERTEX : StencilFactory::INTERPOLATE_FACE_VARYING;
-    options.generateOffsets = true;
-    std::unique_ptr<const Stencils> stencils(StencilFactory::Create(topology, options));
-    const Stencils* const own = isPosition ? patches.GetLocalPointStencilTable<double>()
-                                           : patches.GetLocalPointFaceVaryingStencilTable<double>();
-    if (own == nullptr || own->GetNumStencils() == 0) return stencils;
-    stencils.reset(
-        isPosition ? StencilFactory::AppendLocalPointStencilTable(topology, stencils.get(), own)
-                   : StencilFactory::AppendLocalPointStencilTableFaceVarying(topology, stencils.get(), own));
-    return stencils;
-}
-
 /// The weights of a patch's points at a place.
 struct PatchBasis {
     double value[mostPatchPoints], du[mostPatchPoints], dv[mostPatchPoints];
@@ -81,14 +59,11 @@ struct PatchBasis {
 }  // namespace
 
 LimitSurface::LimitSurface(const Far::TopologyRefiner& base, std::uint32_t level, Primvar primvar)
-    : primvar_(primvar),
-      cagePoints_(primvar == Primvar::position ? base.GetLevel(0).GetNumVertices()
-                                               : base.GetLevel(0).GetNumFVarValues()),
-      ptexFaces_(base) {
+    : primvar_(primvar), ptexFaces_(base) {
     const auto topology = refined(base, static_cast<int>(level), primvar);
     patches_ = makePatches(*topology, primvar);
     map_ = std::make_unique<Far::PatchMap>(*patches_);
-    stencils_ = makeStencils(*topology, *patches_, primvar);
+    stencils_ = std::make_unique<Stencils>(*topology, *patches_, primvar);
 }
 
 const Far::PatchTable::PatchHandle* LimitSurface::find(const Place& place) const {
@@ -114,13 +89,8 @@ void LimitSurface::evaluate(const Place& place, RowSum& row) const {
     row.clear();
     for (int i = 0; i < points.size(); ++i) {
         const Weights weights{basis.value[i], basis.du[i], basis.dv[i]};
-        if (points[i] < cagePoints_) {
-            row.add(points[i], weights);
-            continue;
-        }
-        const Far::StencilReal<double> stencil = stencils_->GetStencil(points[i] - cagePoints_);
-        for (int k = 0; k < stencil.GetSize(); ++k) {
-            row.add(stencil.GetVertexIndices()[k], weights * stencil.GetWeights()[k]);
+        for (const SparseRows::Entry& entry : stencils_->of(points[i])) {
+            row.add(entry.column, weights * entry.weight);
         }
     }
 }

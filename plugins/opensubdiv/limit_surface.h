@@ -3,18 +3,15 @@
 #include <opensubdiv/far/patchMap.h>
 #include <opensubdiv/far/patchTable.h>
 #include <opensubdiv/far/ptexIndices.h>
-#include <opensubdiv/far/stencilTable.h>
 #include <opensubdiv/far/topologyRefiner.h>
 
 #include <cstdint>
 #include <memory>
 
+#include "stencils.h"
 #include "weight_rows.h"
 
 namespace candela_opensubdiv {
-
-/// What a surface interpolates.
-enum class Primvar { position, uv };
 
 /// A place on a face: a point of one of its patches, of which a face has one, or, cut into sub-faces, one a
 /// corner; those are Far's ptex faces.
@@ -56,16 +53,14 @@ class LimitSurface {
 
   private:
     using PatchTable = OpenSubdiv::Far::PatchTable;
-    using Stencils = OpenSubdiv::Far::StencilTableReal<double>;
 
     const PatchTable::PatchHandle* find(const Place& place) const;
 
     Primvar primvar_;
-    int cagePoints_;
     OpenSubdiv::Far::PtexIndices ptexFaces_;
     std::unique_ptr<const PatchTable> patches_;
     std::unique_ptr<const OpenSubdiv::Far::PatchMap> map_;
-    std::unique_ptr<const Stencils> stencils_;  ///< Of the points of patches that are not the cage's.
+    std::unique_ptr<const Stencils> stencils_;
 };
 
 }  // namespace candela_opensubdiv

@@ -57,14 +57,14 @@ void RowMaker::add(std::uint32_t face, const FaceGrid& grid, std::span<const std
         const bool derivesInside = isDegenerate(position_);
         if (derivesInside) {
             positions_.evaluate(inside, positionInside_);
-            position_.takeDerivatives(positionInside_);
+            replaceDerivatives(position_, positionInside_);
         }
         rows.positions.add(position_);
         if (uvs_ == nullptr) continue;
         uvs_->evaluate(place, uv_);
         if (derivesInside) {
             uvs_->evaluate(inside, uvInside_);
-            uv_.takeDerivatives(uvInside_);
+            replaceDerivatives(uv_, uvInside_);
         }
         rows.uvs.add(uv_);
     }
@@ -82,7 +82,7 @@ bool RowMaker::isDegenerate(const RowSum& row) const {
     const Vector first = pointAt(row.columns().front());
     for (std::size_t i = 0; i < row.columns().size(); ++i) {
         Vector point = pointAt(row.columns()[i]);
-        const Weights& weights = row.weights()[i];
+        const Weights& weights = row.values()[i];
         // Relative to one of them: the weights of a derivative have the sum 0, and large numbers lose digits.
         for (std::size_t axis = 0; axis < 3; ++axis) {
             point[axis] -= first[axis];

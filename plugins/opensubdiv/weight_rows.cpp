@@ -5,17 +5,17 @@
 #include "failure.h"
 
 namespace candela_opensubdiv {
-void RowSum::takeDerivatives(const RowSum& other) {
-    for (Weights& weights : weights_) weights = {weights.value, 0.0, 0.0};
-    for (std::size_t i = 0; i < other.columns_.size(); ++i) {
-        add(other.columns_[i], {0.0, other.weights_[i].du, other.weights_[i].dv});
+void replaceDerivatives(RowSum& row, const RowSum& other) {
+    for (Weights& weights : row.values()) weights = {weights.value, 0.0, 0.0};
+    for (std::size_t i = 0; i < other.columns().size(); ++i) {
+        row.add(other.columns()[i], {0.0, other.values()[i].du, other.values()[i].dv});
     }
 }
 
 void WeightRows::add(const RowSum& row) {
     const std::size_t before = entries.size();
     for (std::size_t i = 0; i < row.columns().size(); ++i) {
-        const Weights& weights = row.weights()[i];
+        const Weights& weights = row.values()[i];
         const WeightEntry entry{static_cast<std::uint32_t>(row.columns()[i]),
                                 static_cast<float>(weights.value), static_cast<float>(weights.du),
                                 static_cast<float>(weights.dv)};

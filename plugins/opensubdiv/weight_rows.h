@@ -2,10 +2,11 @@
 
 #include <candela/plugin.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "sparse_sum.h"
 
 namespace candela_opensubdiv {
 
@@ -22,41 +23,11 @@ struct Weights {
     }
 };
 
-/// A row while it is summed up in double precision. Its columns stand in the order in which they came.
-class RowSum {
-  public:
-    explicit RowSum(std::size_t columnCount) : places_(columnCount, none) {}
+/// A row of the table before it is rounded.
+using RowSum = SparseSum<Weights>;
 
-    void clear() {
-        for (const int column : columns_) places_[static_cast<std::size_t>(column)] = none;
-        columns_.clear();
-        weights_.clear();
-    }
-
-    void add(int column, const Weights& weights) {
-        std::uint32_t& place = places_[static_cast<std::size_t>(column)];
-        if (place != none) {
-            weights_[place] += weights;
-            return;
-        }
-        place = static_cast<std::uint32_t>(columns_.size());
-        columns_.push_back(column);
-        weights_.push_back(weights);
-    }
-
-    std::span<const int> columns() const { return columns_; }
-    std::span<const Weights> weights() const { return weights_; }
-
-    /// Takes the derivatives of another row, which may have other columns.
-    void takeDerivatives(const RowSum& other);
-
-  private:
-    static constexpr std::uint32_t none = ~std::uint32_t{0};
-
-    std::vector<int> columns_;
-    std::vector<Weights> weights_;
-    std::vector<std::uint32_t> places_;  ///< Of each column in the row.
-};
+/// Replaces the derivatives of a row by those of another, which may have other columns.
+void replaceDerivatives(RowSum& row, const RowSum& other);
 
 /// One of the columns of a row.
 struct WeightEntry {

@@ -18,8 +18,9 @@ namespace {
 
 /// Half a unit in the last place of single precision, relative: the table's weights are rounded once.
 constexpr double halfUlp = 0x1p-24;
-/// What double precision itself loses on the way, in two different orders of operations. Derivatives at an
-/// extraordinary vertex are refined stencils times 2^level.
+/// What Far and Bfr differ by themselves, although both calculate in double precision: up to 1e-9 for the
+/// Loop scheme, whose limit masks they hold in other forms. Derivatives near extraordinary vertices are
+/// scaled by 2^level.
 constexpr double doubleNoise = 1e-8;
 
 /// A row of the table as a number a column, and how far rounding may have moved it.
