@@ -1,4 +1,4 @@
-// Applies a weight table to the points of a cage: one invocation a vertex of the limit surface. Its other form is evaluateLimit
+// Applies a stencil table to the points of a cage: one invocation a vertex of the limit surface. Its other form is evaluateLimit
 // (candela/refined_cage.h). Points and twins go out in dispatches of their own, points first: a twin copies its point's position.
 
 #include "shared/bindings.h"

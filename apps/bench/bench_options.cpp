@@ -73,7 +73,7 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
         ->type_name("NAME|FILE");
     app.add_option_function<std::string>(
            "--lights", [&](const std::string& text) { options.lights = parseLights(text); },
-           "Numbers of lights, separated by commas; a file gets them strewn over its\n"
+           "Numbers of lights, separated by commas; a file gets them scattered over its\n"
            "box. Default: 4096, a file's own")
         ->type_name("N,N,...");
     app.add_option_function<std::string>(

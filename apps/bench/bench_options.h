@@ -29,7 +29,7 @@ struct BenchOptions {
     std::filesystem::path json;
     std::optional<std::filesystem::path> plot;
     std::vector<std::filesystem::path> pluginFolders;
-    candela::DeviceChoice device;
+    candela::DeviceOptions device;
     bool quiet = false;
 };
 

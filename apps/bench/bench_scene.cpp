@@ -9,9 +9,9 @@
 
 namespace {
 
-constexpr std::array madeScenes{"plaza", "cloud", "rooms"};
+constexpr std::array proceduralScenes{"plaza", "cloud", "rooms"};
 
-candela::View viewOf(const candela::Scene& scene, const BenchOptions& options,
+candela::CameraView viewOf(const candela::Scene& scene, const BenchOptions& options,
                      const std::vector<glm::mat4>& world) {
     if (!scene.cameras.empty()) return cameraView(scene, 0, world);
     return frameBounds(worldBounds(scene, world),
@@ -20,24 +20,24 @@ candela::View viewOf(const candela::Scene& scene, const BenchOptions& options,
 
 BenchScene place(const std::string& name, candela::Scene scene, const BenchOptions& options) {
     const std::vector<glm::mat4> world = worldTransforms(scene);
-    BenchScene made{name, {}, placeLights(scene, world), viewOf(scene, options, world), {}};
+    BenchScene made{name, {}, worldLights(scene, world), viewOf(scene, options, world), {}};
     made.scene = std::move(scene);
     return made;
 }
 
 /// The lights of the plaza, turned round the camera to lie behind it.
-void moveBehind(std::vector<candela::PlacedLight>& lights, const candela::View& view) {
-    for (candela::PlacedLight& light : lights) {
+void moveBehind(std::vector<candela::WorldLight>& lights, const candela::CameraView& view) {
+    for (candela::WorldLight& light : lights) {
         light.position = 2.0f * view.eye() - light.position + glm::vec3(view.worldFromCamera[2]) * 4.0f;
     }
 }
 
 /// As many lights again, deep enough under the ground that none reaches it: they lie in the frustum, behind
 /// what is seen.
-void addHidden(std::vector<candela::PlacedLight>& lights) {
+void addHidden(std::vector<candela::WorldLight>& lights) {
     const std::size_t count = lights.size();
     for (std::size_t i = 0; i < count; ++i) {
-        candela::PlacedLight hidden = lights[i];
+        candela::WorldLight hidden = lights[i];
         hidden.position.y = -hidden.position.y - hidden.range - 1.0f;
         lights.push_back(hidden);
     }
@@ -48,7 +48,7 @@ void addHidden(std::vector<candela::PlacedLight>& lights) {
 BenchScene loadBenchScene(const candela::PluginRegistry& plugins, const BenchOptions& options,
                           std::optional<std::uint64_t> lights) {
     const std::string count = std::to_string(lights.value_or(4096));
-    if (std::ranges::find(madeScenes, options.scene) != madeScenes.end()) {
+    if (std::ranges::find(proceduralScenes, options.scene) != proceduralScenes.end()) {
         return place(options.scene, importScene(plugins, options.scene + ":" + count).scene, options);
     }
     if (options.scene == "outside" || options.scene == "hidden") {
@@ -61,7 +61,7 @@ BenchScene loadBenchScene(const candela::PluginRegistry& plugins, const BenchOpt
     candela::Scene scene = importScene(plugins, options.scene).scene;
     if (lights) {
         scene.lights.clear();
-        ScatterChoice choice;
+        ScatterOptions choice;
         choice.count = static_cast<std::uint32_t>(*lights);
         addScatteredLights(scene, choice, options.scene);
     }

@@ -13,8 +13,8 @@
 struct BenchScene {
     std::string name;
     candela::Scene scene;
-    std::vector<candela::PlacedLight> lights;
-    candela::View view;
+    std::vector<candela::WorldLight> lights;
+    candela::CameraView view;
     /// Set where the cost of the lights after the first so many is asked for.
     std::optional<std::size_t> referenceLights;
 };

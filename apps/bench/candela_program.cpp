@@ -48,7 +48,7 @@ class CandelaProgram final : public Program {
     }
 
     std::vector<float> picture() override {
-        const candela::RadiancePicture radiance = renderer_.radiance();
+        const candela::HdrImage radiance = renderer_.radiance();
         std::vector<float> rgb;
         rgb.reserve(radiance.rgba.size() / 4 * 3);
         for (std::size_t i = 0; i < radiance.rgba.size(); ++i) {
@@ -72,7 +72,7 @@ class CandelaProgram final : public Program {
     }
 
     static candela::DisplayTransform transformOf(const BenchOptions& options) {
-        candela::DisplayChoice choice;
+        candela::DisplayOptions choice;
         choice.view = options.view.value_or("");
         return candela::ColorConfig::builtIn().displayTransform(choice);
     }
@@ -82,7 +82,7 @@ class CandelaProgram final : public Program {
     candela::GpuScene scene_;
     candela::DisplayTransform transform_;
     Screen screen_;
-    std::vector<candela::PlacedLight> lights_;
+    std::vector<candela::WorldLight> lights_;
     candela::FrameInputs inputs_;
 };
 

@@ -11,14 +11,14 @@ namespace {
 /// Half a step of half floats at the farthest light's coordinates, metres.
 double positionRounding(const BenchScene& scene) {
     float farthest = 1.0f;
-    for (const candela::PlacedLight& light : scene.lights)
+    for (const candela::WorldLight& light : scene.lights)
         for (int axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(light.position[axis]));
     return std::exp2(std::floor(std::log2(static_cast<double>(farthest))) - 11.0);
 }
 
 double shortestRange(const BenchScene& scene) {
     float shortest = 1.0e9f;
-    for (const candela::PlacedLight& light : scene.lights)
+    for (const candela::WorldLight& light : scene.lights)
         if (light.range > 0.0f) shortest = std::min(shortest, light.range);
     return static_cast<double>(shortest);
 }

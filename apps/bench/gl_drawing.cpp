@@ -125,7 +125,7 @@ void SceneGeometry::draw() const {
     }
 }
 
-glm::mat4 textbookClipFromWorld(const candela::View& view, int width, int height) {
+glm::mat4 textbookClipFromWorld(const candela::CameraView& view, int width, int height) {
     const glm::mat4 projection = glm::perspective(
         view.verticalFov, static_cast<float>(width) / static_cast<float>(height), 0.1f, 1000.0f);
     return projection * glm::inverse(view.worldFromCamera);

@@ -67,4 +67,4 @@ class SceneGeometry {
 };
 
 /// An ordinary projection with a far plane, as textbooks have it, times the view.
-glm::mat4 textbookClipFromWorld(const candela::View& view, int width, int height);
+glm::mat4 textbookClipFromWorld(const candela::CameraView& view, int width, int height);

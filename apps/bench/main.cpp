@@ -1,6 +1,6 @@
 /// candela-bench: measures lighting, and compares techniques. See --help and docs/benchmarks.md.
 
-#include "bare_program.h"
+#include "bare_baseline.h"
 #include "bench_options.h"
 #include "bench_scene.h"
 #include "cages/cage_bench.h"
@@ -12,7 +12,7 @@
 #include "measure.h"
 #include "plot.h"
 #include "setup.h"
-#include "textbook_program.h"
+#include "textbook_baseline.h"
 
 #include <candela/error.h>
 
@@ -25,12 +25,12 @@ namespace {
 
 /// Beyond so many pairs the reference technique takes minutes: it is left out of --technique all, and the
 /// next one is the reference.
-constexpr double mostReferencePairs = 2.0e10;
+constexpr double maxReferencePairs = 2.0e10;
 
 bool isAffordable(candela::Technique technique, const BenchScene& scene, const BenchOptions& options) {
     const double pairs =
         static_cast<double>(options.width) * options.height * static_cast<double>(scene.lights.size());
-    return technique != candela::Technique::fullscreen || pairs <= mostReferencePairs;
+    return technique != candela::Technique::fullscreen || pairs <= maxReferencePairs;
 }
 
 std::vector<candela::Technique> techniquesFor(const BenchScene& scene, const BenchOptions& options) {
@@ -49,7 +49,7 @@ void copyLitPairs(Result& result, const Result& candelas) {
 class Bench {
   public:
     Bench(const BenchOptions& options, const candela::Context& context)
-        : options_(options), context_(context), progress_(options.quiet ? Talk::quiet : Talk::normal) {}
+        : options_(options), context_(context), progress_(options.quiet ? Verbosity::quiet : Verbosity::normal) {}
 
     void measureScene(const BenchScene& scene) {
         const std::vector<candela::Technique> techniques = techniquesFor(scene, options_);
@@ -58,8 +58,8 @@ class Bench {
         const std::size_t first = results_.size();
         for (auto technique = techniques.rbegin(); technique != techniques.rend(); ++technique) {
             const auto program = makeCandelaProgram(context_, scene, options_, *technique);
-            const auto companion = makeCompanion(scene, *technique);
-            add(*program, companion.get(), scene, toString(*technique), reference);
+            const auto baseline = makeBaseline(scene, *technique);
+            add(*program, baseline.get(), scene, toString(*technique), reference);
         }
         std::reverse(results_.begin() + static_cast<std::ptrdiff_t>(first), results_.end());
         if (options_.baseline == Baseline::with) measureBaseline(scene, results_[first], reference);
@@ -70,18 +70,18 @@ class Bench {
 
   private:
     /// The program that draws the scene with its reference lights alone; none where none are named.
-    std::unique_ptr<Program> makeCompanion(const BenchScene& scene, candela::Technique technique) const {
+    std::unique_ptr<Program> makeBaseline(const BenchScene& scene, candela::Technique technique) const {
         if (!scene.referenceLights) return nullptr;
         BenchScene fewer = scene;
         fewer.lights.resize(*scene.referenceLights);
         return makeCandelaProgram(context_, fewer, options_, technique);
     }
 
-    void add(Program& program, Program* companion, const BenchScene& scene, const std::string& name,
+    void add(Program& program, Program* baseline, const BenchScene& scene, const std::string& name,
              std::optional<Reference>& reference) {
         progress_.show("measuring " + scene.name + " with " + std::to_string(scene.lights.size()) +
                        " lights: " + name);
-        Result result = measure(program, companion, scene, options_, name);
+        Result result = measure(program, baseline, scene, options_, name);
         std::vector<float> picture = program.picture();
         if (!picture.empty() && reference)
             compare(result, picture, *reference, allowedDifference(result.technique, scene));
@@ -94,14 +94,14 @@ class Bench {
     void measureBaseline(const BenchScene& scene, const Result candelas,
                          std::optional<Reference>& reference) {
         const auto textbook = [&](TextbookLighting lighting, const char* name) {
-            const auto program = makeTextbookProgram(context_, scene, options_, lighting);
+            const auto program = makeTextbookBaseline(context_, scene, options_, lighting);
             add(*program, nullptr, scene, name, reference);
             copyLitPairs(results_.back(), candelas);
         };
         textbook(TextbookLighting::volumes, "textbook_volumes");
         if (fitsTextbookLoop(scene) && isAffordable(candela::Technique::fullscreen, scene, options_))
             textbook(TextbookLighting::fullscreen, "textbook_fullscreen");
-        const auto bare = makeBareProgram(context_, scene, options_);
+        const auto bare = makeBareBaseline(context_, scene, options_);
         add(*bare, nullptr, scene, "bare", reference);
     }
 

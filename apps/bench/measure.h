@@ -24,10 +24,10 @@ class Program {
 
 /// Draws the program's frames and takes medians: after one frame that is not counted, as many frames as the
 /// options say, but at most ten seconds long when they are three or more, and never over a minute.
-/// With a `companion`, which draws the scene's first `referenceLights` lights, the two take turns, so that
-/// what else the machine does falls on both; the lighting time of the companion is the result's `reference`.
-Result measure(Program& program, Program* companion, const BenchScene& scene, const BenchOptions& options,
+/// With a `baseline`, which draws the scene's first `referenceLights` lights, the two take turns, so that
+/// what else the machine does falls on both; the lighting time of the baseline is the result's `reference`.
+Result measure(Program& program, Program* baseline, const BenchScene& scene, const BenchOptions& options,
                const std::string& technique);
 
 /// Milliseconds that a plain copy of the lights' array takes: what rejecting them all is compared with.
-double measureCopy(const std::vector<candela::PlacedLight>& lights);
+double measureCopy(const std::vector<candela::WorldLight>& lights);

@@ -67,15 +67,15 @@ std::string label(double value) {
 
 std::string plotSvg(const std::string& renderer, const std::vector<Result>& results) {
     const std::vector<Line> lines = linesOf(results);
-    double leastX = 1e30, mostX = 1.0, leastY = 1e30, mostY = 1e-3;
+    double minX = 1e30, maxX = 1.0, minY = 1e30, maxY = 1e-3;
     for (const Line& line : lines) {
         for (const auto& [x, y] : line.points) {
-            leastX = std::min(leastX, x), mostX = std::max(mostX, x);
-            leastY = std::min(leastY, y), mostY = std::max(mostY, y);
+            minX = std::min(minX, x), maxX = std::max(maxX, x);
+            minY = std::min(minY, y), maxY = std::max(maxY, y);
         }
     }
-    const LogAxis xAxis(std::min(leastX, mostX), mostX, left, width - right),
-        yAxis(std::min(leastY, mostY), mostY, height - bottom, top);
+    const LogAxis xAxis(std::min(minX, maxX), maxX, left, width - right),
+        yAxis(std::min(minY, maxY), maxY, height - bottom, top);
     std::ostringstream svg;
     svg << std::fixed << std::setprecision(1);
     svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\"" << height

@@ -82,15 +82,15 @@ glm::vec3 parsePoint(std::string_view option, std::string_view text) {
 }
 
 std::pair<int, int> parseSize(const std::string& text) {
-    constexpr int largestSide = 16384;
+    constexpr int maxSide = 16384;
     const std::size_t cross = text.find('x');
     if (cross == text.npos)
         throw UsageError("--size \"" + text + "\": expected WIDTHxHEIGHT, such as 1280x720");
-    return {static_cast<int>(parseInteger("--size", text.substr(0, cross), 1, largestSide)),
-            static_cast<int>(parseInteger("--size", text.substr(cross + 1), 1, largestSide))};
+    return {static_cast<int>(parseInteger("--size", text.substr(0, cross), 1, maxSide)),
+            static_cast<int>(parseInteger("--size", text.substr(cross + 1), 1, maxSide))};
 }
 
-candela::DeviceChoice parseDevice(const std::string& text) {
+candela::DeviceOptions parseDevice(const std::string& text) {
     if (text == "software") return {.index = std::nullopt, .softwareOnly = true};
     if (text.empty() || !std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; }))
         throw UsageError("--device \"" + text +

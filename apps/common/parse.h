@@ -38,7 +38,7 @@ glm::vec3 parsePoint(std::string_view option, std::string_view text);
 std::pair<int, int> parseSize(const std::string& text);
 
 /// "software", or the number of a device.
-candela::DeviceChoice parseDevice(const std::string& text);
+candela::DeviceOptions parseDevice(const std::string& text);
 
 candela::Technique parseTechnique(const std::string& text);
 candela::BrdfModel parseBrdf(const std::string& text);

@@ -32,7 +32,7 @@ void writeShownPicture(const std::filesystem::path& path, int width, int height,
 void writeRadiance(const std::filesystem::path& path, candela::Renderer& renderer,
                    const candela::GpuScene& scene, const std::vector<std::string>& aovs,
                    const candela::ColorConfig& color) {
-    const candela::RadiancePicture picture = renderer.radiance();
+    const candela::HdrImage picture = renderer.radiance();
     const std::array<std::vector<float>, 4> planes = splitPlanes(picture.rgba);
     std::vector<candela::ExrChannel> channels;
     constexpr std::array names{"R", "G", "B", "A"};

@@ -2,13 +2,13 @@
 
 #include <string>
 
-enum class Talk { normal, quiet };
+enum class Verbosity { normal, quiet };
 
 /// One line on standard error that says what goes on: only on a terminal, and only when not quiet. Nothing
 /// of it stays when the work is done.
 class Progress {
   public:
-    explicit Progress(Talk talk);
+    explicit Progress(Verbosity verbosity);
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     ~Progress();

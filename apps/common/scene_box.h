@@ -10,4 +10,4 @@ candela::Bounds sceneBox(const candela::Scene& scene, double time);
 /// Adds the lights of `choice` over the scene's box at time 0, so that every picture of an animation has the
 /// same ones. Throws `candela::Error` (badInput) that names `sceneName` when the scene has neither mesh, cage
 /// nor light.
-void addScatteredLights(candela::Scene& scene, const ScatterChoice& choice, const std::string& sceneName);
+void addScatteredLights(candela::Scene& scene, const ScatterOptions& choice, const std::string& sceneName);

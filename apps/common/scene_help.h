@@ -4,12 +4,12 @@
 namespace help {
 
 constexpr const char* scene =
-    "A file that a plugin reads (.gltf, .glb, .obj), or a made scene such as\n"
+    "A file that a plugin reads (.gltf, .glb, .obj), or a procedural scene such as\n"
     "plaza:4096, the benchmark scene with that many lights";
 constexpr const char* scatterLights =
-    "Strew N more point lights over the scene's box, the same ones every time.\n"
+    "Scatter N more point lights over the scene's box, the same ones every time.\n"
     "RANGE in metres (default: twice their mean spacing), CANDELA each (default:\n"
-    "RANGE x RANGE / 10); another SEED (default: 1) strews them otherwise";
+    "RANGE x RANGE / 10); another SEED (default: 1) scatters them otherwise";
 constexpr const char* pluginPath = "Search this folder for plugins first. May be given several times";
 constexpr const char* time = "Time of the picture, or of frame 0, in seconds. Default: 0";
 

@@ -13,11 +13,11 @@
 
 namespace {
 
-constexpr double mostStops = 64.0;
+constexpr double maxStops = 64.0;
 constexpr double longestEdge = 1.0e6;
 
 std::uint32_t parseLevel(const std::string& option, const std::string& text) {
-    return static_cast<std::uint32_t>(parseInteger(option, text, 1, candela::greatestSubdivisionLevel));
+    return static_cast<std::uint32_t>(parseInteger(option, text, 1, candela::maxSubdivisionLevel));
 }
 
 /// Takes one word of --show. False when it is none of the overlays.
@@ -29,11 +29,11 @@ bool takeOverlay(const std::string& word, candela::Overlays& overlays) {
 
 }  // namespace
 
-ScatterChoice parseScatter(const std::string& text) {
+ScatterOptions parseScatter(const std::string& text) {
     const std::string option = "--scatter-lights";
     const std::vector<std::string> parts = splitAtCommas(text);
     if (parts.size() > 4) throw UsageError(option + " \"" + text + "\": expected N[,RANGE[,CANDELA[,SEED]]]");
-    ScatterChoice choice;
+    ScatterOptions choice;
     choice.count = static_cast<std::uint32_t>(
         parseInteger(option, parts[0], 0, std::numeric_limits<std::int32_t>::max()));
     if (parts.size() > 1) choice.range = static_cast<float>(parseNumberBetween(option, parts[1], 0.0, 1.0e9));
@@ -45,16 +45,16 @@ ScatterChoice parseScatter(const std::string& text) {
     return choice;
 }
 
-ShowChoice parseShow(const std::string& text) {
-    using enum candela::Show;
-    constexpr std::array all{picture,   normals, level,    baseColor, metallic,
+DebugViewOptions parseDebugView(const std::string& text) {
+    using enum candela::DebugView;
+    constexpr std::array all{none,      normals, level,    baseColor, metallic,
                              roughness, depth,   emission, lightCount};
-    ShowChoice choice;
+    DebugViewOptions choice;
     bool chosen = false;
     for (const std::string& word : splitAtCommas(text)) {
         if (takeOverlay(word, choice.overlays)) continue;
-        const candela::Show show = parseWord(
-            "--show", word, all, [](candela::Show value) { return candela::toString(value); },
+        const candela::DebugView show = parseWord(
+            "--show", word, all, [](candela::DebugView value) { return candela::toString(value); },
             "wireframe, cage");
         if (chosen) throw UsageError("--show \"" + text + "\": expected one picture, and lines over it");
         choice.show = show;
@@ -98,7 +98,7 @@ void SceneOptionReader::declarePicture(CLI::App& app) {
         ->type_name("WxH")
         ->group("Picture");
     app.add_option_function<std::string>(
-           "--show", [this](const std::string& text) { options_.show = parseShow(text); }, help::show)
+           "--show", [this](const std::string& text) { options_.show = parseDebugView(text); }, help::show)
         ->type_name("LIST")
         ->group("Picture");
 }
@@ -165,7 +165,7 @@ void SceneOptionReader::declareColor(CLI::App& app) {
     app.add_option_function<std::string>(
            "--exposure",
            [this](const std::string& text) {
-               options_.display.exposure = parseNumberBetween("--exposure", text, -mostStops, mostStops);
+               options_.display.exposure = parseNumberBetween("--exposure", text, -maxStops, maxStops);
            },
            help::exposure)
         ->type_name("STOPS")
@@ -176,7 +176,7 @@ void SceneOptionReader::finish() {
     if (eye_.has_value() != target_.has_value())
         throw UsageError(eye_ ? "--eye needs --target too" : "--target needs --eye too");
     if (!eye_) return;
-    options_.eye = EyeChoice{parsePoint("--eye", *eye_), parsePoint("--target", *target_)};
+    options_.eye = EyeOptions{parsePoint("--eye", *eye_), parsePoint("--target", *target_)};
     if (options_.eye->eye == options_.eye->target)
         throw UsageError("--target \"" + *target_ + "\": expected another point than --eye");
 }

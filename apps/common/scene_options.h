@@ -18,12 +18,12 @@ class App;
 }
 
 /// Where the user puts the eye: metres, world space.
-struct EyeChoice {
+struct EyeOptions {
     glm::vec3 eye{0.0f}, target{0.0f};
 };
 
-/// Lights to strew over the scene; what is not given follows from their mean spacing.
-struct ScatterChoice {
+/// Lights to scatter over the scene; what is not given follows from their mean spacing.
+struct ScatterOptions {
     std::uint32_t count = 0;
     std::optional<float> range;    ///< Metres, over 0.
     std::optional<float> candela;  ///< Over 0.
@@ -31,8 +31,8 @@ struct ScatterChoice {
 };
 
 /// What to show, and which lines over it.
-struct ShowChoice {
-    candela::Show show = candela::Show::picture;
+struct DebugViewOptions {
+    candela::DebugView show = candela::DebugView::none;
     candela::Overlays overlays;
 };
 
@@ -40,22 +40,22 @@ struct ShowChoice {
 /// they can be without a file or a device.
 struct SceneOptions {
     std::string scene;
-    std::optional<ScatterChoice> scatter;
+    std::optional<ScatterOptions> scatter;
     std::vector<std::filesystem::path> pluginFolders;
     double time = 0.0;  ///< Seconds.
 
     int width = 1280, height = 720;     ///< Pixels.
     std::optional<std::string> camera;  ///< Name or index.
-    std::optional<EyeChoice> eye;
+    std::optional<EyeOptions> eye;
     std::optional<float> verticalFov;  ///< Radians.
 
     candela::BrdfModel brdf = candela::BrdfModel::course;
     candela::Technique technique = candela::Technique::automatic;
     candela::SubdivisionSettings subdivision;
-    ShowChoice show;
+    DebugViewOptions show;
 
     std::optional<std::string> ocio;
-    candela::DisplayChoice display;
+    candela::DisplayOptions display;
 };
 
 /// Declares the options of a `SceneOptions` and writes it while the command line is parsed; what hangs on
@@ -81,5 +81,5 @@ class SceneOptionReader {
 };
 
 /// Readers of option values as in parse.h.
-ScatterChoice parseScatter(const std::string& text);
-ShowChoice parseShow(const std::string& text);
+ScatterOptions parseScatter(const std::string& text);
+DebugViewOptions parseDebugView(const std::string& text);

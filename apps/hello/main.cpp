@@ -15,7 +15,7 @@ int main() {
         const candela::GpuScene gpuScene(context, scene, {.workingFromRec709 = color.workingFromRec709()});
         candela::Renderer renderer(context);
 
-        const candela::View view = candela::cameraView(scene, 0, candela::worldTransforms(scene));
+        const candela::CameraView view = candela::cameraView(scene, 0, candela::worldTransforms(scene));
         renderer.render(gpuScene, {.width = 640, .height = 360, .view = view});
         candela::writePng("hello.png", 640, 360, renderer.displayPicture(display), display.encoding());
         std::cout << "hello.png: 256 lights on " << context.renderer() << "\n";

@@ -38,7 +38,7 @@ void printPlugins(const Options& options) {
 }
 
 /// The renderer that a context on the device gets, or why there is none.
-std::string tryDevice(const candela::DeviceChoice& choice) {
+std::string tryDevice(const candela::DeviceOptions& choice) {
     try {
         return candela::Context::createHeadless(choice).renderer();
     } catch (const candela::Error& error) {

@@ -92,8 +92,8 @@ void resolve(const std::optional<std::string>& aovs, Options& options) {
     const bool exr = options.format == PictureFormat::exr;
     if (aovs) options.aovs = parseAovs(*aovs);
     if (aovs && !exr) throw UsageError("--aov needs an .exr picture: name one with -o");
-    const ShowChoice& show = options.show;
-    if (exr && (show.show != candela::Show::picture || show.overlays.wireframe || show.overlays.cage))
+    const DebugViewOptions& show = options.show;
+    if (exr && (show.show != candela::DebugView::none || show.overlays.wireframe || show.overlays.cage))
         throw UsageError("--show needs a .png picture; --aov puts such channels into an .exr");
 }
 

@@ -24,7 +24,7 @@ struct Options : SceneOptions {
     std::vector<std::string> aovs;
     std::optional<FrameRange> frames;
     std::optional<std::string> stats;  ///< A file, or "-" for standard output.
-    candela::DeviceChoice device;
+    candela::DeviceOptions device;
     bool quiet = false;
     std::optional<ListKind> list;
 };

@@ -8,7 +8,7 @@ Painter::Painter(candela::Renderer& renderer, candela::GpuScene& scene, const ca
                  const std::optional<candela::DisplayTransform>& display, const Options& options)
     : renderer_(renderer), scene_(scene), color_(color), display_(display), options_(options) {}
 
-FrameTiming Painter::draw(const candela::View& view) {
+FrameTiming Painter::draw(const candela::CameraView& view) {
     candela::FrameInputs inputs;
     inputs.width = options_.width;
     inputs.height = options_.height;

@@ -24,7 +24,7 @@ class Painter {
     Painter(candela::Renderer& renderer, candela::GpuScene& scene, const candela::ColorConfig& color,
             const std::optional<candela::DisplayTransform>& display, const Options& options);
 
-    FrameTiming draw(const candela::View& view);
+    FrameTiming draw(const candela::CameraView& view);
     /// Writes the frame drawn last; the file is whole or absent.
     void write(const std::filesystem::path& path);
 

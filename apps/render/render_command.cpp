@@ -3,7 +3,7 @@
 #include "common/output_file.h"
 #include "common/progress.h"
 #include "common/scene_box.h"
-#include "common/view_choice.h"
+#include "common/camera_selection.h"
 #include "frame_path.h"
 #include "picture.h"
 #include "stats.h"
@@ -32,7 +32,7 @@ struct Session {
     Progress progress;
 
     explicit Session(const Options& chosen)
-        : options(chosen), progress(chosen.quiet ? Talk::quiet : Talk::normal) {}
+        : options(chosen), progress(chosen.quiet ? Verbosity::quiet : Verbosity::normal) {}
 
     void note(const std::string& text) {
         if (options.quiet) return;
@@ -53,7 +53,7 @@ void checkOutputs(const Session& session) {
 
 /// The way to the display for a PNG; the names are checked for an EXR too, which takes nothing of it.
 std::optional<candela::DisplayTransform> chooseDisplay(Session& session, const candela::ColorConfig& color) {
-    const candela::DisplayChoice& choice = session.options.display;
+    const candela::DisplayOptions& choice = session.options.display;
     candela::DisplayTransform transform = color.displayTransform(choice);
     if (session.options.format == PictureFormat::png) return transform;
     if (!choice.display.empty() || !choice.view.empty() || !choice.look.empty() || choice.exposure != 0.0)
@@ -88,16 +88,16 @@ void noteMissingSubdivider(Session& session, const candela::CageReport& report) 
     session.note("no plugin refines subdivision cages (opensubdiv does): their polygons are drawn");
 }
 
-void noteHeldBack(Session& session, const candela::CageReport& report) {
-    if (report.heldBack == 0) return;
-    session.note(std::to_string(report.heldBack) +
+void noteLodClamped(Session& session, const candela::CageReport& report) {
+    if (report.lodClamped == 0) return;
+    session.note(std::to_string(report.lodClamped) +
                  " cages are coarser than --subdivision-edge asks for: --subdivision-max-level or the "
                  "limit of vertices a cage holds them back");
 }
 
 /// Draws frame after frame and writes each. Returns what the drawings took.
 std::vector<FrameTiming> drawFrames(Session& session, Painter& painter, candela::GpuScene& gpuScene,
-                                    const candela::Scene& scene, const ViewChoice& views) {
+                                    const candela::Scene& scene, const CameraSelection& views) {
     const FrameRange frames = session.frames();
     std::vector<FrameTiming> timings;
     for (int frame = frames.first; frame <= frames.last; ++frame) {
@@ -106,7 +106,7 @@ std::vector<FrameTiming> drawFrames(Session& session, Painter& painter, candela:
         session.progress.show("drawing " + name + " (" + std::to_string(frame - frames.first + 1) + " of " +
                               std::to_string(frames.last - frames.first + 1) + ")");
         if (!scene.animations.empty()) gpuScene.setTime(time);
-        const candela::View view = views.at(time);
+        const candela::CameraView view = views.at(time);
         if (session.options.stats && frame == frames.first) painter.draw(view);  // compiles and allocates
         const int drawings = session.options.stats && !session.options.frames ? statsDrawings : 1;
         for (int i = 0; i < drawings; ++i) timings.push_back(painter.draw(view));
@@ -148,7 +148,7 @@ void renderPictures(const Options& options) {
 
     const candela::PluginRegistry plugins(options.pluginFolders);
     const candela::Scene scene = readScene(session, plugins);
-    const ViewChoice views(scene, options, session.timeOf(session.frames().first));
+    const CameraSelection views(scene, options, session.timeOf(session.frames().first));
 
     session.progress.show("preparing the scene for drawing");
     const candela::Context context = candela::Context::createHeadless(options.device);
@@ -164,7 +164,7 @@ void renderPictures(const Options& options) {
 
     Stats stats;
     stats.timings = drawFrames(session, painter, gpuScene, scene, views);
-    noteHeldBack(session, gpuScene.cageReport());
+    noteLodClamped(session, gpuScene.cageReport());
     stats.renderer = context.renderer();
     stats.width = options.width;
     stats.height = options.height;

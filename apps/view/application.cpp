@@ -1,6 +1,6 @@
 #include "application.h"
 
-#include "camera_choice.h"
+#include "camera_options.h"
 #include "close_signals.h"
 #include "common/output_file.h"
 #include "common/picture_file.h"
@@ -51,7 +51,7 @@ void remember(std::vector<std::string>& recent, const std::string& scene) {
     if (recent.size() > keptRecent) recent.resize(keptRecent);
 }
 
-bool sameChoice(const candela::DisplayChoice& a, const candela::DisplayChoice& b) {
+bool sameChoice(const candela::DisplayOptions& a, const candela::DisplayOptions& b) {
     return a.display == b.display && a.view == b.view && a.look == b.look && a.exposure == b.exposure;
 }
 
@@ -146,7 +146,7 @@ bool Application::timeGoesOn() const {
 Window::Sleep Application::sleep() const {
     if (options_.scripted()) return model_.loading ? Window::Sleep::briefly : Window::Sleep::none;
     if (timeGoesOn() || motion_ == Motion::moves || settling_ > 0) return Window::Sleep::none;
-    return coarseness_.isCoarse() ? Window::Sleep::briefly : Window::Sleep::untilEvent;
+    return resolutionScale_.isReduced() ? Window::Sleep::briefly : Window::Sleep::untilEvent;
 }
 
 /// A picture of the window shows panels that have come to rest.
@@ -283,7 +283,7 @@ void Application::serveRequests() {
     if (std::exchange(model_.requests.cancelLoading, false)) loader_.cancel();
     const auto config = std::exchange(model_.requests.ocioConfig, std::nullopt);
     if (config) {
-        candela::DisplayChoice display;  // the new config has its own names
+        candela::DisplayOptions display;  // the new config has its own names
         display.exposure = model_.options.display.exposure;
         guarded([&] { changeConfig(config->empty() ? std::nullopt : config, display); });
     }
@@ -310,7 +310,7 @@ void Application::serveReadings() {
 
 /// Nothing changes when it throws.
 void Application::changeConfig(const std::optional<std::string>& config,
-                               const candela::DisplayChoice& choice) {
+                               const candela::DisplayOptions& choice) {
     const candela::ColorConfig color = candela::ColorConfig::choose(config);
     const candela::DisplayTransform display = color.displayTransform(choice);
     // Colours are uploaded in the working space.
@@ -351,20 +351,20 @@ void Application::drawPicture(Motion motion) {
         return;
     }
     changeDisplay();
-    if (!options_.scripted()) model_.divisor = coarseness_.divisor(motion, Clock::now());
+    if (!options_.scripted()) model_.divisor = resolutionScale_.divisor(motion, Clock::now());
     const std::string key = pictureKey(model_);
     if (key == drawnPicture_ && !options_.scripted()) return;
     drawnPicture_ = key;
     guarded([&] {
-        const candela::View view = chosenView(model_);
+        const candela::CameraView view = chosenView(model_);
         followView(model_, view);
         const double milliseconds =
             viewport_.draw({model_.document->gpuScene(), model_.options, view, *display_, model_.divisor});
-        coarseness_.tookMilliseconds(milliseconds);
+        resolutionScale_.tookMilliseconds(milliseconds);
         model_.frames.push_back({viewport_.renderer().passTimes(), milliseconds});
         if (model_.frames.size() > keptFrames) model_.frames.pop_front();
         model_.technique = viewport_.renderer().technique();
-        model_.greatestLightCount = viewport_.renderer().greatestLightCount();
+        model_.maxLightCount = viewport_.renderer().maxLightCount();
         model_.pairs.reset();
         ++drawnFrames_;
     });
@@ -380,7 +380,7 @@ void Application::probePointer() {
 
 /// The picture at full size, whatever is shown while it moves.
 void Application::writePicture(const std::filesystem::path& file) {
-    const candela::View view = chosenView(model_);
+    const candela::CameraView view = chosenView(model_);
     viewport_.draw({model_.document->gpuScene(), model_.options, view, *display_, 1});
     drawnPicture_.clear();
     candela::Renderer& renderer = viewport_.renderer();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coarseness.h"
+#include "resolution_scale.h"
 #include "interaction.h"
 #include "scene_loader.h"
 #include "shader_watch.h"
@@ -46,7 +46,7 @@ class Application {
     void reloadShaders();
     void serveRequests();
     void serveReadings();
-    void changeConfig(const std::optional<std::string>& config, const candela::DisplayChoice& choice);
+    void changeConfig(const std::optional<std::string>& config, const candela::DisplayOptions& choice);
     void changeDisplay();
     void chooseFirstColor();
     void writePicture(const std::filesystem::path& file);
@@ -76,9 +76,9 @@ class Application {
     SceneLoader loader_;
     ShaderWatch shaders_;
     std::optional<candela::DisplayTransform> display_;
-    candela::DisplayChoice shownChoice_;
+    candela::DisplayOptions shownChoice_;
     std::string drawnPicture_;  ///< What the picture shows: see `pictureKey`.
-    Coarseness coarseness_;
+    ResolutionScale resolutionScale_;
     Motion motion_ = Motion::rests;  ///< In the last step.
     int settling_ = 0;               ///< Panels need some frames to come to rest after an event.
     std::uint32_t drawnFrames_ = 0;

@@ -10,9 +10,9 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 /// The eye stays this far from straight above or below: a view there has no upright.
-constexpr float leastPolarAngle = 0.01f;
+constexpr float minPolarAngle = 0.01f;
 constexpr float dollyFactor = 0.9f;
-constexpr float leastDistance = 1.0e-3f;
+constexpr float minDistance = 1.0e-3f;
 
 /// A direction as angles: `azimuth` about +Y from +Z, `polar` from +Y.
 struct Angles {
@@ -24,7 +24,7 @@ Angles anglesOf(const glm::vec3& direction) {
 }
 
 glm::vec3 directionOf(const Angles& angles) {
-    const float polar = std::clamp(angles.polar, leastPolarAngle, pi - leastPolarAngle);
+    const float polar = std::clamp(angles.polar, minPolarAngle, pi - minPolarAngle);
     return {std::sin(polar) * std::sin(angles.azimuth), std::cos(polar),
             std::sin(polar) * std::cos(angles.azimuth)};
 }
@@ -39,10 +39,10 @@ glm::vec3 turned(const glm::vec3& direction, const glm::vec2& drag) {
 
 }  // namespace
 
-void CameraControl::set(const candela::View& view, float distance) {
+void CameraControl::set(const candela::CameraView& view, float distance) {
     const glm::vec3 back(view.worldFromCamera[2]);
     eye_ = view.eye();
-    target_ = eye_ - glm::normalize(back) * std::max(distance, leastDistance);
+    target_ = eye_ - glm::normalize(back) * std::max(distance, minDistance);
     verticalFov_ = view.verticalFov;
 }
 
@@ -54,7 +54,7 @@ void CameraControl::lookAt(const glm::vec3& eye, const glm::vec3& target) {
 void CameraControl::frame(const candela::Bounds& box, float aspect) {
     if (box.empty()) return;
     const glm::vec3 center = 0.5f * (box.min + box.max);
-    const float radius = std::max(0.5f * glm::distance(box.min, box.max), leastDistance);
+    const float radius = std::max(0.5f * glm::distance(box.min, box.max), minDistance);
     const float halfHeight = 0.5f * verticalFov_;
     const float halfWidth = std::atan(std::tan(halfHeight) * aspect);
     const glm::vec3 back = glm::normalize(eye_ - target_);
@@ -77,7 +77,7 @@ void CameraControl::pan(const glm::vec2& drag) {
 
 void CameraControl::dolly(float steps) {
     const float distance = glm::distance(eye_, target_);
-    const float nearer = std::max(distance * std::pow(dollyFactor, steps), leastDistance);
+    const float nearer = std::max(distance * std::pow(dollyFactor, steps), minDistance);
     eye_ = target_ + (eye_ - target_) * (nearer / distance);
 }
 
@@ -96,6 +96,6 @@ void CameraControl::setVerticalFov(float radians) {
     verticalFov_ = radians;
 }
 
-candela::View CameraControl::view() const {
+candela::CameraView CameraControl::view() const {
     return candela::lookAt(eye_, target_, verticalFov_);
 }

@@ -11,7 +11,7 @@
 class CameraControl {
   public:
     /// Stands where `view` does; the target lies on its axis, `distance` before the eye.
-    void set(const candela::View& view, float distance);
+    void set(const candela::CameraView& view, float distance);
     /// Looks from `eye` at `target`.
     void lookAt(const glm::vec3& eye, const glm::vec3& target);
     /// Moves back along the axis until the box is in the picture; `aspect` is width over height.
@@ -32,7 +32,7 @@ class CameraControl {
 
     /// A view that `candela::lookAt` makes of eye and target: what candela-render draws for
     /// --eye, --target and --fov with these numbers.
-    candela::View view() const;
+    candela::CameraView view() const;
     const glm::vec3& eye() const { return eye_; }
     const glm::vec3& target() const { return target_; }
     float verticalFov() const { return verticalFov_; }

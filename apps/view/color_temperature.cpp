@@ -37,7 +37,7 @@ float kelvinOf(float mired) {
 }  // namespace
 
 glm::vec3 colorOfTemperature(float kelvin) {
-    const glm::dvec2 xy = chromaticity(std::clamp(kelvin, leastTemperature, greatestTemperature));
+    const glm::dvec2 xy = chromaticity(std::clamp(kelvin, minTemperature, maxTemperature));
     const glm::dvec3 xyz(xy.x / xy.y, 1.0, (1.0 - xy.x - xy.y) / xy.y);
     const glm::vec3 color = glm::max(glm::vec3(rec709FromXyz * xyz), glm::vec3(0.0f));
     return splitColor(color).hue;
@@ -49,7 +49,7 @@ float nearestTemperature(const glm::vec3& color) {
         return glm::distance(colorOfTemperature(kelvinOf(mired)), hue);
     };
     constexpr int steps = 64;
-    constexpr float coolest = 1.0e6f / greatestTemperature, warmest = 1.0e6f / leastTemperature;
+    constexpr float coolest = 1.0e6f / maxTemperature, warmest = 1.0e6f / minTemperature;
     constexpr float step = (warmest - coolest) / steps;
     const auto miredOf = [&](int index) { return coolest + step * static_cast<float>(index); };
     int nearest = 0;

@@ -3,8 +3,8 @@
 #include <glm/vec3.hpp>
 
 /// The temperatures between which `colorOfTemperature` is defined, in kelvin.
-constexpr float leastTemperature = 1667.0f;
-constexpr float greatestTemperature = 25000.0f;
+constexpr float minTemperature = 1667.0f;
+constexpr float maxTemperature = 25000.0f;
 
 /// The colour of a black body: linear Rec.709, its greatest channel 1, a channel below 0 (the reddest black
 /// bodies lie outside of Rec.709) made 0. `kelvin` is held between the two temperatures above. Source of the

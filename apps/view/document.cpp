@@ -19,7 +19,7 @@ Document::Document(candela::ImportedScene imported, const candela::Context& cont
       notes_(std::move(imported.report.notes)),
       gpuScene_(context, scene_, options),
       visibility_(scene_.nodes.size(), candela::GpuScene::Visibility::shown),
-      restingLights_(candela::placeLights(scene_, candela::worldTransforms(scene_))),
+      restingLights_(candela::worldLights(scene_, candela::worldTransforms(scene_))),
       shownLights_(restingLights_),
       ownLights_(scene_.lights.size() - scatteredLights),
       firstScattered_(ownLights_),
@@ -51,7 +51,7 @@ void Document::setTime(double seconds) {
     ++revision_;
     gpuScene_.setTime(seconds);
     const bool carried = !lightsChanged_ && !scene_.animations.empty();
-    if (carried) placeLights();
+    if (carried) worldLights();
     if (lightsTaken_ && (carried || motion_.moving)) {
         showLights();
     } else if (carried) {
@@ -59,8 +59,8 @@ void Document::setTime(double seconds) {
     }
 }
 
-void Document::placeLights() {
-    restingLights_ = candela::placeLights(scene_, candela::worldTransforms(scene_, time_));
+void Document::worldLights() {
+    restingLights_ = candela::worldLights(scene_, candela::worldTransforms(scene_, time_));
 }
 
 void Document::setMaterial(std::uint32_t index, const candela::Material& material) {
@@ -76,8 +76,8 @@ void Document::setVisibility(std::uint32_t node, candela::GpuScene::Visibility v
     ++revision_;
 }
 
-void Document::setLight(std::uint32_t index, const candela::PlacedLight& light) {
-    const candela::PlacedLight before = std::exchange(restingLights_[index], light);
+void Document::setLight(std::uint32_t index, const candela::WorldLight& light) {
+    const candela::WorldLight before = std::exchange(restingLights_[index], light);
     try {
         showLights();
     } catch (...) {
@@ -88,7 +88,7 @@ void Document::setLight(std::uint32_t index, const candela::PlacedLight& light) 
     lightsChanged_ = true;
 }
 
-void Document::addLight(const candela::PlacedLight& light) {
+void Document::addLight(const candela::WorldLight& light) {
     restingLights_.insert(restingLights_.begin() + static_cast<std::ptrdiff_t>(firstScattered_), light);
     ++firstScattered_;
     lightsChanged_ = true;
@@ -102,11 +102,11 @@ void Document::removeLight(std::uint32_t index) {
     showLights();
 }
 
-void Document::scatterLights(const ScatterChoice& choice) {
+void Document::scatterLights(const ScatterOptions& choice) {
     scene_.lights.resize(ownLights_);
     addScatteredLights(scene_, choice, "the scene");
-    const std::vector<candela::PlacedLight> placed =
-        candela::placeLights(scene_, candela::worldTransforms(scene_, time_));
+    const std::vector<candela::WorldLight> placed =
+        candela::worldLights(scene_, candela::worldTransforms(scene_, time_));
     restingLights_.resize(firstScattered_);
     restingLights_.insert(restingLights_.end(), placed.begin() + static_cast<std::ptrdiff_t>(ownLights_),
                           placed.end());

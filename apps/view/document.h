@@ -42,15 +42,15 @@ class Document {
     candela::GpuScene::Visibility visibility(std::uint32_t node) const { return visibility_[node]; }
 
     /// The lights in world space as they are shown now.
-    const std::vector<candela::PlacedLight>& lights() const { return shownLights_; }
+    const std::vector<candela::WorldLight>& lights() const { return shownLights_; }
     /// Replaces light `index` at its resting place. Throws `candela::Error` and leaves it when it is no
     /// light.
-    void setLight(std::uint32_t index, const candela::PlacedLight& light);
-    void addLight(const candela::PlacedLight& light);
+    void setLight(std::uint32_t index, const candela::WorldLight& light);
+    void addLight(const candela::WorldLight& light);
     void removeLight(std::uint32_t index);
-    /// Takes away the lights of an earlier call (or of --scatter-lights) and strews others. Throws
-    /// `candela::Error` and leaves the lights when there is nothing to strew them over.
-    void scatterLights(const ScatterChoice& choice);
+    /// Takes away the lights of an earlier call (or of --scatter-lights) and scatters others. Throws
+    /// `candela::Error` and leaves the lights when there is nothing to scatter them over.
+    void scatterLights(const ScatterOptions& choice);
     void setLightMotion(const LightMotion& motion);
     const LightMotion& lightMotion() const { return motion_; }
 
@@ -63,7 +63,7 @@ class Document {
 
   private:
     void showLights();
-    void placeLights();
+    void worldLights();
 
     candela::Scene scene_;
     std::vector<std::string> notes_;
@@ -71,8 +71,8 @@ class Document {
     std::uint64_t revision_ = 0;
     double time_ = 0.0;
     std::vector<candela::GpuScene::Visibility> visibility_;
-    std::vector<candela::PlacedLight> restingLights_, shownLights_;
-    std::size_t ownLights_;       ///< Of the scene's lights, those that were not strewn.
+    std::vector<candela::WorldLight> restingLights_, shownLights_;
+    std::size_t ownLights_;       ///< Of the scene's lights, those that were not scattered.
     std::size_t firstScattered_;  ///< Of the resting lights.
     LightMotion motion_;
     std::vector<bool> changedMaterials_;

@@ -1,6 +1,6 @@
 #include "interaction.h"
 
-#include "camera_choice.h"
+#include "camera_options.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -11,8 +11,8 @@ constexpr double phaseStep = 0.6180339887498949;
 
 }  // namespace
 
-void moveLights(std::span<const candela::PlacedLight> resting, const LightMotion& motion, double seconds,
-                std::vector<candela::PlacedLight>& moved) {
+void moveLights(std::span<const candela::WorldLight> resting, const LightMotion& motion, double seconds,
+                std::vector<candela::WorldLight>& moved) {
     moved.assign(resting.begin(), resting.end());
     if (!motion.moving) return;
     for (std::size_t i = 0; i < moved.size(); ++i) {

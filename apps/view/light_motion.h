@@ -13,5 +13,5 @@ struct LightMotion {
 };
 
 /// The lights as they stand at `seconds`.
-void moveLights(std::span<const candela::PlacedLight> resting, const LightMotion& motion, double seconds,
-                std::vector<candela::PlacedLight>& moved);
+void moveLights(std::span<const candela::WorldLight> resting, const LightMotion& motion, double seconds,
+                std::vector<candela::WorldLight>& moved);

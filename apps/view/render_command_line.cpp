@@ -60,7 +60,7 @@ class Command {
     std::string text_;
 };
 
-std::string scatterText(const ScatterChoice& choice) {
+std::string scatterText(const ScatterOptions& choice) {
     std::string text = std::to_string(choice.count);
     if (choice.range) text += "," + numberText(*choice.range);
     if (choice.range && choice.candela) text += "," + numberText(*choice.candela);
@@ -68,7 +68,7 @@ std::string scatterText(const ScatterChoice& choice) {
     return text;
 }
 
-std::string showText(const ShowChoice& choice) {
+std::string showText(const DebugViewOptions& choice) {
     std::string text = candela::toString(choice.show);
     if (choice.overlays.wireframe) text += ",wireframe";
     if (choice.overlays.cage) text += ",cage";
@@ -109,8 +109,8 @@ std::string renderCommandLine(const SceneOptions& options) {
         command.option("--plugin-path", folder.string());
     command.option("--brdf", candela::toString(options.brdf));
     command.option("--technique", candela::toString(options.technique));
-    const ShowChoice& show = options.show;
-    if (show.show != candela::Show::picture || show.overlays.wireframe || show.overlays.cage)
+    const DebugViewOptions& show = options.show;
+    if (show.show != candela::DebugView::none || show.overlays.wireframe || show.overlays.cage)
         command.option("--show", showText(show));
     addSubdivision(command, options.subdivision);
     if (options.ocio) command.option("--ocio", *options.ocio);

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* settingsName = "view.json";
 constexpr const char* layoutName = "view-layout.ini";
-constexpr int largestSide = 16384;
+constexpr int maxSide = 16384;
 
 /// The panels by name.
 template <typename Panels, typename Visit>
@@ -53,8 +53,8 @@ Json toJson(const ViewModel& model) {
 
 void readSize(const Json& json, SceneOptions& options) {
     const auto [width, height] = json.at("size").get<std::pair<int, int>>();
-    options.width = std::clamp(width, 1, largestSide);
-    options.height = std::clamp(height, 1, largestSide);
+    options.width = std::clamp(width, 1, maxSide);
+    options.height = std::clamp(height, 1, maxSide);
 }
 
 void readColor(const Json& json, SceneOptions& options) {
@@ -69,13 +69,13 @@ void readColor(const Json& json, SceneOptions& options) {
 void readSubdivision(const Json& json, SceneOptions& options) {
     options.subdivision.edgePixels = std::clamp(json.at("subdivision_edge").get<float>(), 0.1f, 1.0e5f);
     options.subdivision.maxLevel = std::clamp(json.at("subdivision_max_level").get<std::uint32_t>(), 1u,
-                                              candela::greatestSubdivisionLevel);
+                                              candela::maxSubdivisionLevel);
 }
 
 /// Into copies, so that a file with a mistake leaves everything as it was.
 void takeSettings(const Json& json, const ViewOptions& given, ViewModel& model) {
     SceneOptions options = model.options;
-    PanelChoice panels = model.panels;
+    OpenPanels panels = model.panels;
     auto recent = json.at("recent").get<std::vector<std::string>>();
     visitPanels(panels, [&](const char* name, bool& open) { open = json.at("panels").at(name).get<bool>(); });
     if (!given.sizeGiven) readSize(json, options);

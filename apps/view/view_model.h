@@ -31,14 +31,14 @@ struct FrameRecord {
 };
 
 /// Which panels are open; kept in the settings.
-struct PanelChoice {
+struct OpenPanels {
     bool scene = true, material = false, lights = true, camera = true, color = true, drawing = true,
          statistics = true, probe = false;
 };
 
 /// What the panels ask the application to do once they are drawn: it touches files, threads or the device.
 struct Requests {
-    std::optional<std::string> open;  ///< A file or a made scene.
+    std::optional<std::string> open;  ///< A file or a procedural scene.
     bool cancelLoading = false;
     bool frameAll = false, framePicked = false;
     std::optional<glm::ivec2> pick;  ///< What this pixel shows.
@@ -67,12 +67,12 @@ struct ViewModel {
 
     std::deque<FrameRecord> frames;            ///< The latest last; at most 240.
     std::optional<candela::PairCounts> pairs;  ///< Of the resting picture, when the statistics are open.
-    std::uint32_t greatestLightCount = 0;      ///< End of the heat map.
+    std::uint32_t maxLightCount = 0;      ///< End of the heat map.
     int divisor = 1;  ///< The last picture's width and height were divided by it: coarser while it moves.
     std::string renderer;                                          ///< GL_RENDERER.
     candela::Technique technique = candela::Technique::automatic;  ///< That the last frame used.
 
-    PanelChoice panels;
+    OpenPanels panels;
     std::vector<std::string> recent;  ///< Scenes opened, the latest first; at most 10.
     std::deque<Message> messages;
     std::string shaderError;  ///< Of the last reload; empty when it went well.

@@ -23,7 +23,7 @@ class Viewport {
     struct Inputs {
         const candela::GpuScene& scene;
         const SceneOptions& options;  ///< Its size is the picture's.
-        const candela::View& view;
+        const candela::CameraView& view;
         const candela::DisplayTransform& display;
         int divisor = 1;  ///< Width and height are divided by it: coarser, faster.
     };

@@ -28,13 +28,13 @@ struct SurfacePoint {
 
 /// The least alpha (= roughness²) that shading uses, in every implementation: below it, single precision can
 /// not hold the width of the lobe's peak. See docs/lighting.md.
-constexpr double minimumAlpha = 1.0e-3;
+constexpr double minAlpha = 1.0e-3;
 
 /// The least n·v that shading uses (a normal map can turn a normal away from the eye).
-constexpr double minimumNDotV = 1.0e-4;
+constexpr double minNDotV = 1.0e-4;
 
 /// The least distance to a light, in metres, that shading uses: nearer, the inverse square grows no further.
-constexpr double minimumDistance = 1.0e-3;
+constexpr double minDistance = 1.0e-3;
 
 /// The GGX distribution of half vectors, normalised so that the integral of D (n·h) over the hemisphere is 1.
 /// Source: Walter et al., "Microfacet models for refraction through rough surfaces", 2007, equation 33.
@@ -72,6 +72,6 @@ CANDELA_API double spotFactor(double cosAngle, double innerConeAngle, double out
 /// × window × spot factor; for a directional light, pi f (intensity / pi) (n·l). The light's intensity is
 /// already in the working space, and its range is over 0 (the renderer has set one where none was given).
 CANDELA_API glm::dvec3 reflectedRadiance(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& eye,
-                                         const PlacedLight& light);
+                                         const WorldLight& light);
 
 }  // namespace candela

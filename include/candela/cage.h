@@ -40,7 +40,7 @@ enum class TriangleSubdivision { catmullClark, smooth };
 constexpr float infiniteSharpness = 10.0f;
 
 /// The greatest level that a cage can be refined to.
-constexpr std::uint32_t greatestSubdivisionLevel = 8;
+constexpr std::uint32_t maxSubdivisionLevel = 8;
 
 /// A sharp edge of a cage. Sharpness is 0 or more; it falls by one a level.
 struct Crease {
@@ -80,7 +80,7 @@ struct Cage {
     /// Index into `Scene::materials` a face, none for the default material; empty: none for all.
     std::vector<std::optional<std::uint32_t>> faceMaterials;
     std::optional<std::uint32_t>
-        level;  ///< Refine to this level, 1 to `greatestSubdivisionLevel`; none: by the size on the screen.
+        level;  ///< Refine to this level, 1 to `maxSubdivisionLevel`; none: by the size on the screen.
 
     std::uint32_t influenceCount = 0;   ///< Joints a vertex; 0: no skin moves it.
     std::vector<std::uint32_t> joints;  ///< `influenceCount` a vertex: indices into `Skin::joints`.

@@ -20,7 +20,7 @@ struct Camera {
 };
 
 /// Where a picture is taken from: a camera in world space.
-struct View {
+struct CameraView {
     glm::mat4 worldFromCamera{1.0f};  ///< A rigid transform.
     float verticalFov = 0.785398f;    ///< Radians, over 0 and under pi.
     float nearPlane = 0.01f;          ///< Metres, over 0.
@@ -30,10 +30,10 @@ struct View {
 
 /// A view from `eye` towards `target`, +Y up (+Z up when looking along Y). Throws `Error` (badInput) when the
 /// two coincide, when a number is not finite, or when `verticalFov` (radians) does not lie between 0 and pi.
-CANDELA_API View lookAt(const glm::vec3& eye, const glm::vec3& target, float verticalFov);
+CANDELA_API CameraView lookAt(const glm::vec3& eye, const glm::vec3& target, float verticalFov);
 
 /// Clip space from camera space: reversed depth in 0..1 with 1 at the near plane and 0 at infinity. `aspect`
 /// is width over height.
-CANDELA_API glm::mat4 projection(const View& view, float aspect);
+CANDELA_API glm::mat4 projection(const CameraView& view, float aspect);
 
 }  // namespace candela

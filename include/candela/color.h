@@ -16,7 +16,7 @@ namespace candela {
 class DisplayTransform;
 
 /// What to show a picture through. Empty names mean the config's defaults (no look).
-struct DisplayChoice {
+struct DisplayOptions {
     std::string display, view, look;
     double exposure = 0.0;  ///< Stops: radiance is multiplied by 2^exposure before the display transform.
 };
@@ -54,7 +54,7 @@ class CANDELA_API ColorConfig {
 
     /// The way from the working space to a display. Throws `Error` (badInput) naming the names there are when
     /// one of the choice is unknown.
-    DisplayTransform displayTransform(const DisplayChoice& choice) const;
+    DisplayTransform displayTransform(const DisplayOptions& choice) const;
 
   private:
     struct State;
@@ -67,7 +67,7 @@ class CANDELA_API ColorConfig {
 class CANDELA_API DisplayTransform {
   public:
     /// The choice with the defaults filled in.
-    const DisplayChoice& choice() const;
+    const DisplayOptions& choice() const;
     /// How the display encodes, for the tags of a picture file.
     DisplayEncoding encoding() const;
     /// Applies the transform in place on the CPU, by OpenColorIO's own CPU processor: RGBA, 4 floats a pixel;

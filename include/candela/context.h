@@ -11,7 +11,7 @@ namespace candela {
 
 /// An EGL device of this machine.
 struct Device {
-    int index = 0;            ///< What `DeviceChoice::index` takes.
+    int index = 0;            ///< What `DeviceOptions::index` takes.
     std::string description;  ///< Its render node or "software rasteriser".
     bool software = false;
 };
@@ -24,7 +24,7 @@ struct ContextAttempt {
 
 /// Which device a headless context shall run on. By default GPUs first, then the software device, then a
 /// surfaceless display.
-struct DeviceChoice {
+struct DeviceOptions {
     std::optional<int> index;   ///< This device and no other.
     bool softwareOnly = false;  ///< Software devices only.
 };
@@ -38,7 +38,7 @@ class CANDELA_API Context {
   public:
     /// Makes a context without a window and makes it current. Throws `Error` (environment) that lists every
     /// attempt and its reason.
-    static Context createHeadless(const DeviceChoice& choice = {});
+    static Context createHeadless(const DeviceOptions& choice = {});
     /// Takes the context that is current on this thread, of a window or any other host; it stays the host's.
     /// Throws `Error` (environment) when there is none or it is older than OpenGL 4.5.
     static Context adoptCurrent();

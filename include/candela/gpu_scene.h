@@ -19,11 +19,11 @@ namespace candela {
 
 /// How far cages are refined.
 struct SubdivisionSettings {
-    /// All cages to this level, 1 to `greatestSubdivisionLevel`. None: a cage that states a level has that
+    /// All cages to this level, 1 to `maxSubdivisionLevel`. None: a cage that states a level has that
     /// one, every other follows its size on the screen.
     std::optional<std::uint32_t> level;
     float edgePixels = 8.0f;     ///< By size: the length that edges on the screen should have, over 0.
-    std::uint32_t maxLevel = 5;  ///< By size: the greatest level, 1 to `greatestSubdivisionLevel`.
+    std::uint32_t maxLevel = 5;  ///< By size: the greatest level, 1 to `maxSubdivisionLevel`.
     /// By size: the most vertices that a cage may be refined to; its level stays as low as that needs, but is
     /// at least 1.
     std::uint64_t maxVertices = 2'000'000;
@@ -54,9 +54,9 @@ struct CageReport {
     std::uint64_t cages = 0;       ///< Nodes that show a cage.
     bool subdivided = false;       ///< False where no subdivider is at hand: polygons are drawn.
     std::uint64_t triangles = 0;   ///< Drawn for cages, those of a cage times the nodes that show it.
-    std::uint64_t tableBytes = 0;  ///< Memory of all weight tables made so far.
-    std::uint32_t lowestLevel = 0, highestLevel = 0;  ///< 0 without a subdivider or a frame.
-    std::uint64_t heldBack = 0;  ///< Cages whose level `maxLevel` or `maxVertices` keeps below what
+    std::uint64_t tableBytes = 0;  ///< Memory of all stencil tables made so far.
+    std::uint32_t minLevel = 0, maxLevel = 0;  ///< 0 without a subdivider or a frame.
+    std::uint64_t lodClamped = 0;  ///< Cages whose level `maxLevel` or `maxVertices` keeps below what
                                  ///< `edgePixels` asks for.
     std::string evaluator;       ///< What moves the points: "compute" or "threads"; empty before a frame.
 };
@@ -73,9 +73,9 @@ class CANDELA_API GpuScene {
     ~GpuScene();
 
     /// Replaces all lights, those of the scene included: one upload. Nodes and animations move lights no
-    /// longer. Throws `Error`: badInput naming a light whose numbers break what `PlacedLight` states, limit
+    /// longer. Throws `Error`: badInput naming a light whose numbers break what `WorldLight` states, limit
     /// when the device can not hold as many.
-    void setLights(std::span<const PlacedLight> lights);
+    void setLights(std::span<const WorldLight> lights);
     /// Sets a node's local matrix, and moves what hangs on it.
     void setTransform(std::uint32_t node, const glm::mat4& local);
     /// Poses all animated nodes as at `seconds`, and moves what hangs on them.

@@ -28,7 +28,7 @@ struct Light {
 };
 
 /// A light in world space, as the renderer takes it (`GpuScene::setLights`). 100,000 of them make one upload.
-struct PlacedLight {
+struct WorldLight {
     LightType type = LightType::point;
     glm::vec3 position{0.0f};                ///< World, metres. Directional: ignored.
     float range = 0.0f;                      ///< Metres; 0: none given. Directional: ignored.

@@ -13,14 +13,14 @@
 namespace candela {
 
 /// A transform that can be animated: translation × rotation × scale.
-struct Trs {
+struct Transform {
     glm::vec3 translation{0.0f};
     glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< Unit length.
     glm::vec3 scale{1.0f};
 };
 
 /// That a node shows a cage. A skinned cage stands where its joints are, not where its node is.
-struct ShownCage {
+struct CageInstance {
     std::uint32_t cage = 0;             ///< Index into `Scene::cages`.
     std::optional<std::uint32_t> skin;  ///< Index into `Scene::skins`.
     std::vector<float> morphWeights;    ///< One a morph target of the cage; empty: all 0.
@@ -30,9 +30,9 @@ struct ShownCage {
 struct Node {
     std::string name;
     std::optional<std::uint32_t> parent;  ///< Index into `Scene::nodes`, less than this node's own.
-    std::variant<Trs, glm::mat4> transform = Trs{};  ///< Local; an affine matrix where the file gives one.
+    std::variant<Transform, glm::mat4> transform = Transform{};  ///< Local; an affine matrix where the file gives one.
     std::optional<std::uint32_t> mesh;               ///< Index into `Scene::meshes`.
-    std::optional<ShownCage> cage;
+    std::optional<CageInstance> cage;
 };
 
 }  // namespace candela

@@ -212,14 +212,14 @@ typedef struct candela_skin {
 } candela_skin;
 
 /* That a node shows a cage. A skinned cage stands where its joints are, not where its node is. */
-typedef struct candela_shown_cage {
+typedef struct candela_cage_instance {
     uint32_t struct_size;
     int32_t node;                /* index of a pushed node; a node shows one cage at most */
     int32_t cage;                /* index of a pushed cage */
     int32_t skin;                /* index of a pushed skin, -1 for none */
     uint32_t morph_weight_count; /* the cage's morph_target_count, or 0: all weights are 0 */
     const float* morph_weights;
-} candela_shown_cage;
+} candela_cage_instance;
 
 typedef struct candela_camera {
     uint32_t struct_size;
@@ -329,20 +329,20 @@ typedef struct candela_host {
     /* since 1.1 */
     int32_t (*add_cage)(void* self, const candela_cage* cage);
     int32_t (*add_skin)(void* self, const candela_skin* skin);
-    candela_status (*show_cage)(void* self, const candela_shown_cage* shown);
+    candela_status (*show_cage)(void* self, const candela_cage_instance* shown);
 } candela_host;
 
 /* ---- The subdivider (since 1.1) */
 /* Sparse rows of weights: row r has the entries row_starts[r] to row_starts[r + 1] - 1. What a row makes is
  * the sum over its entries of weight × the cage's point (or texture coordinate) of that column. */
-typedef struct candela_weight_rows {
+typedef struct candela_stencil_table {
     uint32_t row_count;
     const uint32_t* row_starts; /* row_count + 1, the first one 0, none less than the one before */
     const uint32_t* columns;    /* one an entry */
     const float* weights;       /* the limit value */
     const float* du_weights;    /* its derivative along the first parameter of the face */
     const float* dv_weights;    /* its derivative along the second */
-} candela_weight_rows;
+} candela_stencil_table;
 
 /* A refined cage. It has `point_count` distinct limit points and `vertex_count` vertices to draw: vertex i
  * lies at point i for i < point_count; the others are twins, which share a point but not its tangents or
@@ -351,10 +351,10 @@ typedef struct candela_weight_rows {
 typedef struct candela_refined_cage {
     uint32_t struct_size;
     uint32_t point_count, vertex_count;
-    const uint32_t* twin_points;   /* vertex_count - point_count: the point of each twin */
-    candela_weight_rows positions; /* a row a vertex, of the cage's vertices; a twin takes the position of
+    const uint32_t* seam_points;   /* vertex_count - point_count: the point of each twin */
+    candela_stencil_table positions; /* a row a vertex, of the cage's vertices; a twin takes the position of
                                       its point and only the derivatives of its own row */
-    candela_weight_rows uvs;       /* a row a vertex, of the cage's uvs; row_count 0 for a cage without uvs */
+    candela_stencil_table uvs;       /* a row a vertex, of the cage's uvs; row_count 0 for a cage without uvs */
     uint32_t face_size;            /* 4, or 3 for the Loop scheme */
     uint32_t face_count;
     const uint32_t* face_vertices; /* face_size a face, counter-clockwise */
@@ -382,7 +382,7 @@ typedef struct candela_subdivider {
 typedef struct candela_request {
     uint32_t struct_size;
     const char* uri;  /* as the user gave it */
-    const char* name; /* a file: its name, to be read with read_file; a made scene: what follows "scheme:" */
+    const char* name; /* a file: its name, to be read with read_file; a procedural scene: what follows "scheme:" */
     /* since 1.1: what follows '?' behind a file's name; NULL where there is none. An importer refuses a query
      * that it does not know. One built for 1.0 is never given any: the host refuses it. */
     const char* query;
@@ -391,7 +391,7 @@ typedef struct candela_request {
 typedef struct candela_importer {
     uint32_t struct_size;
     const char* const* extensions; /* file name endings without the dot, lower case, ended by NULL; or NULL */
-    const char* const* schemes;    /* URI schemes of made scenes, lower case, ended by NULL; or NULL */
+    const char* const* schemes;    /* URI schemes of procedural scenes, lower case, ended by NULL; or NULL */
     candela_status (*import_scene)(const candela_host* host, const candela_request* request);
 } candela_importer;
 

@@ -15,7 +15,7 @@ namespace candela {
 
 /// A sparse matrix by rows, with a weight for the value and one for each of its two derivatives. Row r has
 /// the entries rowStarts[r] to rowStarts[r + 1] - 1.
-struct WeightRows {
+struct StencilTable {
     std::vector<std::uint32_t> rowStarts;  ///< One more than there are rows; empty where there are none.
     std::vector<std::uint32_t> columns;    ///< One an entry, as are the weights.
     std::vector<float> weights, duWeights, dvWeights;
@@ -30,18 +30,18 @@ struct WeightRows {
 struct RefinedCage {
     std::uint32_t level = 0;  ///< Each edge of the cage is 2^level edges long; 0: the cage's own polygons.
     std::uint32_t pointCount = 0;
-    std::vector<std::uint32_t> twinPoints;  ///< The point of each twin.
-    WeightRows positions;  ///< A row a vertex, of the cage's points. A twin's own weights are not used, only
+    std::vector<std::uint32_t> seamPoints;  ///< The point of each twin.
+    StencilTable positions;  ///< A row a vertex, of the cage's points. A twin's own weights are not used, only
                            ///< those of its derivatives.
-    WeightRows uvs;        ///< A row a vertex, of the cage's texture coordinates; no rows without those.
+    StencilTable uvs;        ///< A row a vertex, of the cage's texture coordinates; no rows without those.
     std::uint32_t faceSize = 4;               ///< 3 or 4.
     std::vector<std::uint32_t> faceVertices;  ///< `faceSize` a face, counter-clockwise.
     std::vector<std::uint32_t> cageFaces;     ///< The cage's face that each face stems from.
 
-    std::size_t vertexCount() const { return pointCount + twinPoints.size(); }
+    std::size_t vertexCount() const { return pointCount + seamPoints.size(); }
     /// The point at which a vertex lies.
     std::uint32_t pointOf(std::uint32_t vertex) const {
-        return vertex < pointCount ? vertex : twinPoints[vertex - pointCount];
+        return vertex < pointCount ? vertex : seamPoints[vertex - pointCount];
     }
 };
 

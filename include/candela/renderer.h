@@ -30,8 +30,8 @@ enum class Technique {
 CANDELA_API const char* toString(Technique technique);
 
 /// What a frame shows.
-enum class Show {
-    picture,  ///< The lit scene.
+enum class DebugView {
+    none,  ///< The lit scene.
     // The rest are data: numbers as colours. They are drawn as the display's code values, so that no display
     // transform and no exposure changes them.
     normals,    ///< World-space normals: 0.5 + 0.5 n.
@@ -46,9 +46,9 @@ enum class Show {
 
 /// The name on the command line: "picture", "normals", "level", "base_color", "metallic", "roughness",
 /// "depth", "emission", "light_count".
-CANDELA_API const char* toString(Show show);
+CANDELA_API const char* toString(DebugView show);
 
-/// The colour of a level of subdivision, display code values. 0 (polygons) to `greatestSubdivisionLevel`.
+/// The colour of a level of subdivision, display code values. 0 (polygons) to `maxSubdivisionLevel`.
 CANDELA_API glm::vec3 levelColor(std::uint32_t level);
 /// The heat map: from black at 0 over blue, green and yellow to red at 1. Display code values.
 CANDELA_API glm::vec3 heatColor(float share);
@@ -67,10 +67,10 @@ struct FrameTarget {
 
 struct FrameInputs {
     int width = 1280, height = 720;  ///< Pixels, 1 or more each.
-    View view;
+    CameraView view;
     BrdfModel brdf = BrdfModel::course;
     Technique technique = Technique::automatic;
-    Show show = Show::picture;
+    DebugView show = DebugView::none;
     Overlays overlays = {};
 };
 
@@ -90,7 +90,7 @@ struct PairCounts {
 
 /// A picture in the working space: RGBA, rows from the top. A is 1 where a surface is and 0 on the
 /// background.
-struct RadiancePicture {
+struct HdrImage {
     int width = 0, height = 0;
     std::vector<float> rgba;
 };
@@ -135,7 +135,7 @@ class CANDELA_API Renderer {
     std::vector<std::uint8_t> displayPicture(const DisplayTransform& transform);
 
     /// Reads the last frame's radiance back, without overlays; of a data view its code values.
-    RadiancePicture radiance();
+    HdrImage radiance();
     /// Reads AOVs of the last frame back. Throws `Error` (badInput) naming those there are when a name is
     /// unknown.
     std::vector<Aov> aovs(const GpuScene& scene, const std::vector<std::string>& names);
@@ -145,9 +145,9 @@ class CANDELA_API Renderer {
     /// What the pixel of column `x` and row `y` (from the top) of the last frame shows; none on the
     /// background. Throws `Error` (badInput) when there is no such pixel.
     std::optional<PixelProbe> probe(const GpuScene& scene, int x, int y);
-    /// The most lights of any pixel of the last frame, if that showed `Show::lightCount`: what the heat map's
+    /// The most lights of any pixel of the last frame, if that showed `DebugView::lightCount`: what the heat map's
     /// end stands for.
-    std::uint32_t greatestLightCount() const;
+    std::uint32_t maxLightCount() const;
 
     /// Counts the last frame's pairs in a drawing of its own, outside timed frames. Of a data view none was
     /// evaluated.

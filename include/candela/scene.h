@@ -47,7 +47,7 @@ CANDELA_API std::vector<glm::mat4> worldTransforms(const Scene& scene, double ti
 
 /// The scene's lights in world space, in the order of `Scene::lights`. `world` comes from `worldTransforms`.
 /// As KHR_lights_punctual says, a node moves and turns its lights, but does not scale range or intensity.
-CANDELA_API std::vector<PlacedLight> placeLights(const Scene& scene, const std::vector<glm::mat4>& world);
+CANDELA_API std::vector<WorldLight> worldLights(const Scene& scene, const std::vector<glm::mat4>& world);
 
 /// A cage as a node shows it at one time.
 struct PosedCage {
@@ -70,13 +70,13 @@ CANDELA_API Bounds nodeBounds(const Scene& scene, std::uint32_t node, const std:
 CANDELA_API Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& world, double time = 0.0);
 
 /// The view of camera `index` of the scene. A camera ignores its node's scale, shear and mirroring.
-CANDELA_API View cameraView(const Scene& scene, std::uint32_t index, const std::vector<glm::mat4>& world);
+CANDELA_API CameraView cameraView(const Scene& scene, std::uint32_t index, const std::vector<glm::mat4>& world);
 
 /// A view in which all of `bounds` is seen, from the front, a little to the right and above, 45 degrees high;
 /// `aspect` is width over height. An empty box gives a view from (0, 0, 5) to the origin.
-CANDELA_API View frameBounds(const Bounds& bounds, float aspect);
+CANDELA_API CameraView frameBounds(const Bounds& bounds, float aspect);
 
-/// Lengthens `lights` by `count` point lights strewn over `bounds` by a fixed hash of `seed`, with saturated
+/// Lengthens `lights` by `count` point lights scattered over `bounds` by a fixed hash of `seed`, with saturated
 /// colours, `range` in metres and `candela` each. The first lights are the same for every larger count, and
 /// the same on every machine. Throws `Error`: badInput when the box is empty or not finite, the range not
 /// over 0 or the intensity not within 0 to 1e20; limit when memory does not hold the lights.

@@ -17,7 +17,7 @@ class CANDELA_API Subdivider {
     /// The plugin's name.
     const std::string& name() const;
 
-    /// Refines a cage that has passed `validate` to `level` (1 to `greatestSubdivisionLevel`). What comes
+    /// Refines a cage that has passed `validate` to `level` (1 to `maxSubdivisionLevel`). What comes
     /// back has been checked: sizes, indices, finite weights. May be called from several threads at once.
     /// Throws `Error`: badInput that names the cage and its face, edge or vertex when the plugin rejects it;
     /// limit when memory or 32-bit indices do not hold the result.

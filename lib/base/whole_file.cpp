@@ -19,10 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// As many as the kernel follows.
-constexpr int maximumLinks = 40;
+constexpr int maxLinks = 40;
 
 /// How many names for the temporary file are tried, in case another process holds one.
-constexpr int maximumNames = 100;
+constexpr int maxNames = 100;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& text) {
     throw Error(ErrorKind::environment, path.string(), text);
@@ -77,7 +77,7 @@ class TemporaryFile {
     /// Creates the file in `folder`. `target` is what errors name.
     TemporaryFile(const fs::path& folder, const fs::path& target) : target_(target) {
         static std::atomic<unsigned> count{0};
-        for (int attempt = 0; attempt < maximumNames; ++attempt) {
+        for (int attempt = 0; attempt < maxNames; ++attempt) {
             path_ =
                 folder / (".candela-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp");
             descriptor_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
@@ -120,7 +120,7 @@ std::optional<fs::path> followLinks(const fs::path& path) {
     fs::path place = path;
     std::error_code error;
     for (int links = 0; fs::is_symlink(fs::symlink_status(place, error)); ++links) {
-        if (links == maximumLinks) failWithReason(path, "can not follow the link", ELOOP);
+        if (links == maxLinks) failWithReason(path, "can not follow the link", ELOOP);
         const fs::path folder = fs::canonical(place.parent_path().empty() ? "." : place.parent_path(), error);
         if (folder.string().starts_with("/proc/")) return std::nullopt;
         const fs::path next = fs::read_symlink(place, error);

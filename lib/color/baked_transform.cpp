@@ -74,7 +74,7 @@ CurveTable tableOf(const OCIO::ConstCPUProcessorRcPtr& cpu) {
 /// Colours on which a baked transform is tried: every channel from -16 to 65504 with every other, more
 /// densely in the range that pictures have.
 std::vector<float> trialColors() {
-    std::vector<float> levels{-16.0f, -0.25f, -0.001f, 0.0f, 1e-6f, 1e-4f, 64.0f, 1000.0f, largestRadiance};
+    std::vector<float> levels{-16.0f, -0.25f, -0.001f, 0.0f, 1e-6f, 1e-4f, 64.0f, 1000.0f, maxRadiance};
     for (int i = 0; i < 15; ++i) levels.push_back(std::exp2(-10.0f + float(i)));
     std::vector<float> colors;
     for (const float red : levels)

@@ -56,7 +56,7 @@ std::vector<std::string> lookNames(const std::string& looks) {
 }
 
 OCIO::ConstProcessorRcPtr makeProcessor(const OCIO::ConstConfigRcPtr& config, const std::string& from,
-                                        const DisplayChoice& choice) {
+                                        const DisplayOptions& choice) {
     const auto displayView = OCIO::DisplayViewTransform::Create();
     displayView->setSrc(from.c_str());
     displayView->setDisplay(choice.display.c_str());
@@ -161,13 +161,13 @@ std::vector<std::string> ColorConfig::notes() const {
     return state_->working.notes;
 }
 
-DisplayTransform ColorConfig::displayTransform(const DisplayChoice& choice) const {
+DisplayTransform ColorConfig::displayTransform(const DisplayOptions& choice) const {
     if (!(std::abs(choice.exposure) <= 100.0))
         throw Error(ErrorKind::badInput, "",
                     "an exposure of " + std::to_string(choice.exposure) + " stops; -100 to 100 was expected");
     auto state = std::make_shared<DisplayTransform::State>();
     state->source = source();
-    DisplayChoice& chosen = state->choice = choice;
+    DisplayOptions& chosen = state->choice = choice;
 
     if (chosen.display.empty()) chosen.display = defaultDisplay();
     const std::vector<std::string> allViews = views(chosen.display);

@@ -10,7 +10,7 @@ namespace candela {
 
 DisplayTransform::DisplayTransform(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
-const DisplayChoice& DisplayTransform::choice() const {
+const DisplayOptions& DisplayTransform::choice() const {
     return state_->choice;
 }
 DisplayEncoding DisplayTransform::encoding() const {

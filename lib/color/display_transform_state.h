@@ -12,7 +12,7 @@ namespace candela {
 
 struct DisplayTransform::State {
     std::string source;  ///< The config's, for messages.
-    DisplayChoice choice;
+    DisplayOptions choice;
     DisplayEncoding encoding;
     OCIO::ConstProcessorRcPtr processor;
     OCIO::ConstCPUProcessorRcPtr cpu;

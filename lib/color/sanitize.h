@@ -11,14 +11,14 @@ namespace candela {
 // which every transform is at its end; negative colours (outside the working space's gamut) pass. After it,
 // NaN becomes 0 and everything else is limited to 0..1.
 
-inline constexpr float largestRadiance = 65504.0f;
+inline constexpr float maxRadiance = 65504.0f;
 
 inline float limited(float value, float least, float most) {
     return std::isnan(value) ? 0.0f : std::clamp(value, least, most);
 }
 
 inline float sanitizedRadiance(float value) {
-    return limited(value, -largestRadiance, largestRadiance);
+    return limited(value, -maxRadiance, maxRadiance);
 }
 inline float sanitizedCode(float value) {
     return limited(value, 0.0f, 1.0f);

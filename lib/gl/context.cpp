@@ -51,7 +51,7 @@ std::string wayOf(const Device& device) {
 }
 
 /// What the choice allows, GPUs first, then software devices, then the surfaceless display.
-std::vector<Candidate> candidates(const DeviceChoice& choice) {
+std::vector<Candidate> candidates(const DeviceOptions& choice) {
     std::vector<gl::EglDevice> devices = gl::enumerateEglDevices();
     if (choice.index) {
         const auto found =
@@ -81,7 +81,7 @@ std::string failureText(const std::vector<ContextAttempt>& attempts) {
 
 }  // namespace
 
-Context Context::createHeadless(const DeviceChoice& choice) {
+Context Context::createHeadless(const DeviceOptions& choice) {
     auto state = std::make_unique<State>();
     for (const Candidate& candidate : candidates(choice)) {
         try {

@@ -1,6 +1,6 @@
 #include "import/cage_struct.h"
 
-#include "import/pushed_element.h"
+#include "import/abi_reader.h"
 
 #include <candela/error.h>
 
@@ -15,7 +15,7 @@ template <class T>
 std::uint32_t countOf(const std::vector<T>& elements, const char* what, const Cage& cage) {
     if (elements.size() > std::numeric_limits<std::uint32_t>::max())
         throw Error(ErrorKind::limit, "",
-                    joined(PushedElement("cage", std::nullopt, cage.name.c_str()).label(), ": it has ",
+                    joined(AbiReader("cage", std::nullopt, cage.name.c_str()).label(), ": it has ",
                            elements.size(), " ", what, ", more than 32 bits can count"));
     return static_cast<std::uint32_t>(elements.size());
 }

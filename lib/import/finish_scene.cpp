@@ -1,9 +1,9 @@
 #include "import/finish_scene.h"
 
-#include "import/pushed_element.h"
-#include "scene/normals.h"
-#include "scene/perpendicular.h"
-#include "scene/tangents.h"
+#include "import/abi_reader.h"
+#include "scene/geometry/normals.h"
+#include "scene/geometry/perpendicular.h"
+#include "scene/geometry/tangents.h"
 
 #include <optional>
 
@@ -31,7 +31,7 @@ void addTangents(const Scene& scene, std::size_t index, Mesh& mesh, std::vector<
     if (!uvSet || !mesh.tangents.empty() || mesh.positions.empty()) return;
     if (!(*uvSet == 0 ? mesh.uv0 : mesh.uv1).empty()) return makeTangents(mesh, *uvSet);
     fillWithPerpendiculars(mesh);
-    notes.push_back(joined(PushedElement("mesh", index, mesh.name.c_str()).label(),
+    notes.push_back(joined(AbiReader("mesh", index, mesh.name.c_str()).label(),
                            ": its normal texture shows one texel, for the mesh has no texture coordinates ",
                            *uvSet));
 }

@@ -1,6 +1,6 @@
 #include "import/host.h"
 
-#include "import/pushed_elements.h"
+#include "import/abi_import.h"
 #include "import/text.h"
 
 #include <candela/error.h>
@@ -79,17 +79,17 @@ std::int32_t ImportHost::add(const char* kind, const Pushed* pushed, std::vector
         if (index >= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
             throw Error(ErrorKind::limit, uri_,
                         joined("there are more than ", index, " elements of the kind ", kind));
-        if (!pushed) PushedElement(kind, index, nullptr).refuse("the pushed struct is NULL");
+        if (!pushed) AbiReader(kind, index, nullptr).refuse("the pushed struct is NULL");
         const auto copy = copyOf(pushed);
-        if (!copy) PushedElement(kind, index, nullptr).refuse("struct_size " + sizeFault(pushed));
-        elements.push_back(convert(*copy, PushedElement(kind, index, copy->name)));
+        if (!copy) AbiReader(kind, index, nullptr).refuse("struct_size " + sizeFault(pushed));
+        elements.push_back(convert(*copy, AbiReader(kind, index, copy->name)));
     });
     return added ? static_cast<std::int32_t>(index) : -1;
 }
 
-candela_status ImportHost::showCage(const candela_shown_cage* shown) noexcept {
+candela_status ImportHost::showCage(const candela_cage_instance* shown) noexcept {
     const bool done = guarded("showing a cage", [&] {
-        const PushedElement call("show_cage", std::nullopt, nullptr);
+        const AbiReader call("show_cage", std::nullopt, nullptr);
         if (!shown) call.refuse("the pushed struct is NULL");
         const auto copy = copyOf(shown);
         if (!copy) call.refuse("struct_size " + sizeFault(shown));
@@ -105,7 +105,7 @@ candela_status ImportHost::readFile(const char* path, candela_bytes* out) noexce
         *out = {};
         if (!files_)
             throw Error(ErrorKind::badInput, uri_,
-                        joined("file '", oneLine(path), "': a made scene has no folder to read files from"));
+                        joined("file '", oneLine(path), "': a procedural scene has no folder to read files from"));
         const auto bytes = files_->read(path);
         *out = {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
     });
@@ -152,8 +152,8 @@ struct ImportHost::Functions {
 
     // A conversion that checks its indices against what was pushed so far.
     template <class Element, class Pushed>
-    static auto inScene(void* self, Element (*convert)(const Pushed&, const PushedElement&, const Scene&)) {
-        return [self, convert](const Pushed& pushed, const PushedElement& element) {
+    static auto inScene(void* self, Element (*convert)(const Pushed&, const AbiReader&, const Scene&)) {
+        return [self, convert](const Pushed& pushed, const AbiReader& element) {
             return convert(pushed, element, from(self).scene_);
         };
     }
@@ -176,7 +176,7 @@ struct ImportHost::Functions {
         return from(self).add("material", material, from(self).scene_.materials, inScene(self, materialFrom));
     }
     static std::int32_t addMesh(void* self, const candela_mesh* mesh) {
-        const auto convert = [&](const candela_mesh& pushed, const PushedElement& element) {
+        const auto convert = [&](const candela_mesh& pushed, const AbiReader& element) {
             return meshFrom(pushed, element, from(self).scene_,
                             [&](const std::string& text) { from(self).note(text); });
         };
@@ -202,7 +202,7 @@ struct ImportHost::Functions {
     static std::int32_t addSkin(void* self, const candela_skin* skin) {
         return from(self).add("skin", skin, from(self).scene_.skins, inScene(self, skinFrom));
     }
-    static candela_status showCage(void* self, const candela_shown_cage* shown) {
+    static candela_status showCage(void* self, const candela_cage_instance* shown) {
         return from(self).showCage(shown);
     }
 

@@ -19,7 +19,7 @@ namespace candela {
 /// `interface()`.
 class ImportHost {
   public:
-    /// `files` is null for a made scene, which has no folder. `uri` is what errors name as the file at fault.
+    /// `files` is null for a procedural scene, which has no folder. `uri` is what errors name as the file at fault.
     ImportHost(std::string uri, std::unique_ptr<FileAccess> files, ImportProgress progress);
     ImportHost(const ImportHost&) = delete;
     ImportHost& operator=(const ImportHost&) = delete;
@@ -42,7 +42,7 @@ class ImportHost {
     std::int32_t add(const char* kind, const Pushed* pushed, std::vector<Element>& elements,
                      Convert convert) noexcept;
 
-    candela_status showCage(const candela_shown_cage* shown) noexcept;
+    candela_status showCage(const candela_cage_instance* shown) noexcept;
     candela_status readFile(const char* path, candela_bytes* out) noexcept;
     bool askedToGoOn(double fraction) noexcept;
     candela_status progress(double fraction) noexcept;

@@ -1,7 +1,7 @@
 #include "import/mesh_repair.h"
 
-#include "scene/normals.h"
-#include "scene/perpendicular.h"
+#include "scene/geometry/normals.h"
+#include "scene/geometry/perpendicular.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>

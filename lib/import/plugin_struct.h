@@ -30,7 +30,7 @@ inline constexpr const char* firstVersionOf<candela_cage> = "1.1";
 template <>
 inline constexpr const char* firstVersionOf<candela_skin> = "1.1";
 template <>
-inline constexpr const char* firstVersionOf<candela_shown_cage> = "1.1";
+inline constexpr const char* firstVersionOf<candela_cage_instance> = "1.1";
 template <>
 inline constexpr const char* firstVersionOf<candela_refined_cage> = "1.1";
 template <>

@@ -1,7 +1,7 @@
 #include "import/refinement.h"
 
-#include "import/delivered_cage.h"
-#include "import/pushed_element.h"
+#include "import/import_refined_cage.h"
+#include "import/abi_reader.h"
 
 #include <candela/error.h>
 
@@ -33,7 +33,7 @@ Refinement::Refinement(const LoadedPlugin& plugin, const Cage& cage, const cande
     : plugin_(plugin), cage_(cage), cageStruct_(cageStruct) {}
 
 void Refinement::refuse(const std::string& text) const {
-    PushedElement("cage", std::nullopt, cage_.name.c_str()).refuse(text);
+    AbiReader("cage", std::nullopt, cage_.name.c_str()).refuse(text);
 }
 
 void Refinement::blamePlugin(const char* how) const {
@@ -56,7 +56,7 @@ bool Refinement::guarded(Action action) noexcept {
 void Refinement::take(const candela_refined_cage* delivered) {
     if (refined_) blamePlugin("delivers more than once");
     const std::string kind = joined("the table of the plugin '", plugin_.plugin.name, "' for cage");
-    const PushedElement element(kind.c_str(), std::nullopt, cage_.name.c_str());
+    const AbiReader element(kind.c_str(), std::nullopt, cage_.name.c_str());
     if (!delivered) element.refuse("it is NULL");
     const auto copy = copyOf(delivered);
     if (!copy) element.refuse("struct_size " + sizeFault(delivered));
@@ -88,7 +88,7 @@ void Refinement::call(std::uint32_t level) {
 
 RefinedCage Refinement::run(std::uint32_t level) {
     const auto notEnough = [&] {
-        const PushedElement element("cage", std::nullopt, cage_.name.c_str());
+        const AbiReader element("cage", std::nullopt, cage_.name.c_str());
         return Error(ErrorKind::limit, "",
                      joined(element.label(), ": there is not enough memory to refine it to level ", level));
     };

@@ -11,8 +11,8 @@ namespace candela {
 /// Where a scene comes from, and who reads it.
 struct SceneSource {
     const candela_plugin* plugin = nullptr;
-    std::filesystem::path folder;  ///< The scene file's folder; empty for a made scene.
-    std::string name;  ///< The file's name in its folder; for a made scene what follows "scheme:".
+    std::filesystem::path folder;  ///< The scene file's folder; empty for a procedural scene.
+    std::string name;  ///< The file's name in its folder; for a procedural scene what follows "scheme:".
     std::optional<std::string> query;  ///< What follows the '?' behind a file's name.
 };
 

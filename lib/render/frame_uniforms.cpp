@@ -4,7 +4,7 @@
 
 namespace candela {
 
-layout::FrameUniforms frameUniforms(const View& view, int width, int height,
+layout::FrameUniforms frameUniforms(const CameraView& view, int width, int height,
                                     const glm::dmat3& workingFromRec709, const LightCounts& lights) {
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     const glm::dmat4 frameOfCamera(view.worldFromCamera);

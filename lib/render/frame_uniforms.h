@@ -14,7 +14,7 @@ struct LightCounts {
 };
 
 /// The uniform block of a frame of `width` × `height` pixels.
-layout::FrameUniforms frameUniforms(const View& view, int width, int height,
+layout::FrameUniforms frameUniforms(const CameraView& view, int width, int height,
                                     const glm::dmat3& workingFromRec709, const LightCounts& lights);
 
 /// World position of a pixel's surface (y up), as shaders/lib/frame.glsl computes it; `depth` is the reversed

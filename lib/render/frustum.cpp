@@ -1,6 +1,6 @@
 #include "render/frustum.h"
 
-#include "render/tiles/tile_kernel.h"
+#include "render/lighting/tiled/tile_kernel.h"
 
 #include <glm/geometric.hpp>
 
@@ -8,7 +8,7 @@
 
 namespace candela {
 
-Frustum::Frustum(const View& view, float aspect)
+Frustum::Frustum(const CameraView& view, float aspect)
     : eye_(view.eye()),
       right_(view.worldFromCamera[0]),
       up_(view.worldFromCamera[1]),

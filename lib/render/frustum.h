@@ -13,7 +13,7 @@ struct TileFrame;
 class Frustum {
   public:
     /// `aspect` is width over height.
-    Frustum(const View& view, float aspect);
+    Frustum(const CameraView& view, float aspect);
 
     /// False only when the sphere lies wholly outside.
     bool meets(const glm::vec3& center, float radius) const;

@@ -2,19 +2,19 @@
 
 #include "gl/pass_timer.h"
 #include "gl/state_guard.h"
-#include "render/aovs.h"
-#include "render/display_pass.h"
+#include "render/debug/aovs.h"
+#include "render/display/display_pass.h"
 #include "render/frame_uniforms.h"
 #include "render/frustum.h"
-#include "render/geometry_pass.h"
-#include "render/gpu_scene_state.h"
-#include "render/lighting.h"
-#include "render/readback.h"
-#include "render/show/instance_pass.h"
-#include "render/show/overlay_pass.h"
-#include "render/show/probe.h"
-#include "render/show/scissor.h"
-#include "render/show/show_pass.h"
+#include "render/gbuffer/geometry_pass.h"
+#include "render/gpu_scene/gpu_scene_state.h"
+#include "render/lighting/lighting.h"
+#include "render/gbuffer/readback.h"
+#include "render/debug/instance_pass.h"
+#include "render/debug/overlay_pass.h"
+#include "render/debug/probe.h"
+#include "render/debug/scissor.h"
+#include "render/debug/debug_view_pass.h"
 
 #include <candela/error.h>
 
@@ -80,8 +80,8 @@ struct Renderer::State {
     void resize(int width, int height);
     LightingInputs lightingInputs(const GpuScene& scene) const;
     void bindFrame(const layout::FrameUniforms& uniforms);
-    void drawGeometry(const GpuScene& scene, const GBufferTargets& into, GeometryPass::RadianceStart start);
-    void drawSurfaces(const GpuScene& scene, GeometryPass::RadianceStart start);
+    void drawGeometry(const GpuScene& scene, const GBufferTargets& into, GeometryPass::LoadOp start);
+    void drawSurfaces(const GpuScene& scene, GeometryPass::LoadOp start);
     void drawPicture(const GpuScene& scene);
     void drawData(const GpuScene& scene);
     void drawOverlays(const GpuScene& scene);
@@ -96,7 +96,7 @@ struct Renderer::State {
     gl::Buffer frameBuffer;
     InstancePass instances;
     // Made by `makePasses` when they are first needed.
-    std::optional<ShowPass> show;
+    std::optional<DebugViewPass> show;
     std::optional<OverlayPass> overlays;
     std::optional<GBufferTargets> targets;
     std::optional<GBufferTargets> unlitTargets;  ///< Where `emissionAt` draws.
@@ -115,7 +115,7 @@ void Renderer::State::resize(int width, int height) {
 
 /// Makes what the frame is drawn with, before its passes are timed.
 void Renderer::State::makePasses(const FrameInputs& inputs, Technique technique) {
-    if (inputs.show == Show::picture) {
+    if (inputs.show == DebugView::none) {
         lighting.technique(technique);
     } else if (!show) {
         show.emplace();
@@ -134,27 +134,27 @@ void Renderer::State::bindFrame(const layout::FrameUniforms& uniforms) {
 }
 
 void Renderer::State::drawGeometry(const GpuScene& scene, const GBufferTargets& into,
-                                   GeometryPass::RadianceStart start) {
+                                   GeometryPass::LoadOp start) {
     scene.state().select(frame->frustum);
     geometry.render({scene.state(), into, start});
 }
 
-void Renderer::State::drawSurfaces(const GpuScene& scene, GeometryPass::RadianceStart start) {
+void Renderer::State::drawSurfaces(const GpuScene& scene, GeometryPass::LoadOp start) {
     const gl::PassTimer::Scope pass(timer, "geometry");
     drawGeometry(scene, *targets, start);
 }
 
 void Renderer::State::drawPicture(const GpuScene& scene) {
     LightingTechnique& technique = lighting.technique(frame->technique);
-    drawSurfaces(scene, technique.overwritesRadiance() ? GeometryPass::RadianceStart::undefined
-                                                       : GeometryPass::RadianceStart::black);
+    drawSurfaces(scene, technique.overwritesRadiance() ? GeometryPass::LoadOp::dontCare
+                                                       : GeometryPass::LoadOp::clear);
     const LightingInputs inputs = lightingInputs(scene);
     lighting.bind(inputs);
     technique.render(inputs, timer);
 }
 
 void Renderer::State::drawData(const GpuScene& scene) {
-    drawSurfaces(scene, GeometryPass::RadianceStart::black);
+    drawSurfaces(scene, GeometryPass::LoadOp::clear);
     const LightingInputs inputs = lightingInputs(scene);
     lighting.bind(inputs);
     const gl::PassTimer::Scope pass(timer, "show");
@@ -172,7 +172,7 @@ glm::vec3 Renderer::State::emissionAt(const GpuScene& scene, int x, int y) {
     if (!scene.state().draws.emits()) return glm::vec3(0.0f);
     if (!unlitTargets) unlitTargets.emplace(targets->width, targets->height);
     const Scissor pixel({x, y, 1, 1});
-    drawGeometry(scene, *unlitTargets, GeometryPass::RadianceStart::black);
+    drawGeometry(scene, *unlitTargets, GeometryPass::LoadOp::clear);
     glm::vec4 emission(0.0f);
     glGetTextureSubImage(unlitTargets->radiance.name(), 0, x, y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT,
                          sizeof emission, &emission);
@@ -214,7 +214,7 @@ void Renderer::render(const GpuScene& scene, const FrameInputs& inputs) {
         const gl::PassTimer::Scope pass(state.timer, "cages");
         scene.state().updateCages(inputs.view, inputs.width, inputs.height);
     }
-    if (inputs.show == Show::picture) {
+    if (inputs.show == DebugView::none) {
         state.drawPicture(scene);
     } else {
         state.drawData(scene);
@@ -226,7 +226,7 @@ void Renderer::display(const DisplayTransform& transform, const FrameTarget& tar
     const DrawnFrame& frame = state_->drawnFrame();
     const gl::StateGuard guard;
     const gl::PassTimer::Scope pass(state_->timer, "display");
-    if (frame.inputs.show == Show::picture) {
+    if (frame.inputs.show == DebugView::none) {
         state_->display.render(
             {state_->targets->radiance, frame.inputs.width, frame.inputs.height, transform, target});
     } else {
@@ -249,10 +249,10 @@ std::vector<std::uint8_t> Renderer::displayPicture(const DisplayTransform& trans
     return pixels;
 }
 
-RadiancePicture Renderer::radiance() {
+HdrImage Renderer::radiance() {
     const gl::StateGuard guard;
     const GBufferTargets& targets = *state_->targets;
-    RadiancePicture picture{targets.width, targets.height,
+    HdrImage picture{targets.width, targets.height,
                             readColor(targets.radiance, targets.width, targets.height)};
     const std::vector<float> depth = readDepth(targets);
     for (std::size_t i = 0; i < depth.size(); ++i) picture.rgba[4 * i + 3] = depth[i] > 0.0f ? 1.0f : 0.0f;
@@ -271,7 +271,7 @@ std::vector<Aov> Renderer::aovs(const GpuScene& scene, const std::vector<std::st
     if (wants("emission")) {
         // The frame's own radiance target holds light by now: the emission is drawn once more.
         const GBufferTargets unlit(targets.width, targets.height);
-        state_->drawGeometry(scene, unlit, GeometryPass::RadianceStart::black);
+        state_->drawGeometry(scene, unlit, GeometryPass::LoadOp::clear);
         emission = readColor(unlit.radiance, targets.width, targets.height);
     }
     if (wants("light_count")) {
@@ -306,9 +306,9 @@ std::optional<PixelProbe> Renderer::probe(const GpuScene& scene, int x, int y) {
     return probe;
 }
 
-std::uint32_t Renderer::greatestLightCount() const {
-    if (state_->drawnFrame().inputs.show != Show::lightCount) return 0;
-    return state_->show->greatestLightCount();
+std::uint32_t Renderer::maxLightCount() const {
+    if (state_->drawnFrame().inputs.show != DebugView::lightCount) return 0;
+    return state_->show->maxLightCount();
 }
 
 PairCounts Renderer::countPairs(const GpuScene& scene) {
@@ -325,7 +325,7 @@ PairCounts Renderer::countPairs(const GpuScene& scene) {
     counts.lightsVisible = counter.lightsInView(inputs) + directionals;
     counts.pairsLit =
         static_cast<std::uint64_t>(std::accumulate(lit.begin(), lit.end(), 0.0)) + directionalPairs;
-    if (frame.inputs.show != Show::picture) return counts;  // No light was evaluated.
+    if (frame.inputs.show != DebugView::none) return counts;  // No light was evaluated.
     LightingTechnique& lighting = state_->lighting.technique(frame.technique);
     counts.pairsEvaluated = lighting.countEvaluated(inputs, counter) + directionalPairs;
     counts.lightListBytes = lighting.lightListBytes();

@@ -16,7 +16,7 @@ struct Picture {
 };
 
 // The largest width and height the host takes.
-inline constexpr std::uint32_t largestSide = 32768;
+inline constexpr std::uint32_t maxSide = 32768;
 
 // tinygltf's own decoder, stb_image, is not used: Debian's build stops the process by an assertion on some
 // damaged JPEG files, and it reads damaged PNG files without a word.

@@ -62,7 +62,7 @@ std::int32_t Host::add(const candela_skin& skin) const {
     return accepted(host_.add_skin(host_.self, &skin));
 }
 
-void Host::show(const candela_shown_cage& shown) const {
+void Host::show(const candela_cage_instance& shown) const {
     if (host_.show_cage(host_.self, &shown) != CANDELA_OK) throw HostRefused{};
 }
 

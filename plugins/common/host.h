@@ -30,7 +30,7 @@ class Host {
     std::int32_t add(const candela_animation& animation) const;
     std::int32_t add(const candela_cage& cage) const;
     std::int32_t add(const candela_skin& skin) const;
-    void show(const candela_shown_cage& shown) const;
+    void show(const candela_cage_instance& shown) const;
 
     /// Whether the host knows cages, skins and polygons, which came with version 1.1. One that does not must
     /// not be given any.

@@ -86,10 +86,10 @@ class JpegReader {
 
     /// Each scan of a progressive file costs a pass over the whole picture and can be a few bytes long.
     static void limitScans(j_common_ptr jpeg) {
-        constexpr int mostScans = 100;
+        constexpr int maxScans = 100;
         if (!jpeg->is_decompressor) return;
-        if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= mostScans) return;
-        std::snprintf(of(jpeg).message_, sizeof message_, "it has more than %d scans", mostScans);
+        if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= maxScans) return;
+        std::snprintf(of(jpeg).message_, sizeof message_, "it has more than %d scans", maxScans);
         std::longjmp(of(jpeg).jump_, 1);
     }
 
@@ -118,13 +118,13 @@ Picture decodeJpeg(const Bytes& file, const std::string& element) {
     if (!reader.readHeader()) fail(element, reader.message());
     if (reader.hasFourColors())
         throw Failure{element, "the JPEG file has CMYK colours, expected RGB or grey"};
-    if (reader.width() > largestSide || reader.height() > largestSide) {
-        throw Failure{element, "the JPEG file is wider or higher than " + std::to_string(largestSide)};
+    if (reader.width() > maxSide || reader.height() > maxSide) {
+        throw Failure{element, "the JPEG file is wider or higher than " + std::to_string(maxSide)};
     }
     // A block of 8 × 8 texels takes a bit or more, so no memory is taken for a picture that cannot be there.
-    constexpr std::uint64_t mostTexelsPerByte = 8 * 64;
+    constexpr std::uint64_t maxTexelsPerByte = 8 * 64;
     const std::uint64_t texels = std::uint64_t(reader.width()) * reader.height();
-    if (texels / mostTexelsPerByte > file.size) fail(element, "it is too short for its width and height");
+    if (texels / maxTexelsPerByte > file.size) fail(element, "it is too short for its width and height");
     Picture picture{reader.width(), reader.height(), SampleSize::bits8, {}};
     picture.pixels.resize(texels * 4);
     if (!reader.readRows(picture.pixels.data())) fail(element, reader.message());

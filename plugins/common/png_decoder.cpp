@@ -29,7 +29,7 @@ class PngReader {
     /// False after an error; `message` then tells which.
     bool readHeader() {
         if (setjmp(png_jmpbuf(png_))) return false;
-        png_set_user_limits(png_, largestSide, largestSide);
+        png_set_user_limits(png_, maxSide, maxSide);
         png_read_info(png_, info_);
         storedBytes_ = std::uint64_t(png_get_rowbytes(png_, info_)) * png_get_image_height(png_, info_);
         convertToRgba();

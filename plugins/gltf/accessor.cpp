@@ -13,7 +13,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "glTF buffers are read as they lie in memory");
 
 // Without a bufferView an accessor takes memory that the file does not pay for, so its size is limited.
-constexpr std::uint64_t mostElementsWithoutView = std::uint64_t(1) << 24;
+constexpr std::uint64_t maxElementsWithoutView = std::uint64_t(1) << 24;
 
 constexpr Encoding indexEncodings[] = {uint8, uint16, uint32};
 
@@ -121,9 +121,9 @@ std::vector<std::uint8_t> denseElements(const Document& document, const Checked&
     const tinygltf::Accessor& accessor = checked.accessor;
     const std::uint64_t size = checked.elementSize, count = accessor.count;
     if (accessor.bufferView < 0) {
-        if (count > mostElementsWithoutView) {
+        if (count > maxElementsWithoutView) {
             checked.fail("has no bufferView and " + std::to_string(count) + " elements, expected at most " +
-                         std::to_string(mostElementsWithoutView));
+                         std::to_string(maxElementsWithoutView));
         }
         return std::vector<std::uint8_t>(size * count);
     }

@@ -12,8 +12,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* settingsKey = "candela_subdivision";
-constexpr double largestNumber = 4294967295.0;
-constexpr double highestLevel = 8.0;
+constexpr double maxNumber = 4294967295.0;
+constexpr double maxLevel = 8.0;
 
 template <typename Value>
 struct Choice {
@@ -69,7 +69,7 @@ class MemberReader {
         constexpr const char* expected = "expected an integer from 1 to 8";
         if (!value_.is_number()) fail(expected);
         const double level = value_.get<double>();
-        if (level != std::floor(level) || level < 1.0 || level > highestLevel) fail(expected);
+        if (level != std::floor(level) || level < 1.0 || level > maxLevel) fail(expected);
         return static_cast<std::uint32_t>(level);
     }
 
@@ -118,7 +118,7 @@ class MemberReader {
     std::uint32_t wholeNumber(const Json& value, std::size_t entry) const {
         if (!value.is_number()) failAt(entry, "expected the number of a vertex or a face");
         const double number = value.get<double>();
-        if (number == std::floor(number) && number >= 0.0 && number <= largestNumber) {
+        if (number == std::floor(number) && number >= 0.0 && number <= maxNumber) {
             return static_cast<std::uint32_t>(number);
         }
         failAt(entry, "has a vertex or a face that is not an integer from 0 to 4294967295");

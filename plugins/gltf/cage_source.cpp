@@ -13,7 +13,7 @@ namespace candela_gltf {
 namespace {
 
 constexpr const char* uvNames[] = {"TEXCOORD_0", "TEXCOORD_1"};
-constexpr std::uint64_t mostElements = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint64_t maxElements = std::numeric_limits<std::uint32_t>::max();
 
 /// A primitive that is part of the cage.
 struct Piece {
@@ -119,7 +119,7 @@ class SourceReader {
         const VertexRange range = rangeOf(piece);
         source_.numbers.add(range);
         Polygons faces = facesOf(piece, range);
-        if (source_.faces.corners.size() + faces.corners.size() > mostElements) {
+        if (source_.faces.corners.size() + faces.corners.size() > maxElements) {
             throw Failure{piece.element, "makes more than 4294967295 corners"};
         }
         for (std::uint32_t& corner : faces.corners) corner += range.first;
@@ -141,7 +141,7 @@ class SourceReader {
         CageVertices& all = source_.vertices;
         const int positions = accessorOf(piece.primitive, "POSITION");
         const std::size_t count = elementCount(document_, positions);
-        if (count > mostElements - all.count) {
+        if (count > maxElements - all.count) {
             throw Failure{piece.element, "makes more than 4294967295 vertices"};
         }
         append(all.positions,

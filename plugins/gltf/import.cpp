@@ -12,7 +12,7 @@
 #include "materials.h"
 #include "meshes.h"
 #include "nodes.h"
-#include "shown_cages.h"
+#include "cage_instances.h"
 #include "skins.h"
 
 namespace candela_gltf {

@@ -31,7 +31,7 @@ Rows vertexRows(const CageVertices& vertices) {
     return rows;
 }
 
-bool hasTwins(std::vector<std::uint32_t> corners) {
+bool hasSeamVertices(std::vector<std::uint32_t> corners) {
     std::sort(corners.begin(), corners.end());
     return std::adjacent_find(corners.begin(), corners.end()) != corners.end();
 }
@@ -46,7 +46,7 @@ void takeFaces(const CageSource& source, const JoinedRows& joined, JoinedCage& c
         begin += own.size();
         face.clear();
         for (const std::uint32_t corner : own) face.push_back(joined.groups[corner]);
-        if (hasTwins(face)) {
+        if (hasSeamVertices(face)) {
             cage.cageFaces.push_back(notInCage);
             continue;
         }

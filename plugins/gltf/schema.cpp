@@ -73,7 +73,7 @@ bool isKnown(const std::string& name, const Shape& shape) {
 
 std::string rangeText(const Property& p) {
     const bool below = p.least > -FLT_MAX, above = p.most < FLT_MAX;
-    const bool excluded = p.leastBound == Bound::excluded;
+    const bool excluded = p.minBound == Bound::excluded;
     if (below && above) return shown(p.least) + " to " + shown(p.most);
     if (below) return excluded ? "more than " + shown(p.least) : shown(p.least) + " or more";
     return above ? shown(p.most) + " or less" : "a number that single precision can hold";
@@ -154,7 +154,7 @@ class Checker {
         require(value.is_number(), place, "expected a number");
         const double number = value.get<double>();
         const bool above =
-            property.leastBound == Bound::excluded ? number > property.least : number >= property.least;
+            property.minBound == Bound::excluded ? number > property.least : number >= property.least;
         if (!above || number > property.most) {
             fail(place, "is " + shown(number) + ", expected " + rangeText(property));
         }

@@ -51,7 +51,7 @@ struct Property {
     Kind kind = Kind::object;
     Need need = Need::optional;
     double least = -FLT_MAX, most = FLT_MAX;
-    Bound leastBound = Bound::included;
+    Bound minBound = Bound::included;
     std::size_t length = 0;  ///< 0: any number of them.
     Target target = Target::accessors;
     const Shape* shape = nullptr;

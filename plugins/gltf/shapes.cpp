@@ -6,7 +6,7 @@ namespace candela_gltf {
 namespace {
 
 // Integers up to here are exact in double precision, and sums of a few of them do not overflow 64 bits.
-constexpr double largestInteger = 9007199254740992.0;
+constexpr double maxInteger = 9007199254740992.0;
 // A little over pi / 2, since single-precision exporters round upwards.
 constexpr double halfPi = 1.570797;
 constexpr std::size_t anyNumber = 0;
@@ -16,7 +16,7 @@ Property number(const char* name, double least = -FLT_MAX, double most = FLT_MAX
 }
 
 Property positive(const char* name) {
-    return {.name = name, .kind = Kind::number, .least = 0.0, .leastBound = Bound::excluded};
+    return {.name = name, .kind = Kind::number, .least = 0.0, .minBound = Bound::excluded};
 }
 
 Property numbers(const char* name, std::size_t length, double least = -FLT_MAX, double most = FLT_MAX) {
@@ -28,7 +28,7 @@ Property integer(const char* name, double least = 0.0, double most = INT_MAX) {
 }
 
 Property size(const char* name, double least = 0.0) {
-    return integer(name, least, largestInteger);
+    return integer(name, least, maxInteger);
 }
 
 Property flag(const char* name) {
@@ -93,13 +93,13 @@ const Shape textureTransform{
 const Shape textureExtensions{"", {object("KHR_texture_transform", textureTransform)}};
 const Property textureIndex = required(index("index", Target::textures));
 const Property textureSet = integer("texCoord");
-const Property textureUse = object("extensions", textureExtensions);
-const Shape baseColorTexture{"baseColorTexture", {textureIndex, textureSet, textureUse}};
-const Shape metallicRoughnessTexture{"metallicRoughnessTexture", {textureIndex, textureSet, textureUse}};
-const Shape emissiveTexture{"emissiveTexture", {textureIndex, textureSet, textureUse}};
-const Shape normalTexture{"normalTexture", {textureIndex, textureSet, textureUse, number("scale")}};
+const Property textureInfo = object("extensions", textureExtensions);
+const Shape baseColorTexture{"baseColorTexture", {textureIndex, textureSet, textureInfo}};
+const Shape metallicRoughnessTexture{"metallicRoughnessTexture", {textureIndex, textureSet, textureInfo}};
+const Shape emissiveTexture{"emissiveTexture", {textureIndex, textureSet, textureInfo}};
+const Shape normalTexture{"normalTexture", {textureIndex, textureSet, textureInfo, number("scale")}};
 const Shape occlusionTexture{"occlusionTexture",
-                             {textureIndex, textureSet, textureUse, number("strength", 0, 1)}};
+                             {textureIndex, textureSet, textureInfo, number("strength", 0, 1)}};
 
 const Shape metallicRoughness{
     "pbrMetallicRoughness",

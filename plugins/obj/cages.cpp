@@ -1,7 +1,7 @@
 #include "cages.h"
 
 #include "cage_rules.h"
-#include "leftovers.h"
+#include "ignored_statements.h"
 #include "nodes.h"
 #include "numbering.h"
 #include "parts.h"
@@ -144,7 +144,7 @@ void noteUnused(const Document& document, std::size_t cornersWithoutUv, const Ho
 }
 
 void pushNodeOf(const std::string& name, std::int32_t cage, const Host& host) {
-    candela_shown_cage shown{};
+    candela_cage_instance shown{};
     shown.struct_size = sizeof shown;
     shown.node = pushNode(name, -1, host);
     shown.cage = cage;

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "../common/decoders.h"
-#include "texture_use.h"
+#include "texture_info.h"
 
 namespace candela_obj {
 

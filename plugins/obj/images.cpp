@@ -12,18 +12,18 @@ using candela_importers::isPng;
 using candela_importers::pushPicture;
 
 /// Tells made pictures apart. No path holds a line break: a statement is one line.
-std::string partOf(const TextureUse* texture) {
+std::string partOf(const TextureInfo* texture) {
     if (!texture) return "\n";
     return texture->file + "\n" + std::to_string(static_cast<int>(texture->channel)) + "\n";
 }
 
-Channel channelOr(const TextureUse& texture, Channel usual) {
+Channel channelOr(const TextureInfo& texture, Channel usual) {
     return texture.channel == Channel::usual ? usual : texture.channel;
 }
 
 }  // namespace
 
-std::optional<Picture> Images::decode(const TextureUse* texture) {
+std::optional<Picture> Images::decode(const TextureInfo* texture) {
     if (!texture || leftOut_.contains(texture->file)) return std::nullopt;
     const Bytes file = host_.readFile(texture->file);
     const std::string element = texture->element + " '" + readable(texture->file) + "'";
@@ -34,7 +34,7 @@ std::optional<Picture> Images::decode(const TextureUse* texture) {
     return std::nullopt;
 }
 
-std::int32_t Images::whole(const TextureUse* texture) {
+std::int32_t Images::whole(const TextureInfo* texture) {
     if (!texture) return -1;
     const auto known = pushed_.find(texture->file);
     if (known != pushed_.end()) return known->second;
@@ -43,7 +43,7 @@ std::int32_t Images::whole(const TextureUse* texture) {
     return pushed_[texture->file] = pushPicture(texture->file, *picture, host_);
 }
 
-std::int32_t Images::colorAndMask(const TextureUse* color, const TextureUse* mask) {
+std::int32_t Images::colorAndMask(const TextureInfo* color, const TextureInfo* mask) {
     if (!mask) return whole(color);
     const std::string key = "mask\n" + partOf(color) + partOf(mask);
     const auto known = pushed_.find(key);
@@ -60,7 +60,7 @@ std::int32_t Images::colorAndMask(const TextureUse* color, const TextureUse* mas
     return pushed_[key] = pushPicture(mask->file, both, host_);
 }
 
-std::int32_t Images::roughnessAndMetal(const TextureUse* roughness, const TextureUse* metal) {
+std::int32_t Images::roughnessAndMetal(const TextureInfo* roughness, const TextureInfo* metal) {
     if (!roughness && !metal) return -1;
     const std::string key = "metal\n" + partOf(roughness) + partOf(metal);
     const auto known = pushed_.find(key);

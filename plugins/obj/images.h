@@ -7,7 +7,7 @@
 
 #include "channels.h"
 #include "failure.h"
-#include "texture_use.h"
+#include "texture_info.h"
 
 namespace candela_obj {
 
@@ -18,14 +18,14 @@ class Images {
 
     // Each returns the host's index, -1 where there is nothing to push. The textures may be NULL.
 
-    std::int32_t whole(const TextureUse* texture);
+    std::int32_t whole(const TextureInfo* texture);
     /// RGB of one picture, and as alpha a channel of the other.
-    std::int32_t colorAndMask(const TextureUse* color, const TextureUse* mask);
+    std::int32_t colorAndMask(const TextureInfo* color, const TextureInfo* mask);
     /// Roughness in G and metal in B.
-    std::int32_t roughnessAndMetal(const TextureUse* roughness, const TextureUse* metal);
+    std::int32_t roughnessAndMetal(const TextureInfo* roughness, const TextureInfo* metal);
 
   private:
-    std::optional<Picture> decode(const TextureUse* texture);
+    std::optional<Picture> decode(const TextureInfo* texture);
 
     const Host& host_;
     std::map<std::string, std::int32_t> pushed_;  // by what it is made of

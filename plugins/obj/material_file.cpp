@@ -15,14 +15,14 @@ class MaterialParser {
     void read(Statement& statement) {
         const std::string_view keyword = statement.keyword();
         if (keyword == "newmtl") return begin(statement);
-        if (isUnused(keyword)) return leftovers_.count("not used", keyword, statement.line());
+        if (isUnused(keyword)) return ignored_.count("not used", keyword, statement.line());
         const auto found = readers().find(keyword);
-        if (found == readers().end()) return leftovers_.count("not known", keyword, statement.line());
+        if (found == readers().end()) return ignored_.count("not known", keyword, statement.line());
         if (!hasBegun_) statement.fail("no newmtl stands before it");
         (this->*found->second)(statement);
     }
 
-    void note(const Host& host) const { leftovers_.note(host, file_); }
+    void note(const Host& host) const { ignored_.note(host, file_); }
 
   private:
     using Reader = void (MaterialParser::*)(Statement&);
@@ -69,7 +69,7 @@ class MaterialParser {
     template <std::optional<std::array<float, 3>> FileMaterial::*member>
     void readColor(Statement& statement) {
         if (statement.rest().starts_with("spectral") || statement.rest().starts_with("xyz"))
-            return leftovers_.count("not used", std::string(statement.keyword()) + " other than r g b",
+            return ignored_.count("not used", std::string(statement.keyword()) + " other than r g b",
                                     statement.line());
         // Emission has no upper limit but that of the host.
         const bool emits = member == &FileMaterial::emission;
@@ -104,7 +104,7 @@ class MaterialParser {
 
     void readOpacity(Statement& statement) {
         if (statement.rest().starts_with("-halo")) {
-            leftovers_.count("not used", "option -halo of d", statement.line());
+            ignored_.count("not used", "option -halo of d", statement.line());
             statement.word();
         }
         readShare<&FileMaterial::opacity>(statement);
@@ -116,14 +116,14 @@ class MaterialParser {
         if (!materials_.back().opacity) materials_.back().opacity = 1.0f - transparency;
     }
 
-    template <std::optional<TextureUse> FileMaterial::*member>
+    template <std::optional<TextureInfo> FileMaterial::*member>
     void readMap(Statement& statement) {
-        materials_.back().*member = parseTextureUse(statement, file_, leftovers_);
+        materials_.back().*member = parseTextureInfo(statement, file_, ignored_);
     }
 
     const std::string& file_;
     std::vector<FileMaterial>& materials_;
-    Leftovers leftovers_;
+    IgnoredStatements ignored_;
     bool hasBegun_ = false;
 };
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "failure.h"
-#include "texture_use.h"
+#include "texture_info.h"
 
 namespace candela_obj {
 
@@ -18,7 +18,7 @@ struct FileMaterial {
     std::optional<float> exponent;                          ///< Ns: of the Blinn-Phong highlight, 0 or more.
     std::optional<float> opacity;                           ///< d, or 1 - Tr.
     std::optional<float> roughness, metallic;               ///< Pr, Pm.
-    std::optional<TextureUse> diffuseMap, emissionMap, opacityMap, roughnessMap, metallicMap, normalMap;
+    std::optional<TextureInfo> diffuseMap, emissionMap, opacityMap, roughnessMap, metallicMap, normalMap;
 };
 
 /// Appends the materials of the .mtl file `name` of the scene's folder. What it says beyond them becomes

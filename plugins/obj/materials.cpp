@@ -12,7 +12,7 @@ namespace {
 
 using MaterialsByName = std::unordered_map<std::string, const FileMaterial*>;
 
-const TextureUse* pointer(const std::optional<TextureUse>& texture) {
+const TextureInfo* pointer(const std::optional<TextureInfo>& texture) {
     return texture ? &*texture : nullptr;
 }
 
@@ -40,7 +40,7 @@ candela_texture noTexture() {
 }
 
 /// `use` says how `image` is sampled.
-candela_texture textureOf(std::int32_t image, const TextureUse* use) {
+candela_texture textureOf(std::int32_t image, const TextureInfo* use) {
     candela_texture texture = noTexture();
     if (image < 0 || !use) return texture;
     texture.image = image;
@@ -82,7 +82,7 @@ class MaterialPusher {
 
   private:
     /// The texture whose options count for a picture made of both.
-    const TextureUse* samplingOf(const TextureUse* first, const TextureUse* second) const {
+    const TextureInfo* samplingOf(const TextureInfo* first, const TextureInfo* second) const {
         if (first && second && !first->samplesLike(*second))
             host_.note(second->element + ": its options are not used, but those of " + first->element);
         return first ? first : second;
@@ -92,7 +92,7 @@ class MaterialPusher {
         std::fill_n(material.base_color, 4, 1.0f);
         if (source.diffuse) std::copy(source.diffuse->begin(), source.diffuse->end(), material.base_color);
         material.base_color[3] = source.opacity.value_or(1.0f);
-        const TextureUse *color = pointer(source.diffuseMap), *mask = pointer(source.opacityMap);
+        const TextureInfo *color = pointer(source.diffuseMap), *mask = pointer(source.opacityMap);
         material.base_color_texture = textureOf(images_.colorAndMask(color, mask), samplingOf(color, mask));
         if (!mask && material.base_color[3] == 1.0f) return;
         material.alpha_mode = CANDELA_ALPHA_MASK;
@@ -100,7 +100,7 @@ class MaterialPusher {
     }
 
     void takeMetal(const FileMaterial& source, candela_material& material) {
-        const TextureUse *rough = pointer(source.roughnessMap), *metal = pointer(source.metallicMap);
+        const TextureInfo *rough = pointer(source.roughnessMap), *metal = pointer(source.metallicMap);
         const float exponent = source.exponent.value_or(0.0f);
         const float roughnessOfExponent = std::sqrt(std::sqrt(2.0f / (exponent + 2.0f)));
         material.roughness = source.roughness.value_or(rough ? 1.0f : roughnessOfExponent);
@@ -111,7 +111,7 @@ class MaterialPusher {
 
     void takeEmission(const FileMaterial& source, candela_material& material) {
         constexpr std::array black{0.0f, 0.0f, 0.0f}, white{1.0f, 1.0f, 1.0f};
-        const TextureUse* map = pointer(source.emissionMap);
+        const TextureInfo* map = pointer(source.emissionMap);
         material.emission_texture = textureOf(images_.whole(map), map);
         std::array<float, 3> emission = source.emission.value_or(black);
         if (material.emission_texture.image >= 0 && emission == black) emission = white;

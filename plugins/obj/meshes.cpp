@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "leftovers.h"
+#include "ignored_statements.h"
 #include "nodes.h"
 #include "normals.h"
 #include "numbering.h"

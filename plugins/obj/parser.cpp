@@ -4,7 +4,7 @@
 
 #include "face_parser.h"
 #include "file_names.h"
-#include "leftovers.h"
+#include "ignored_statements.h"
 #include "lines.h"
 #include "tag_parser.h"
 
@@ -36,7 +36,7 @@ class Parser {
             Statement statement(lines_.line(), lines_.number(), sceneFile_);
             read(statement);
         }
-        leftovers_.note(host_, sceneFile_);
+        ignored_.note(host_, sceneFile_);
         if (document_.faces.empty() && !otherShapes_)
             throw Failure{"", "no face, line or point was found, but an OBJ file was expected"};
         return std::move(document_);
@@ -93,7 +93,7 @@ class Parser {
     }
 
     void readColor(Statement& statement) {
-        const Vec3 color = readVec3(statement, Statement::greatestNumber);
+        const Vec3 color = readVec3(statement, Statement::maxNumber);
         for (const float part : {color.x, color.y, color.z})
             if (part < 0.0f || part > 1.0f) statement.fail("a colour beyond 0 to 1");
         document_.colors.resize(document_.positions.size() - 1, white);
@@ -111,7 +111,7 @@ class Parser {
 
     void readNormal(Statement& statement) {
         requireRoom(statement, document_.normals.size());
-        document_.normals.push_back(readVec3(statement, Statement::greatestNumber));
+        document_.normals.push_back(readVec3(statement, Statement::maxNumber));
     }
 
     static Vec3 readVec3(Statement& statement, double limit) {
@@ -166,13 +166,13 @@ class Parser {
         for (const Shape& shape : shapes) {
             if (keyword != shape.keyword) continue;
             otherShapes_ = true;
-            return leftovers_.count("not drawn", shape.kind, statement.line());
+            return ignored_.count("not drawn", shape.kind, statement.line());
         }
         for (const std::string_view part : freeForm)
             if (keyword == part) return;
         for (const std::string_view known : unused)
-            if (keyword == known) return leftovers_.count("not used", keyword, statement.line());
-        leftovers_.count("not known", keyword, statement.line());
+            if (keyword == known) return ignored_.count("not used", keyword, statement.line());
+        ignored_.count("not known", keyword, statement.line());
     }
 
     /// Indices have 32 bits, and a face adds fewer corners than a file of 4 GiB can hold.
@@ -191,7 +191,7 @@ class Parser {
     std::size_t nextProgress_ = 0;
     Document document_;
     FaceState state_;
-    Leftovers leftovers_;
+    IgnoredStatements ignored_;
     bool otherShapes_ = false;
 };
 

@@ -39,12 +39,12 @@ constexpr candela_plugin plugin{sizeof(candela_plugin),
                                 nullptr};
 
 // Polygons, cages and queries came with 1.1.
-constexpr uint32_t leastMinor = 1;
+constexpr uint32_t minMinor = 1;
 
 }  // namespace
 }  // namespace candela_obj
 
 const candela_plugin* candela_plugin_query(uint32_t hostMajor, uint32_t hostMinor) {
-    const bool serves = hostMajor == CANDELA_PLUGIN_MAJOR && hostMinor >= candela_obj::leastMinor;
+    const bool serves = hostMajor == CANDELA_PLUGIN_MAJOR && hostMinor >= candela_obj::minMinor;
     return serves ? &candela_obj::plugin : nullptr;
 }

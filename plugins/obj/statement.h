@@ -30,8 +30,8 @@ class Statement {
     /// `what` says what was expected: "a name".
     std::string_view needWord(const char* what);
     /// The next word as a number from -limit to limit.
-    float needNumber(double limit = greatestNumber);
-    float number(std::string_view word, double limit = greatestNumber) const;
+    float needNumber(double limit = maxNumber);
+    float number(std::string_view word, double limit = maxNumber) const;
     std::int64_t integer(std::string_view word) const;
 
     /// Such as "line 12" or "stone.mtl, line 12".
@@ -40,7 +40,7 @@ class Statement {
     [[noreturn]] void fail(const std::string& reason) const { throw failure(reason); }
 
     /// The greatest number that a scene may hold anywhere.
-    static constexpr double greatestNumber = 3e38;
+    static constexpr double maxNumber = 3e38;
 
   private:
     std::string_view keyword_, rest_;

@@ -18,7 +18,7 @@ namespace {
 namespace Osd = OpenSubdiv;
 
 /// OpenSubdiv counts with int.
-constexpr std::uint64_t mostElements = std::numeric_limits<int>::max();
+constexpr std::uint64_t maxElements = std::numeric_limits<int>::max();
 
 /// What the host filled in; the rest, of which an older host knows nothing, is zero.
 candela_cage filledPart(const candela_cage& given) {
@@ -29,7 +29,7 @@ candela_cage filledPart(const candela_cage& given) {
 
 template <typename T>
 std::span<const T> range(const T* data, std::uint64_t count, const char* noun) {
-    if (count > mostElements) throw Failure{"", "it has too many " + std::string(noun)};
+    if (count > maxElements) throw Failure{"", "it has too many " + std::string(noun)};
     if (data == nullptr && count != 0) throw Failure{"", "its " + std::string(noun) + " are missing"};
     return {data, static_cast<std::size_t>(count)};
 }
@@ -75,7 +75,7 @@ std::vector<std::uint32_t> checkedFaceStarts(const GivenCage& cage) {
     for (std::uint32_t face = 0; face < cage.faceCount(); ++face) {
         checkFaceSize(cage.faceSizes[face], face, cage.scheme);
         corners += cage.faceSizes[face];
-        if (corners > mostElements) throw Failure{elementName("face", face), "there are too many corners"};
+        if (corners > maxElements) throw Failure{elementName("face", face), "there are too many corners"};
         starts.push_back(static_cast<std::uint32_t>(corners));
     }
     return starts;

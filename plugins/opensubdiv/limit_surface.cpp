@@ -12,7 +12,7 @@ namespace {
 namespace Far = OpenSubdiv::Far;
 
 /// Of any kind of patch: a Gregory patch has 20 points, a triangular one 18.
-constexpr int mostPatchPoints = 20;
+constexpr int maxPatchPoints = 20;
 
 /// The levels until the last semi-sharp feature has become smooth; 0 to 10.
 int semiSharpLevels(const Far::TopologyLevel& base) {
@@ -53,7 +53,7 @@ std::unique_ptr<const Far::PatchTable> makePatches(const Far::TopologyRefiner& t
 
 /// The weights of a patch's points at a place.
 struct PatchBasis {
-    double value[mostPatchPoints], du[mostPatchPoints], dv[mostPatchPoints];
+    double value[maxPatchPoints], du[maxPatchPoints], dv[maxPatchPoints];
 };
 
 }  // namespace

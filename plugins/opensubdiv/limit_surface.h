@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "stencils.h"
-#include "weight_rows.h"
+#include "stencil_table.h"
 
 namespace candela_opensubdiv {
 

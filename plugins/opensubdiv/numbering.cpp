@@ -39,11 +39,11 @@ class Numbering::Assigner {
     }
 
     /// After all points have been added.
-    void addTwins(std::uint32_t face) {
+    void addSeamVertices(std::uint32_t face) {
         eachCorner(face, [this](Corner& corner, std::uint32_t sector, std::size_t vertex, int) {
             if (sectorVertex_[sector] == none) {
-                sectorVertex_[sector] = addTwin(pointAt_[vertex]);
-                corner.vertexRole = Role::ownsTwin;
+                sectorVertex_[sector] = addSeamVertex(pointAt_[vertex]);
+                corner.vertexRole = Role::ownsSeamVertex;
             }
             corner.vertex = sectorVertex_[sector];
         });
@@ -53,8 +53,8 @@ class Numbering::Assigner {
             corner.edgeVertices = points;
             if (corner.edgeRole == Role::ownsPoint || sectors_.joined(edge)) return;
             corner.edgeVertices = numbering_.vertexCount();
-            corner.edgeRole = Role::ownsTwin;
-            for (std::uint32_t i = 0; i < grid(face).edgeSlots(); ++i) addTwin(points + i);
+            corner.edgeRole = Role::ownsSeamVertex;
+            for (std::uint32_t i = 0; i < grid(face).edgeSlots(); ++i) addSeamVertex(points + i);
         });
         addExtraSlots(face);
     }
@@ -83,8 +83,8 @@ class Numbering::Assigner {
         return first;
     }
 
-    std::uint32_t addTwin(std::uint32_t point) {
-        numbering_.twinPoints_.push_back(point);
+    std::uint32_t addSeamVertex(std::uint32_t point) {
+        numbering_.seamPoints_.push_back(point);
         return numbering_.vertexCount() - 1;
     }
 
@@ -96,9 +96,9 @@ class Numbering::Assigner {
         numbering_.insides_[face].twins = numbering_.vertexCount();
         for (std::uint32_t slot = faceGrid.pointCount; slot < faceGrid.slots.size(); ++slot) {
             const std::uint32_t vertex = vertices[faceGrid.slots[slot].point];
-            addTwin(vertex < numbering_.pointCount_
+            addSeamVertex(vertex < numbering_.pointCount_
                         ? vertex
-                        : numbering_.twinPoints_[vertex - numbering_.pointCount_]);
+                        : numbering_.seamPoints_[vertex - numbering_.pointCount_]);
         }
     }
 
@@ -118,7 +118,7 @@ Numbering::Numbering(const GivenCage& cage, const Far::TopologyRefiner& topology
     }
     Assigner assigner(*this, topology.GetLevel(0), sectors);
     for (const std::uint32_t face : faces_) assigner.addPoints(face);
-    for (const std::uint32_t face : faces_) assigner.addTwins(face);
+    for (const std::uint32_t face : faces_) assigner.addSeamVertices(face);
 }
 
 void Numbering::verticesOf(std::uint32_t face, std::vector<std::uint32_t>& vertices) const {
@@ -142,9 +142,9 @@ void Numbering::ownPoints(std::uint32_t face, std::vector<std::uint32_t>& slots)
     for (std::uint32_t k = 0; k < grid.innerPoints(); ++k) slots.push_back(grid.firstInnerSlot() + k);
 }
 
-void Numbering::ownTwins(std::uint32_t face, std::vector<std::uint32_t>& slots) const {
+void Numbering::ownSeamVertices(std::uint32_t face, std::vector<std::uint32_t>& slots) const {
     const FaceGrid& grid = grids_.of(cage_.faceSizes[face]);
-    ownSlots(face, Role::ownsTwin, slots);
+    ownSlots(face, Role::ownsSeamVertex, slots);
     for (std::uint32_t k = 0; k < grid.extraSlots(); ++k) slots.push_back(grid.pointCount + k);
 }
 

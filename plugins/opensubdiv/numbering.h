@@ -21,9 +21,9 @@ class Numbering {
               const LimitSurface& surface, const FaceGrids& grids);
 
     std::uint32_t pointCount() const { return pointCount_; }
-    std::uint32_t vertexCount() const { return pointCount_ + static_cast<std::uint32_t>(twinPoints_.size()); }
+    std::uint32_t vertexCount() const { return pointCount_ + static_cast<std::uint32_t>(seamPoints_.size()); }
     /// The point of each twin, which come after the points.
-    const std::vector<std::uint32_t>& twinPoints() const { return twinPoints_; }
+    const std::vector<std::uint32_t>& seamPoints() const { return seamPoints_; }
     /// The faces that have a surface, in order.
     const std::vector<std::uint32_t>& faces() const { return faces_; }
 
@@ -32,10 +32,10 @@ class Numbering {
 
     /// The slots whose rows a face makes, in the order of their vertices.
     void ownPoints(std::uint32_t face, std::vector<std::uint32_t>& slots) const;
-    void ownTwins(std::uint32_t face, std::vector<std::uint32_t>& slots) const;
+    void ownSeamVertices(std::uint32_t face, std::vector<std::uint32_t>& slots) const;
 
   private:
-    enum class Role : std::uint8_t { borrows, ownsPoint, ownsTwin };
+    enum class Role : std::uint8_t { borrows, ownsPoint, ownsSeamVertex };
 
     /// What a face has at a corner and within the edge that begins there.
     struct Corner {
@@ -57,7 +57,7 @@ class Numbering {
     const GivenCage& cage_;
     const FaceGrids& grids_;
     std::uint32_t pointCount_ = 0;
-    std::vector<std::uint32_t> twinPoints_;
+    std::vector<std::uint32_t> seamPoints_;
     std::vector<std::uint32_t> faces_;
     std::vector<Corner> corners_;  ///< One a corner of the cage.
     std::vector<Inside> insides_;  ///< One a face of the cage.

@@ -6,7 +6,7 @@
 #include "failure.h"
 #include "numbering.h"
 #include "parallel.h"
-#include "row_maker.h"
+#include "stencil_builder.h"
 #include "table_size.h"
 #include "topology.h"
 
@@ -28,27 +28,27 @@ struct Polygons {
 };
 
 std::vector<Part> makeParts(const GivenCage& cage, const FaceGrids& grids, const Numbering& numbering,
-                            const RowMaker& rowMaker) {
+                            const StencilBuilder& stencilBuilder) {
     const std::vector<std::uint32_t>& faces = numbering.faces();
     std::vector<Part> parts((faces.size() + facesAtOnce - 1) / facesAtOnce);
-    std::vector<RowMaker> rowMakers(workerCount(), rowMaker);
+    std::vector<StencilBuilder> stencilBuilders(workerCount(), stencilBuilder);
     inParallel(parts.size(), [&](std::size_t index, std::size_t worker) {
         std::vector<std::uint32_t> slots;
         const std::size_t end = std::min(faces.size(), (index + 1) * facesAtOnce);
         for (std::size_t i = index * facesAtOnce; i < end; ++i) {
             const FaceGrid& grid = grids.of(cage.faceSizes[faces[i]]);
             numbering.ownPoints(faces[i], slots);
-            rowMakers[worker].add(faces[i], grid, slots, parts[index].points);
-            numbering.ownTwins(faces[i], slots);
-            rowMakers[worker].add(faces[i], grid, slots, parts[index].twins);
+            stencilBuilders[worker].add(faces[i], grid, slots, parts[index].points);
+            numbering.ownSeamVertices(faces[i], slots);
+            stencilBuilders[worker].add(faces[i], grid, slots, parts[index].twins);
         }
     });
     return parts;
 }
 
 /// Joins the rows of all points, then those of all twins.
-WeightTable joinParts(std::vector<Part>& parts, WeightRows VertexRows::*kind) {
-    std::vector<WeightRows*> pieces;
+WeightTable joinParts(std::vector<Part>& parts, StencilTable VertexRows::*kind) {
+    std::vector<StencilTable*> pieces;
     for (Part& part : parts) pieces.push_back(&(part.points.*kind));
     for (Part& part : parts) pieces.push_back(&(part.twins.*kind));
     return WeightTable(pieces);
@@ -86,7 +86,7 @@ void refine(const candela_refinement& host, const candela_cage& original, std::u
     const Sectors sectors(cage, *topology);
     const Numbering numbering(cage, *topology, sectors, surface, grids);
     std::vector<Part> parts =
-        makeParts(cage, grids, numbering, RowMaker(cage, surface, uvSurface.get(), level));
+        makeParts(cage, grids, numbering, StencilBuilder(cage, surface, uvSurface.get(), level));
     const WeightTable positions = joinParts(parts, &VertexRows::positions);
     const WeightTable uvs = joinParts(parts, &VertexRows::uvs);
     const Polygons polygons = makePolygons(cage, grids, numbering);
@@ -95,7 +95,7 @@ void refine(const candela_refinement& host, const candela_cage& original, std::u
     refined.struct_size = sizeof(refined);
     refined.point_count = numbering.pointCount();
     refined.vertex_count = numbering.vertexCount();
-    refined.twin_points = numbering.twinPoints().data();
+    refined.seam_points = numbering.seamPoints().data();
     refined.positions = positions.view();
     refined.uvs = uvs.view();
     refined.face_size = cage.scheme == CANDELA_SCHEME_LOOP ? 3 : 4;

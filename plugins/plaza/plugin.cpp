@@ -1,4 +1,4 @@
-// The plugin of made scenes. A further one is a scheme and a generator in the table, in files of its own.
+// The plugin of procedural scenes. A further one is a scheme and a generator in the table, in files of its own.
 
 #include "cloud.h"
 #include "generator.h"
@@ -16,17 +16,17 @@
 namespace plaza {
 namespace {
 
-struct MadeScene {
+struct ProceduralScene {
     const char* scheme;
     Generator generate;
 };
 
-constexpr std::array madeScenes{MadeScene{"plaza", makePlaza}, MadeScene{"cloud", makeCloud},
-                                MadeScene{"rooms", makeRooms}, MadeScene{"sculpture", makeSculpture}};
+constexpr std::array proceduralScenes{ProceduralScene{"plaza", makePlaza}, ProceduralScene{"cloud", makeCloud},
+                                ProceduralScene{"rooms", makeRooms}, ProceduralScene{"sculpture", makeSculpture}};
 
 constexpr auto schemes = [] {
-    std::array<const char*, madeScenes.size() + 1> names{};
-    for (std::size_t i = 0; i < madeScenes.size(); ++i) names[i] = madeScenes[i].scheme;
+    std::array<const char*, proceduralScenes.size() + 1> names{};
+    for (std::size_t i = 0; i < proceduralScenes.size(); ++i) names[i] = proceduralScenes[i].scheme;
     return names;
 }();
 
@@ -42,7 +42,7 @@ std::string schemeOf(const std::string& uri) {
 
 void generate(const candela_host& host, const candela_request& request) {
     const std::string scheme = schemeOf(request.uri);
-    for (const MadeScene& scene : madeScenes)
+    for (const ProceduralScene& scene : proceduralScenes)
         if (scheme == scene.scheme) return scene.generate(host, request.name);
     throw BadRequest("scheme", "'" + scheme + "' is not one of this plugin's");
 }
@@ -69,7 +69,7 @@ constexpr candela_plugin plugin{
     CANDELA_PLUGIN_MINOR,
     "plaza",
     "0.1.0",
-    "made scenes under N point lights: plaza:N a square with 256 spheres, cloud:N a sphere of small lights, "
+    "procedural scenes under N point lights: plaza:N a square with 256 spheres, cloud:N a sphere of small lights, "
     "rooms:N a floor of 256 rooms, sculpture:N the square with a subdivided ring",
     &importer,
     nullptr};

@@ -94,7 +94,7 @@ void makeSculpture(const candela_host& host, const std::string& arguments) {
     candela_node node = plainNode("sculpture", -1);
     node.translation[1] = static_cast<float>(sectionRadius);
     node.translation[2] = 25.0f;  // between two rows of spheres
-    candela_shown_cage shown{};
+    candela_cage_instance shown{};
     shown.struct_size = sizeof shown;
     shown.cage = addRing(host);
     shown.node = accepted(host.add_node(host.self, &node));

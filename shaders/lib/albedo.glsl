@@ -4,11 +4,11 @@
 
 layout(binding = ALBEDO_UNIT) uniform sampler2D albedoTexture;
 
-const float ALBEDO_MINIMUM_ALPHA = 1.0e-3;
+const float ALBEDO_MIN_ALPHA = 1.0e-3;
 
 float directionalAlbedo(float nDotV, float alpha) {
     ivec2 last = textureSize(albedoTexture, 0) - 1;
-    vec2 position = vec2(nDotV * (1.0 + alpha) / (nDotV + alpha), (alpha - ALBEDO_MINIMUM_ALPHA) / (1.0 - ALBEDO_MINIMUM_ALPHA));
+    vec2 position = vec2(nDotV * (1.0 + alpha) / (nDotV + alpha), (alpha - ALBEDO_MIN_ALPHA) / (1.0 - ALBEDO_MIN_ALPHA));
     vec2 texel = clamp(position, 0.0, 1.0) * vec2(last);
     ivec2 low = min(ivec2(texel), last - 1);
     vec2 share = texel - vec2(low);

@@ -9,9 +9,9 @@
 #define BRDF_GLTF 1
 
 const float PI = 3.14159265358979;
-const float MINIMUM_ALPHA = 1.0e-3;     // minimumAlpha of brdf.h
-const float MINIMUM_N_DOT_V = 1.0e-4;   // minimumNDotV
-const float MAXIMUM_INVERSE_SQUARE = 1.0e6;  // 1 / minimumDistance²
+const float MIN_ALPHA = 1.0e-3;     // minAlpha of brdf.h
+const float MIN_N_DOT_V = 1.0e-4;   // minNDotV
+const float MAX_INVERSE_SQUARE = 1.0e6;  // 1 / minDistance²
 
 // A surface with all that does not depend on the light.
 struct ShadingPoint {
@@ -33,8 +33,8 @@ ShadingPoint shadingPoint(GBufferSurface surface, vec3 position, vec3 eye) {
     point.normal = surface.normal;
     point.toEye = normalize(eye - position);
     point.nDotV = dot(surface.normal, point.toEye);
-    float alpha = max(surface.roughness * surface.roughness, MINIMUM_ALPHA);
-    float nDotV = max(point.nDotV, MINIMUM_N_DOT_V);
+    float alpha = max(surface.roughness * surface.roughness, MIN_ALPHA);
+    float nDotV = max(point.nDotV, MIN_N_DOT_V);
     point.alpha2 = alpha * alpha;
     point.f0 = mix(vec3(0.04), surface.baseColor, surface.metallic);
     point.diffuse = surface.baseColor * ((1.0 - surface.metallic) / PI);

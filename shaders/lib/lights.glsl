@@ -32,7 +32,7 @@ vec3 pointLight(ShadingPoint point, LocalLight light, float attenuation) {
     float inverse = inversesqrt(max(d2, 1.0e-24));
     vec3 l = d * inverse;
     float nDotL = max(dot(point.normal, l), 0.0);
-    float scale = attenuation * window * min(inverse * inverse, MAXIMUM_INVERSE_SQUARE);
+    float scale = attenuation * window * min(inverse * inverse, MAX_INVERSE_SQUARE);
     return reflectance(point, l, nDotL) * (light.intensity * scale);
 }
 

@@ -23,7 +23,7 @@ Color shown(const DisplayTransform& transform, Color color) {
     return color;
 }
 
-Color shown(const ColorConfig& config, const DisplayChoice& choice, const Color& color) {
+Color shown(const ColorConfig& config, const DisplayOptions& choice, const Color& color) {
     return shown(config.displayTransform(choice), color);
 }
 

@@ -22,14 +22,14 @@ std::vector<float> drawn(const Context& context, Renderer& renderer, const LitSc
     return renderer.radiance().rgba;
 }
 
-DeviceChoice software() {
-    DeviceChoice choice;
+DeviceOptions software() {
+    DeviceOptions choice;
     choice.softwareOnly = true;
     return choice;
 }
 
-DeviceChoice deviceNumber(int index) {
-    DeviceChoice choice;
+DeviceOptions deviceNumber(int index) {
+    DeviceOptions choice;
     choice.index = index;
     return choice;
 }

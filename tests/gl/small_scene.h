@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lit_scenes.h"
-#include "made_scene.h"
+#include "support/lit_scenes.h"
+#include "support/procedural_scene.h"
 
 #include <candela/renderer.h>
 

@@ -3,7 +3,7 @@
 #include "gl_state.h"
 #include "host_context.h"
 #include "small_scene.h"
-#include "techniques.h"
+#include "support/techniques.h"
 
 #include "gl/state_guard.h"
 
@@ -57,8 +57,8 @@ struct Seen {
     std::optional<PixelProbe> probe;
 };
 
-constexpr std::array views{Show::normals,   Show::level, Show::baseColor, Show::metallic,
-                           Show::roughness, Show::depth, Show::emission,  Show::lightCount};
+constexpr std::array views{DebugView::normals,   DebugView::level, DebugView::baseColor, DebugView::metallic,
+                           DebugView::roughness, DebugView::depth, DebugView::emission,  DebugView::lightCount};
 
 /// Calls everything that draws, and reports after each call whether the state is still what it was.
 class WatchedFrame {
@@ -101,13 +101,13 @@ Seen drawWatched(HostContext& host, Technique technique) {
     for (const Aov& aov : aovs) seen.aovs.insert(seen.aovs.end(), aov.values.begin(), aov.values.end());
     seen.pairs = watched("countPairs", [&] { return renderer.countPairs(scene); });
     watched("passTimes", [&] { return renderer.passTimes(); });
-    for (const Show show : views) {
+    for (const DebugView show : views) {
         FrameInputs inputs = smallFrame(made, technique);
         inputs.show = show;
         inputs.overlays = {.wireframe = true, .cage = true};
         watched(toString(show), [&] { renderer.render(scene, inputs); });
         seen.views.push_back(watched("display of data", [&] { return renderer.displayPicture(transform); }));
-        watched("greatestLightCount", [&] { return renderer.greatestLightCount(); });
+        watched("maxLightCount", [&] { return renderer.maxLightCount(); });
         seen.probe = watched("probe", [&] { return renderer.probe(scene, 20, 14); });
     }
     GLint named = 0;

@@ -1,7 +1,7 @@
 // A GLFW window whose context candela adopts and whose framebuffer it draws into.
 
 #include "small_scene.h"
-#include "techniques.h"
+#include "support/techniques.h"
 #include "virtual_display.h"
 
 #include <candela/color.h>

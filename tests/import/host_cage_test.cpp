@@ -1,7 +1,7 @@
 // What the host takes and refuses of cages, of skins and of nodes that show cages.
 #include "expect_error.h"
 #include "host_pushes.h"
-#include "pushed_samples.h"
+#include "import_samples.h"
 
 #include <candela/scene.h>
 

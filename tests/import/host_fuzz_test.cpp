@@ -1,6 +1,6 @@
 // Random bytes in all numbers of all pushed structs: the host refuses or takes them, and never crashes. The
 // arrays are as long as the counts say, for a plugin that lies about those can not be helped.
-#include "pushed_samples.h"
+#include "import_samples.h"
 
 #include "import/finish_scene.h"
 #include "import/host.h"
@@ -264,7 +264,7 @@ void pushSkin(Fuzzer& fuzz, const candela_host& host) {
 }
 
 void pushShownCage(Fuzzer& fuzz, const candela_host& host) {
-    candela_shown_cage shown = samples::shownCage();
+    candela_cage_instance shown = samples::shownCage();
     shown.struct_size = fuzz.structSize(shown.struct_size);
     if (fuzz.oneIn(2)) fuzz.spoil(shown.node);
     if (fuzz.oneIn(2)) fuzz.spoil(shown.cage);

@@ -1,7 +1,7 @@
 // Meshes that are pushed as polygons: the host cuts them into triangles.
 #include "expect_error.h"
 #include "host_pushes.h"
-#include "pushed_samples.h"
+#include "import_samples.h"
 
 #include <candela/scene.h>
 

@@ -21,7 +21,7 @@ inline void push(const candela_host& host, const candela_skin& skin) {
 inline void push(const candela_host& host, const candela_animation& animation) {
     host.add_animation(host.self, &animation);
 }
-inline void push(const candela_host& host, const candela_shown_cage& shown) {
+inline void push(const candela_host& host, const candela_cage_instance& shown) {
     host.show_cage(host.self, &shown);
 }
 

@@ -148,7 +148,7 @@ const Fault otherFaults[] = {
     {"fail-null", "the plugin gives no reason"},
     {"first-failure-counts", "camera 0 'front': vertical_fov is nan, but a finite number was expected"},
     {"read-null", "read_file: its path or its result is NULL"},
-    {"read-in-made-scene", "file 'file': a made scene has no folder to read files from"},
+    {"read-in-made-scene", "file 'file': a procedural scene has no folder to read files from"},
     {"returns-failed", "the plugin 'push-cases' failed and gave no reason"},
     {"throws", "the plugin 'push-cases' threw an exception, which the plugin interface forbids"},
 };

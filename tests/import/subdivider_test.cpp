@@ -1,7 +1,7 @@
 // The service that refines cages: what it is handed, and what is said of what it hands back.
 #include "expect_error.h"
 #include "host_pushes.h"
-#include "pushed_samples.h"
+#include "import_samples.h"
 
 #include "import/cage_struct.h"
 
@@ -67,7 +67,7 @@ TEST(Subdivider, WhatIsDeliveredArrives) {
     const RefinedCage refined = fixtureSubdivider().refine(sampleCage("good"), 3);
     EXPECT_EQ(refined.level, 3u);
     EXPECT_EQ(refined.pointCount, 6u);
-    EXPECT_EQ(refined.twinPoints, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(refined.seamPoints, std::vector<std::uint32_t>{0});
     EXPECT_EQ(refined.vertexCount(), 7u);
     EXPECT_EQ(refined.positions.rowStarts, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
     EXPECT_EQ(refined.positions.columns, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 0}));
@@ -188,8 +188,8 @@ const Fault tables[] = {
     {"struct-size", "struct_size is 16"},
     {"refused-but-ok", "face_size is 2, but 3 or 4 was expected"},
     {"points", "point_count is 8, but there are 7 vertices"},
-    {"twin", "twin_points 0 is 6, but there are 6 points"},
-    {"null-twins", "twin_points is NULL, but 1 elements were expected"},
+    {"twin", "seam_points 0 is 6, but there are 6 points"},
+    {"null-twins", "seam_points is NULL, but 1 elements were expected"},
     {"row-count", "positions.row_count is 6, but 7 vertices need a row each"},
     {"null-starts", "positions.row_starts is NULL, but 8 elements were expected"},
     {"first-start", "positions.row_starts 0 is 1, but 0 was expected"},

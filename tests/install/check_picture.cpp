@@ -14,8 +14,8 @@
 namespace {
 
 // The plaza under 256 coloured lights shows thousands; a gradient or a clear colour far fewer.
-constexpr std::size_t leastColors = 500;
-constexpr std::uint8_t leastPeak = 64;
+constexpr std::size_t minColors = 500;
+constexpr std::uint8_t minPeak = 64;
 
 int fail(const std::string& text) {
     std::cerr << "check_picture: " << text << "\n";
@@ -40,8 +40,8 @@ int main(int argc, char** argv) {
     std::set<std::uint32_t> colors;
     for (std::size_t i = 0; i < rgb.size(); i += 3)
         colors.insert(static_cast<std::uint32_t>(rgb[i] | rgb[i + 1] << 8 | rgb[i + 2] << 16));
-    if (colors.size() < leastColors)
+    if (colors.size() < minColors)
         return fail(path + ": has only " + std::to_string(colors.size()) + " colours");
-    if (*std::ranges::max_element(rgb) < leastPeak) return fail(path + ": is dark all over");
+    if (*std::ranges::max_element(rgb) < minPeak) return fail(path + ": is dark all over");
     return 0;
 }

@@ -19,10 +19,11 @@ const std::map<std::string, Names> visibleTo = {
     {"abi", {"abi"}},
     {"base", {"abi", "base"}},
     {"scene", {"abi", "base", "scene"}},
-    {"import", {"abi", "base", "scene", "import"}},
-    {"color", {"abi", "base", "scene", "color"}},
+    {"shading", {"abi", "base", "scene", "shading"}},
+    {"import", {"abi", "base", "scene", "shading", "import"}},
+    {"color", {"abi", "base", "scene", "shading", "color"}},
     {"gl", {"abi", "base", "gl"}},
-    {"render", {"abi", "base", "scene", "import", "color", "gl", "render"}},
+    {"render", {"abi", "base", "scene", "shading", "import", "color", "gl", "render"}},
 };
 
 // The layer of each public header.
@@ -35,7 +36,7 @@ const std::map<std::string, std::string> layerOfHeader = {
     {"version.h", "base"},
     {"whole_file.h", "base"},
     {"animation.h", "scene"},
-    {"brdf.h", "scene"},
+    {"brdf.h", "shading"},
     {"cage.h", "scene"},
     {"camera.h", "scene"},
     {"light.h", "scene"},

@@ -1,6 +1,6 @@
 #include "layers.h"
 
-#include "made_tree.h"
+#include "generated_tree.h"
 #include "source_tree.h"
 
 #include <gtest/gtest.h>

@@ -81,9 +81,9 @@ std::vector<std::string> sourceViolations(const fs::path& root) {
                     violations.push_back(place + "a path of one machine, " + folder);
             }
         }
-        if (lines.size() <= mostLines) continue;
+        if (lines.size() <= maxLines) continue;
         violations.push_back(name + ":" + std::to_string(lines.size()) + ": more than " +
-                             std::to_string(mostLines) + " lines");
+                             std::to_string(maxLines) + " lines");
     }
     return violations;
 }

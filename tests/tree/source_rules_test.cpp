@@ -1,6 +1,6 @@
 #include "source_rules.h"
 
-#include "made_tree.h"
+#include "generated_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ TEST_F(SourceRulesOfAMadeTree, PathsOfOneMachineAreFound) {
 
 TEST_F(SourceRulesOfAMadeTree, LongFilesAreFound) {
     std::string lines;
-    for (std::size_t i = 0; i < mostLines; ++i) lines += "\n";
+    for (std::size_t i = 0; i < maxLines; ++i) lines += "\n";
     write("tests/scene/long_test.cpp", lines);
     EXPECT_EQ(joined(sourceViolations(root())), "");
     write("tests/scene/long_test.cpp", lines + "\n");

@@ -23,13 +23,13 @@ CameraControl standing(const glm::vec3& eye, const glm::vec3& target) {
 
 /// Where a point lies in the picture: in heights of it from the middle, x to the right, y up.
 glm::vec2 inPicture(const CameraControl& camera, const glm::vec3& point) {
-    const candela::View view = camera.view();
+    const candela::CameraView view = camera.view();
     const glm::vec3 seen(glm::inverse(view.worldFromCamera) * glm::vec4(point, 1.0f));
     return glm::vec2(seen) / (-seen.z * 2.0f * std::tan(0.5f * view.verticalFov));
 }
 
 bool isFinite(const CameraControl& camera) {
-    const candela::View view = camera.view();
+    const candela::CameraView view = camera.view();
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
             if (!std::isfinite(view.worldFromCamera[column][row])) return false;
@@ -164,7 +164,7 @@ TEST(Frame, TakesAPointAndLeavesAnEmptyBoxAlone) {
 }
 
 TEST(Set, TakesAViewOver) {
-    const candela::View view = candela::lookAt({1.0f, 2.0f, 3.0f}, {4.0f, 0.0f, -2.0f}, 0.3f * pi);
+    const candela::CameraView view = candela::lookAt({1.0f, 2.0f, 3.0f}, {4.0f, 0.0f, -2.0f}, 0.3f * pi);
     CameraControl camera;
     camera.set(view, 7.0f);
     EXPECT_EQ(camera.verticalFov(), view.verticalFov);

@@ -37,7 +37,7 @@ TEST(ColorTemperature, LiesOnThePlanckianLocus) {
 }
 
 TEST(ColorTemperature, HasAGreatestChannelOfOneAndNoneBelowZero) {
-    for (float kelvin = leastTemperature; kelvin <= greatestTemperature; kelvin += 53.0f) {
+    for (float kelvin = minTemperature; kelvin <= maxTemperature; kelvin += 53.0f) {
         const glm::vec3 color = colorOfTemperature(kelvin);
         EXPECT_EQ(std::max({color.r, color.g, color.b}), 1.0f) << kelvin;
         EXPECT_GE(std::min({color.r, color.g, color.b}), 0.0f) << kelvin;
@@ -60,8 +60,8 @@ TEST(ColorTemperature, IsContinuousWhereTheSplineHasItsKnots) {
 }
 
 TEST(ColorTemperature, HoldsTemperaturesWithinItsEnds) {
-    EXPECT_EQ(colorOfTemperature(1.0f), colorOfTemperature(leastTemperature));
-    EXPECT_EQ(colorOfTemperature(1.0e9f), colorOfTemperature(greatestTemperature));
+    EXPECT_EQ(colorOfTemperature(1.0f), colorOfTemperature(minTemperature));
+    EXPECT_EQ(colorOfTemperature(1.0e9f), colorOfTemperature(maxTemperature));
 }
 
 TEST(NearestTemperature, FindsTheTemperatureOfAColour) {
@@ -74,8 +74,8 @@ TEST(NearestTemperature, FindsTheTemperatureOfAColour) {
 }
 
 TEST(NearestTemperature, TakesColoursThatNoBlackBodyHas) {
-    EXPECT_NEAR(nearestTemperature({1.0f, 0.0f, 0.0f}), leastTemperature, 1.0f);
-    EXPECT_NEAR(nearestTemperature({0.0f, 0.0f, 1.0f}), greatestTemperature, 1.0f);
+    EXPECT_NEAR(nearestTemperature({1.0f, 0.0f, 0.0f}), minTemperature, 1.0f);
+    EXPECT_NEAR(nearestTemperature({0.0f, 0.0f, 1.0f}), maxTemperature, 1.0f);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // What is edited in the window changes the picture as if the scene had been made that way.
 
-#include "camera_choice.h"
+#include "camera_options.h"
 #include "sample_scene.h"
 #include "temporary_config.h"
 #include "view_session.h"
@@ -32,7 +32,7 @@ class EditSession : public ViewTest {
         return arguments;
     }
     void expectPicture(ViewSession& session, std::vector<std::string> arguments) const {
-        EXPECT_EQ(greatestDifference(session.picture(), rendered(small(std::move(arguments)))), 0);
+        EXPECT_EQ(maxDifference(session.picture(), rendered(small(std::move(arguments)))), 0);
     }
 };
 
@@ -128,7 +128,7 @@ TEST_F(EditSession, TheHandTakesOverFromAViewThatFramesTheScene) {
     giveCamera(session.model());
     session.step();
     // A camera by hand looks at the middle of what was framed: the same view but for rounding.
-    EXPECT_LE(greatestDifference(session.picture(), framed), 3);
+    EXPECT_LE(maxDifference(session.picture(), framed), 3);
 }
 
 TEST_F(EditSession, TimeDoesNotMoveAViewThatFramesTheScene) {
@@ -148,7 +148,7 @@ TEST_F(EditSession, TimeDoesNotMoveAViewThatFramesTheScene) {
     session.step();
     EXPECT_EQ(session.model().camera.eye(), eye);
     const PngPicture shown = session.picture();
-    EXPECT_EQ(greatestDifference(shown, renderedBy(session.copiedCommand())), 0);
+    EXPECT_EQ(maxDifference(shown, renderedBy(session.copiedCommand())), 0);
 }
 
 TEST_F(EditSession, ALightIsReplacedAddedAndRemoved) {
@@ -162,8 +162,8 @@ TEST_F(EditSession, ALightIsReplacedAddedAndRemoved) {
     });
     ViewSession session(small({"square.gltf"}));
     session.awaitScene();
-    candela::PlacedLight light = session.document().lights()[0];
-    const candela::PlacedLight first = light;
+    candela::WorldLight light = session.document().lights()[0];
+    const candela::WorldLight first = light;
     light.intensity = glm::vec3(4.0f);
     session.document().setLight(0, light);
     light.position = {0.5f, 0.0f, 2.0f};
@@ -178,7 +178,7 @@ TEST_F(EditSession, ALightIsReplacedAddedAndRemoved) {
 TEST_F(EditSession, WhatIsNoLightIsRefusedAndChangesNothing) {
     ViewSession session(small({"square.gltf"}));
     session.awaitScene();
-    candela::PlacedLight light = session.document().lights()[0];
+    candela::WorldLight light = session.document().lights()[0];
     light.intensity = glm::vec3(-1.0f);
     EXPECT_THROW(session.document().setLight(0, light), candela::Error);
     session.document().setLightMotion({});  // sends the lights once more
@@ -197,8 +197,8 @@ TEST_F(EditSession, MovingLightsMoveThePictureAndStop) {
     session.step();
     const PngPicture moved = session.picture();
     session.step(5);
-    EXPECT_EQ(greatestDifference(session.picture(), moved), 0);
-    EXPECT_GT(greatestDifference(moved, rendered(small({"square.gltf"}))), 2);
+    EXPECT_EQ(maxDifference(session.picture(), moved), 0);
+    EXPECT_GT(maxDifference(moved, rendered(small({"square.gltf"}))), 2);
     session.document().setLightMotion({});
     session.model().options.time = 0.0;
     session.step();
@@ -211,11 +211,11 @@ TEST_F(EditSession, DrawingOptionsAreThoseOfTheCommandLine) {
     session.model().options.brdf = candela::BrdfModel::gltf;
     session.model().options.technique = candela::Technique::volumes;
     expectPicture(session, {"plaza:64", "--brdf", "gltf", "--technique", "volumes"});
-    session.model().options.show.show = candela::Show::normals;
+    session.model().options.show.show = candela::DebugView::normals;
     expectPicture(session, {"plaza:64", "--show", "normals"});
-    session.model().options.show = {candela::Show::lightCount, {.wireframe = true, .cage = false}};
+    session.model().options.show = {candela::DebugView::lightCount, {.wireframe = true, .cage = false}};
     expectPicture(session, {"plaza:64", "--show", "light_count,wireframe"});
-    EXPECT_GT(session.model().greatestLightCount, 0u);
+    EXPECT_GT(session.model().maxLightCount, 0u);
 }
 
 TEST_F(EditSession, DisplayViewAndExposureAreThoseOfTheCommandLine) {
@@ -231,7 +231,7 @@ TEST_F(EditSession, DisplayViewAndExposureAreThoseOfTheCommandLine) {
     session.model().options.display = {"sRGB", "ACES 1.0 SDR", "", 0.0};
     session.step();
     // Two runs may choose another form of this view, which differ by a quarter of a code and its rounding.
-    EXPECT_LE(greatestDifference(session.picture(), rendered(small({"plaza:64", "--view", "ACES 1.0 SDR"}))),
+    EXPECT_LE(maxDifference(session.picture(), rendered(small({"plaza:64", "--view", "ACES 1.0 SDR"}))),
               1);
 }
 
@@ -242,7 +242,7 @@ TEST_F(EditSession, AViewThatIsNotThereIsAMessageAndThePictureStays) {
     session.model().options.display.view = "Sepia";
     session.step(5);
     EXPECT_EQ(session.messages(Message::Kind::error), 1u);
-    EXPECT_EQ(greatestDifference(session.picture(), before), 0);
+    EXPECT_EQ(maxDifference(session.picture(), before), 0);
 }
 
 TEST_F(EditSession, AConfigBringsItsViewsAndItsWorkingSpace) {
@@ -259,7 +259,7 @@ TEST_F(EditSession, AConfigBringsItsViewsAndItsWorkingSpace) {
     session.step(2);
     EXPECT_EQ(session.messages(Message::Kind::error), 0u);
     expectPicture(session, {"square.gltf", "--ocio", "aces.ocio"});
-    EXPECT_GT(greatestDifference(session.picture(), before), 5) << "another working space";
+    EXPECT_GT(maxDifference(session.picture(), before), 5) << "another working space";
     session.model().requests.ocioConfig = "absent.ocio";
     session.step(2);
     EXPECT_EQ(session.messages(Message::Kind::error), 1u);

@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr PanelChoice noPanels{.scene = false,
+constexpr OpenPanels noPanels{.scene = false,
                                .material = false,
                                .lights = false,
                                .camera = false,
@@ -37,7 +37,7 @@ class HandSession : public ViewTest {
     void expectCommandDrawsThePicture() {
         const PngPicture shown = session->picture();
         const std::string command = session->copiedCommand();
-        EXPECT_EQ(greatestDifference(shown, renderedBy(command)), 0) << command;
+        EXPECT_EQ(maxDifference(shown, renderedBy(command)), 0) << command;
     }
 
     const CameraControl& camera() { return session->model().camera; }
@@ -59,7 +59,7 @@ TEST_F(HandSession, LeftButtonTurnsRoundTheTarget) {
     EXPECT_GT(camera().eye().y, 0.1f);
     // Rounding of a few turns in single precision.
     EXPECT_NEAR(glm::distance(camera().eye(), camera().target()), distance, 1.0e-5f);
-    EXPECT_GT(greatestDifference(session->picture(), before), 20);
+    EXPECT_GT(maxDifference(session->picture(), before), 20);
     expectCommandDrawsThePicture();
 }
 

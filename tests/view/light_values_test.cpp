@@ -27,14 +27,14 @@ TEST(SplitColor, BlackKeepsTheHueItHad) {
 }
 
 TEST(Lumen, FillTheSphereOfAPointLight) {
-    const candela::PlacedLight point;
+    const candela::WorldLight point;
     // Rounding of a few operations in single precision.
     EXPECT_NEAR(lumenOf(point, 10.0f), 40.0f * pi, 1.0e-4f);
     EXPECT_NEAR(candelaOf(point, lumenOf(point, 7.0f)), 7.0f, 1.0e-5f);
 }
 
 TEST(Lumen, FillTheConeOfASpotLight) {
-    candela::PlacedLight spot;
+    candela::WorldLight spot;
     spot.type = candela::LightType::spot;
     spot.outerConeAngle = pi / 3.0f;
     // The cone's solid angle is 2 pi (1 - cos 60 degrees) = pi.
@@ -43,7 +43,7 @@ TEST(Lumen, FillTheConeOfASpotLight) {
 }
 
 TEST(Lumen, StayFiniteForAConeWithoutWidth) {
-    candela::PlacedLight spot;
+    candela::WorldLight spot;
     spot.type = candela::LightType::spot;
     spot.outerConeAngle = 0.0f;
     EXPECT_GT(lumenOf(spot, 1.0f), 0.0f);
@@ -67,7 +67,7 @@ TEST(DirectionAngles, CountFromMinusZTowardsX) {
 }
 
 TEST(Cones, KeepTheInnerWithinTheOuter) {
-    candela::PlacedLight light;
+    candela::WorldLight light;
     light.innerConeAngle = 1.0f;
     light.outerConeAngle = 0.5f;
     orderCones(light);
@@ -78,30 +78,30 @@ TEST(Cones, KeepTheInnerWithinTheOuter) {
     EXPECT_EQ(light.innerConeAngle, 0.2f);
 }
 
-candela::PlacedLight strewnLight() {
-    candela::PlacedLight light;
+candela::WorldLight strewnLight() {
+    candela::WorldLight light;
     light.range = 3.5f;
     light.intensity = {0.0f, 1.25f, 0.5f};
     return light;
 }
 
 TEST(SpelledOut, LeavesOpenWhatTheCommandLineCanLeaveOpen) {
-    const ScatterChoice choice = spelledOut({.count = 10, .range = {}, .candela = {}}, strewnLight());
+    const ScatterOptions choice = spelledOut({.count = 10, .range = {}, .candela = {}}, strewnLight());
     EXPECT_FALSE(choice.range);
     EXPECT_FALSE(choice.candela);
-    const ScatterChoice ranged = spelledOut({.count = 10, .range = 2.0f, .candela = {}}, strewnLight());
+    const ScatterOptions ranged = spelledOut({.count = 10, .range = 2.0f, .candela = {}}, strewnLight());
     EXPECT_EQ(ranged.range, 2.0f);
     EXPECT_FALSE(ranged.candela);
 }
 
 TEST(SpelledOut, GivesARangeBeforeAnIntensity) {
-    const ScatterChoice choice = spelledOut({.count = 10, .range = {}, .candela = 8.0f}, strewnLight());
+    const ScatterOptions choice = spelledOut({.count = 10, .range = {}, .candela = 8.0f}, strewnLight());
     EXPECT_EQ(choice.range, 3.5f);
     EXPECT_EQ(choice.candela, 8.0f);
 }
 
 TEST(SpelledOut, GivesBothBeforeASeed) {
-    const ScatterChoice choice =
+    const ScatterOptions choice =
         spelledOut({.count = 10, .range = {}, .candela = {}, .seed = 7}, strewnLight());
     EXPECT_EQ(choice.range, 3.5f);
     EXPECT_EQ(choice.candela, 1.25f);

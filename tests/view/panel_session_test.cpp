@@ -10,12 +10,12 @@ namespace {
 /// A window with one panel open, large enough for all that it holds.
 class PanelSession : public ViewTest {
   protected:
-    void open(bool PanelChoice::*panel) {
+    void open(bool OpenPanels::*panel) {
         session = std::make_unique<ViewSession>(std::vector<std::string>{"plaza:16", "--size", "640x480"});
         session->model().panels = {};
-        for (bool PanelChoice::*each :
-             {&PanelChoice::scene, &PanelChoice::material, &PanelChoice::lights, &PanelChoice::camera,
-              &PanelChoice::color, &PanelChoice::drawing, &PanelChoice::statistics, &PanelChoice::probe})
+        for (bool OpenPanels::*each :
+             {&OpenPanels::scene, &OpenPanels::material, &OpenPanels::lights, &OpenPanels::camera,
+              &OpenPanels::color, &OpenPanels::drawing, &OpenPanels::statistics, &OpenPanels::probe})
             session->model().panels.*each = each == panel;
         session->awaitScene();
         session->step(3);
@@ -48,27 +48,27 @@ class PanelSession : public ViewTest {
 };
 
 TEST_F(PanelSession, DisplayAndViewAreChosenFromLists) {
-    open(&PanelChoice::color);
+    open(&OpenPanels::color);
     const PngPicture before = session->picture();
     ASSERT_TRUE(chooseIn("Colour", [&] { return !session->model().options.display.display.empty(); }));
     ASSERT_TRUE(chooseIn("Colour", [&] { return !session->model().options.display.view.empty(); }));
-    const candela::DisplayChoice choice = session->model().options.display;
+    const candela::DisplayOptions choice = session->model().options.display;
     EXPECT_EQ(choice.display, session->model().color.displays().back());
     EXPECT_EQ(choice.view, session->model().color.views(choice.display).back());
     const PngPicture shown = session->picture();
-    EXPECT_GT(greatestDifference(shown, before), 5);
+    EXPECT_GT(maxDifference(shown, before), 5);
     // Two runs may choose another form of an ACES view, which differ by a quarter of a code and its rounding.
-    EXPECT_LE(greatestDifference(shown, renderedBy(session->copiedCommand())), 1);
+    EXPECT_LE(maxDifference(shown, renderedBy(session->copiedCommand())), 1);
 }
 
 TEST_F(PanelSession, TechniqueAndReflectionAreChosenFromLists) {
-    open(&PanelChoice::drawing);
+    open(&OpenPanels::drawing);
     ASSERT_TRUE(chooseIn("Drawing", [&] {
         return session->model().options.technique != candela::Technique::automatic &&
                session->model().options.brdf != candela::BrdfModel::course;
     }));
     EXPECT_EQ(session->model().options.technique, candela::Technique::fullscreen);
-    EXPECT_EQ(greatestDifference(session->picture(), renderedBy(session->copiedCommand())), 0);
+    EXPECT_EQ(maxDifference(session->picture(), renderedBy(session->copiedCommand())), 0);
 }
 
 TEST_F(PanelSession, EveryPanelOpensFromTheMenu) {

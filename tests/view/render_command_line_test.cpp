@@ -93,11 +93,11 @@ TEST(RenderCommandLine, KeepsNamesThatLookLikeOptions) {
 
 TEST(RenderCommandLine, KeepsNumbersToTheLastBit) {
     SceneOptions options = someScene();
-    options.eye = EyeChoice{{-1.0f / 3.0f, 1.0e-9f, 123456.789f}, {0.1f, -0.0f, 16777216.0f}};
+    options.eye = EyeOptions{{-1.0f / 3.0f, 1.0e-9f, 123456.789f}, {0.1f, -0.0f, 16777216.0f}};
     options.time = 1.0 / 7.0;
     options.display.exposure = -0.1;
     options.subdivision.edgePixels = 1.0f / 3.0f;
-    options.scatter = ScatterChoice{1000, 2.0f / 3.0f, 0.7f, 4294967295u};
+    options.scatter = ScatterOptions{1000, 2.0f / 3.0f, 0.7f, 4294967295u};
     const SceneOptions read = readBack(options);
     ASSERT_TRUE(read.eye);
     EXPECT_EQ(read.eye->eye, options.eye->eye);
@@ -131,7 +131,7 @@ TEST(RenderCommandLine, KeepsWords) {
     options.height = 16384;
     options.brdf = candela::BrdfModel::gltf;
     options.technique = candela::Technique::volumes;
-    options.show.show = candela::Show::lightCount;
+    options.show.show = candela::DebugView::lightCount;
     options.show.overlays = {.wireframe = true, .cage = true};
     options.subdivision.level = 3;
     options.subdivision.maxLevel = 7;
@@ -142,7 +142,7 @@ TEST(RenderCommandLine, KeepsWords) {
     EXPECT_EQ(read.height, 16384);
     EXPECT_EQ(read.brdf, candela::BrdfModel::gltf);
     EXPECT_EQ(read.technique, candela::Technique::volumes);
-    EXPECT_EQ(read.show.show, candela::Show::lightCount);
+    EXPECT_EQ(read.show.show, candela::DebugView::lightCount);
     EXPECT_TRUE(read.show.overlays.wireframe);
     EXPECT_TRUE(read.show.overlays.cage);
     EXPECT_EQ(read.subdivision.level, 3u);
@@ -155,7 +155,7 @@ TEST(RenderCommandLine, PutsTheHandsEyeBeforeACamera) {
     SceneOptions options = someScene();
     options.camera = "front";
     EXPECT_EQ(readBack(options).camera, "front");
-    options.eye = EyeChoice{{1.0f, 2.0f, 3.0f}, {0.0f, 0.0f, 0.0f}};
+    options.eye = EyeOptions{{1.0f, 2.0f, 3.0f}, {0.0f, 0.0f, 0.0f}};
     EXPECT_FALSE(readBack(options).camera);
 }
 

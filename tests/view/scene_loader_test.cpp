@@ -33,7 +33,7 @@ class SceneLoaderTest : public testing::Test {
     }
 
     const candela::PluginRegistry plugins{{CANDELA_TEST_PLUGINS}};
-    std::optional<ScatterChoice> scatter;
+    std::optional<ScatterOptions> scatter;
     SceneLoader loader;
 };
 
@@ -41,7 +41,7 @@ TEST_F(SceneLoaderTest, HandsTheSceneOverOnce) {
     wakes = 0;
     EXPECT_FALSE(loader.take());
     EXPECT_FALSE(loader.status());
-    scatter = ScatterChoice{5, {}, {}, 1};
+    scatter = ScatterOptions{5, {}, {}, 1};
     start("plaza:16");
     const SceneLoader::Result result = await();
     ASSERT_TRUE(result.scene);

@@ -19,7 +19,7 @@ class SceneSession : public ViewTest {};
 TEST_F(SceneSession, ShowsThePictureOfCandelaRender) {
     ViewSession session({"plaza:64", "--size", smallSize});
     session.awaitScene();
-    EXPECT_EQ(greatestDifference(session.picture(), rendered({"plaza:64", "--size", smallSize})), 0);
+    EXPECT_EQ(maxDifference(session.picture(), rendered({"plaza:64", "--size", smallSize})), 0);
     EXPECT_TRUE(session.model().messages.size() == 1) << "the note of the picture that was written";
 }
 
@@ -31,7 +31,7 @@ TEST_F(SceneSession, OpensWhatIsDroppedOnIt) {
     ASSERT_TRUE(session.model().document);
     EXPECT_EQ(session.model().options.scene, folder / "square.gltf");
     const PngPicture square = rendered({"square.gltf", "--size", smallSize});
-    EXPECT_EQ(greatestDifference(session.picture(), square), 0);
+    EXPECT_EQ(maxDifference(session.picture(), square), 0);
     EXPECT_GT(square.colors(), 20u);
     EXPECT_EQ(session.model().recent, std::vector<std::string>{folder / "square.gltf"});
 }
@@ -41,7 +41,7 @@ TEST_F(SceneSession, AnotherSceneBeginsWithItsOwnCameraAndLights) {
                          "30", "--scatter-lights", "10", "--time", "0.5"});
     session.awaitScene();
     session.drop(folder / "square.gltf");
-    EXPECT_EQ(greatestDifference(session.picture(), rendered({"square.gltf", "--size", smallSize})), 0);
+    EXPECT_EQ(maxDifference(session.picture(), rendered({"square.gltf", "--size", smallSize})), 0);
 }
 
 TEST_F(SceneSession, LosesNothingWhenAFileFails) {
@@ -60,7 +60,7 @@ TEST_F(SceneSession, LosesNothingWhenAFileFails) {
             << session.model().messages.back().text;
         EXPECT_EQ(session.model().document.get(), document);
         EXPECT_EQ(session.model().options.scene, "square.gltf");
-        EXPECT_EQ(greatestDifference(session.picture(), before), 0);
+        EXPECT_EQ(maxDifference(session.picture(), before), 0);
     }
 }
 
@@ -117,7 +117,7 @@ TEST_F(SceneSession, FollowsTheSizeOfTheWindow) {
     for (const auto& [width, height] : {std::pair(401, 203), std::pair(97, 300), std::pair(320, 240)}) {
         session.resize(width, height);
         const std::string size = std::to_string(width) + "x" + std::to_string(height);
-        EXPECT_EQ(greatestDifference(session.picture(), rendered({"plaza:64", "--size", size})), 0) << size;
+        EXPECT_EQ(maxDifference(session.picture(), rendered({"plaza:64", "--size", size})), 0) << size;
     }
 }
 
@@ -155,9 +155,9 @@ TEST_F(SceneSession, APictureThatCanNotBeWrittenIsAMessage) {
 /// How many names of each kind of object the context has in use.
 std::array<int, 9> objectsInUse() {
     // Names are given from 1 upwards and used again: far fewer than this are ever in use here.
-    constexpr GLuint greatestName = 20'000;
+    constexpr GLuint maxName = 20'000;
     std::array<int, 9> counts{};
-    for (GLuint name = 1; name <= greatestName; ++name) {
+    for (GLuint name = 1; name <= maxName; ++name) {
         counts[0] += glIsTexture(name);
         counts[1] += glIsBuffer(name);
         counts[2] += glIsFramebuffer(name);

@@ -140,7 +140,7 @@ TEST_F(SettingsTest, AreHeldWithinWhatTheOptionsTake) {
     EXPECT_EQ(model.options.height, 16384);
     EXPECT_LT(model.options.display.exposure, 64.0);
     EXPECT_GT(model.options.subdivision.edgePixels, 0.0f);
-    EXPECT_EQ(model.options.subdivision.maxLevel, candela::greatestSubdivisionLevel);
+    EXPECT_EQ(model.options.subdivision.maxLevel, candela::maxSubdivisionLevel);
 }
 
 TEST_F(SettingsTest, BearNamesThatAreNotUtf8) {

@@ -62,7 +62,7 @@ TEST_F(ShaderSession, AChangeShowsAnErrorKeepsTheLastGoodOneAndMendingHeals) {
     folder.write("shaders/display.frag", good);
     ASSERT_TRUE(session.stepUntil([&] { return session.model().shaderError.empty(); }));
     session.step();
-    EXPECT_EQ(greatestDifference(session.picture(), first), 0);
+    EXPECT_EQ(maxDifference(session.picture(), first), 0);
 }
 
 TEST_F(ShaderSession, FilesInFoldersAndFilesThatGoCountToo) {
@@ -72,14 +72,14 @@ TEST_F(ShaderSession, FilesInFoldersAndFilesThatGoCountToo) {
     const std::string good = text("lib/gbuffer.glsl");
     insert("lib/gbuffer.glsl", good, wrong);
     ASSERT_TRUE(session.stepUntil([&] { return !session.model().shaderError.empty(); }));
-    EXPECT_EQ(greatestDifference(session.picture(), first), 0);
+    EXPECT_EQ(maxDifference(session.picture(), first), 0);
     folder.write("shaders/lib/gbuffer.glsl", good);
     ASSERT_TRUE(session.stepUntil([&] { return session.model().shaderError.empty(); }));
 
     std::filesystem::rename(folder / "shaders/surface_plain.frag", folder / "surface_plain.frag");
     ASSERT_TRUE(session.stepUntil([&] { return !session.model().shaderError.empty(); }));
     EXPECT_NE(session.model().shaderError.find("surface_plain.frag"), std::string::npos);
-    EXPECT_EQ(greatestDifference(session.picture(), first), 0);
+    EXPECT_EQ(maxDifference(session.picture(), first), 0);
     std::filesystem::rename(folder / "surface_plain.frag", folder / "shaders/surface_plain.frag");
     ASSERT_TRUE(session.stepUntil([&] { return session.model().shaderError.empty(); }));
 }
@@ -88,15 +88,15 @@ TEST_F(ShaderSession, AProgramThatIsNeededLaterFailsWithAMessage) {
     ViewSession session({"square.gltf", "--size", smallSize});
     session.awaitScene();
     const PngPicture first = session.picture();
-    insert("show.frag", text("show.frag"), wrong);
-    session.model().options.show.show = candela::Show::normals;
+    insert("debug_view.frag", text("debug_view.frag"), wrong);
+    session.model().options.show.show = candela::DebugView::normals;
     ASSERT_TRUE(session.stepUntil([&] { return session.messages(Message::Kind::error) > 0; }));
-    EXPECT_NE(session.model().messages.back().text.find("show.frag"), std::string::npos);
+    EXPECT_NE(session.model().messages.back().text.find("debug_view.frag"), std::string::npos);
     session.step(5);
     EXPECT_EQ(session.messages(Message::Kind::error), 1u) << "once, not in every frame";
-    session.model().options.show.show = candela::Show::picture;
+    session.model().options.show.show = candela::DebugView::none;
     session.step();
-    EXPECT_EQ(greatestDifference(session.picture(), first), 0);
+    EXPECT_EQ(maxDifference(session.picture(), first), 0);
 }
 
 TEST_F(ShaderSession, CagesAndWhatWasEditedOutliveIt) {
@@ -109,7 +109,7 @@ TEST_F(ShaderSession, CagesAndWhatWasEditedOutliveIt) {
     EXPECT_TRUE(session.stepUntil([&] { return isRed(session.picture()); }));
     folder.write("shaders/display.frag", good);
     EXPECT_TRUE(session.stepUntil([&] { return !isRed(session.picture()); }));
-    EXPECT_EQ(greatestDifference(session.picture(), first), 0);
+    EXPECT_EQ(maxDifference(session.picture(), first), 0);
 }
 
 TEST_F(ShaderSession, WithoutASceneTheyAreReadToo) {

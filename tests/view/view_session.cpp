@@ -171,7 +171,7 @@ PngPicture ViewTest::renderedBy(const std::string& command) const {
     return readPng(folder / "candela.png");
 }
 
-int greatestDifference(const PngPicture& a, const PngPicture& b) {
+int maxDifference(const PngPicture& a, const PngPicture& b) {
     if (a.width != b.width || a.height != b.height) return 256;
     int greatest = 0;
     for (std::size_t i = 0; i < a.rgba.size(); ++i)

@@ -82,4 +82,4 @@ class ViewTest : public testing::Test {
 constexpr const char* smallSize = "320x240";
 
 /// The greatest difference of two pictures in code values; 256 when their sizes differ.
-int greatestDifference(const PngPicture& a, const PngPicture& b);
+int maxDifference(const PngPicture& a, const PngPicture& b);

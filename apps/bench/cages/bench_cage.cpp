@@ -88,7 +88,7 @@ candela::Scene makeCageScene() {
     scene.cages.push_back(makeBenchCage());
     candela::Node node;
     node.name = "ellipsoid";
-    node.cage = candela::ShownCage{};
+    node.cage = candela::CageInstance{};
     scene.nodes.push_back(node);
     return scene;
 }

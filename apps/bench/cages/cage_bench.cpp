@@ -1,7 +1,7 @@
 #include "cages/cage_bench.h"
 
 #include "cages/bench_cage.h"
-#include "cages/opensubdiv_rivals.h"
+#include "cages/opensubdiv_baselines.h"
 #include "common/median.h"
 
 #include <candela/error.h>
@@ -18,7 +18,7 @@
 namespace {
 
 /// Building a table takes long: it is measured this often at most.
-constexpr int mostRefinements = 5;
+constexpr int maxRefinements = 5;
 
 template <typename Work>
 double milliseconds(Work&& work) {
@@ -64,13 +64,13 @@ class CandelaMove {
 
 /// A sum of n products in single precision is off by at most n roundings of the sum of their sizes; rows have
 /// some tens of entries, whose weights add up to 1.
-void checkAgreement(const candela::RefinedCage& refined, const OmpMove& rival,
+void checkAgreement(const candela::RefinedCage& refined, const OmpMove& baseline,
                     const std::vector<glm::vec3>& points) {
     std::vector<glm::vec3> positions(refined.vertexCount()), normals(refined.vertexCount());
     evaluateLimit(refined, points, {positions, normals, {}, {}});
     constexpr float allowed = 1.0e-5f;
     for (std::uint32_t i = 0; i < refined.pointCount; ++i) {
-        if (glm::distance(positions[i], rival.positions()[i]) <= allowed * glm::length(positions[i]))
+        if (glm::distance(positions[i], baseline.positions()[i]) <= allowed * glm::length(positions[i]))
             continue;
         throw candela::Error(candela::ErrorKind::badInput, "cages",
                              "vertex " + std::to_string(i) +
@@ -81,7 +81,7 @@ void checkAgreement(const candela::RefinedCage& refined, const OmpMove& rival,
 void measureRefinement(const candela::Subdivider& subdivider, const candela::Cage& cage,
                        const BenchOptions& options, CageResult& result) {
     std::vector<double> ours, fars;
-    for (int i = 0; i < std::min(options.frames, mostRefinements); ++i) {
+    for (int i = 0; i < std::min(options.frames, maxRefinements); ++i) {
         ours.push_back(milliseconds([&] { subdivider.refine(cage, benchLevel); }));
         fars.push_back(milliseconds([&] { refineWithFar(cage, benchLevel); }));
     }
@@ -89,19 +89,19 @@ void measureRefinement(const candela::Subdivider& subdivider, const candela::Cag
     result.opensubdivRefine = median(fars);
 }
 
-void measureMoves(CandelaMove& candelas, OmpMove& rival, const candela::Cage& cage,
+void measureMoves(CandelaMove& candelas, OmpMove& baseline, const candela::Cage& cage,
                   const BenchOptions& options, CageResult& result) {
-    std::vector<double> ours, rivals;
+    std::vector<double> ours, theirs;
     for (int frame = 0; frame <= options.frames; ++frame) {
         const std::vector<glm::vec3> points = waved(cage, frame / 24.0);
         const double own = candelas.move(points);
-        const double other = milliseconds([&] { rival.move(points); });
+        const double other = milliseconds([&] { baseline.move(points); });
         if (frame == 0) continue;  // allocates, and chooses the evaluator
         ours.push_back(own);
-        rivals.push_back(other);
+        theirs.push_back(other);
     }
     result.move = median(ours);
-    result.opensubdivMove = median(rivals);
+    result.opensubdivMove = median(theirs);
 }
 
 std::string ratioText(double ours, double theirs) {
@@ -126,11 +126,11 @@ CageResult measureCages(const candela::PluginRegistry& plugins, const candela::C
     result.level = benchLevel;
     result.vertices = refined.vertexCount();
     result.entries = refined.positions.columns.size();
-    OmpMove rival(refined);
-    rival.move(cage.positions);
-    checkAgreement(refined, rival, cage.positions);
+    OmpMove baseline(refined);
+    baseline.move(cage.positions);
+    checkAgreement(refined, baseline, cage.positions);
     CandelaMove candelas(context, *subdivider);
-    measureMoves(candelas, rival, cage, options, result);
+    measureMoves(candelas, baseline, cage, options, result);
     result.evaluator = candelas.evaluator();
     measureRefinement(*subdivider, cage, options, result);
     return result;

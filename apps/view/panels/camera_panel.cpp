@@ -1,4 +1,4 @@
-#include "camera_choice.h"
+#include "camera_options.h"
 #include "panels/panel_window.h"
 #include "panels/panel_work.h"
 #include "panels/panels.h"

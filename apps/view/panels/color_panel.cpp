@@ -10,7 +10,7 @@
 namespace {
 
 /// Within what --exposure takes.
-constexpr double mostStops = 10.0;
+constexpr double maxStops = 10.0;
 
 /// An empty name means the default, which is shown by its name.
 bool chooseName(const char* label, std::string& chosen, std::vector<std::string> names,
@@ -38,7 +38,7 @@ void chooseConfig(ViewModel& model) {
 
 /// A view that the new display does not have falls back to its default.
 void chooseDisplay(ViewModel& model) {
-    candela::DisplayChoice& choice = model.options.display;
+    candela::DisplayOptions& choice = model.options.display;
     const std::vector<std::string> displays = model.color.displays();
     const std::string standard = model.color.defaultDisplay();
     const bool changed = chooseName("display", choice.display, displays, standard + " (default)");
@@ -58,7 +58,7 @@ void drawColorPanel(ViewModel& model) {
     ImGui::Separator();
     chooseDisplay(model);
     chooseName("look", model.options.display.look, model.color.looks(), "none");
-    slideNumber("exposure", model.options.display.exposure, -mostStops, mostStops, "%+.2f stops");
+    slideNumber("exposure", model.options.display.exposure, -maxStops, maxStops, "%+.2f stops");
     if (ImGui::Button("No exposure")) model.options.display.exposure = 0.0;
     ImGui::Separator();
     showWrappedText("light is computed in " + model.color.workingSpace());

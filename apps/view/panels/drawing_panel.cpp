@@ -11,7 +11,7 @@
 namespace {
 
 /// As --subdivision-edge has it.
-constexpr float leastEdge = 0.1f, longestEdge = 1000.0f;
+constexpr float minEdge = 0.1f, longestEdge = 1000.0f;
 /// The level that a click on "fixed" begins with.
 constexpr std::uint32_t firstLevel = 2;
 
@@ -28,11 +28,11 @@ void chooseLighting(ViewModel& model) {
               [](candela::BrdfModel brdf) { return candela::toString(brdf); });
 }
 
-void chooseShown(ShowChoice& choice) {
-    using enum candela::Show;
-    constexpr std::array all{picture,   normals, level,    baseColor, metallic,
+void chooseShown(DebugViewOptions& choice) {
+    using enum candela::DebugView;
+    constexpr std::array all{none,      normals, level,    baseColor, metallic,
                              roughness, depth,   emission, lightCount};
-    chooseOne("show", choice.show, all, [](candela::Show show) { return candela::toString(show); });
+    chooseOne("show", choice.show, all, [](candela::DebugView show) { return candela::toString(show); });
     ImGui::Checkbox("wireframe", &choice.overlays.wireframe);
     ImGui::SameLine();
     ImGui::Checkbox("cages", &choice.overlays.cage);
@@ -49,10 +49,10 @@ bool editSubdivision(candela::SubdivisionSettings& settings) {
         settings.level = firstLevel;
         changed = true;
     }
-    const std::uint32_t greatest = candela::greatestSubdivisionLevel;
+    const std::uint32_t greatest = candela::maxSubdivisionLevel;
     if (settings.level) return slideLevel("level", *settings.level, 1, greatest) || changed;
     changed = slideNumber("edges", settings.edgePixels,
-                          {.least = leastEdge,
+                          {.least = minEdge,
                            .most = longestEdge,
                            .format = "%.1f px",
                            .scale = NumberRange::Scale::logarithmic}) ||
@@ -61,8 +61,8 @@ bool editSubdivision(candela::SubdivisionSettings& settings) {
 }
 
 std::string levelsText(const candela::CageReport& report) {
-    if (report.lowestLevel == report.highestLevel) return "level " + std::to_string(report.highestLevel);
-    return "levels " + std::to_string(report.lowestLevel) + " to " + std::to_string(report.highestLevel);
+    if (report.minLevel == report.maxLevel) return "level " + std::to_string(report.maxLevel);
+    return "levels " + std::to_string(report.minLevel) + " to " + std::to_string(report.maxLevel);
 }
 
 void showReport(const candela::CageReport& report) {
@@ -71,8 +71,8 @@ void showReport(const candela::CageReport& report) {
     if (!report.subdivided)
         return showWrappedText("No plugin that refines cages is loaded: their polygons are drawn.");
     showText(levelsText(report) + ", tables of " + bytesText(report.tableBytes));
-    if (report.heldBack > 0)
-        showWrappedText(groupedText(report.heldBack) + " held back below what the size asks for");
+    if (report.lodClamped > 0)
+        showWrappedText(groupedText(report.lodClamped) + " held back below what the size asks for");
     if (!report.evaluator.empty()) showText("points are moved by " + report.evaluator);
 }
 

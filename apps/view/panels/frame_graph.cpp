@@ -9,7 +9,7 @@
 namespace {
 
 constexpr float graphLines = 4.0f;
-constexpr std::size_t mostBars = 240;
+constexpr std::size_t maxBars = 240;
 /// What a frame took beyond its passes.
 constexpr ImU32 restColor = IM_COL32(90, 90, 90, 255);
 
@@ -71,7 +71,7 @@ void drawFrameGraph(const std::deque<FrameRecord>& frames, const FrameSummary& s
     ImGui::Dummy(size);
     const double full = roundedUp(std::max(summary.greatest, 0.01));
     const Area area{corner, {corner.x + size.x, corner.y + size.y}, size.y / static_cast<float>(full)};
-    const float width = size.x / static_cast<float>(mostBars);
+    const float width = size.x / static_cast<float>(maxBars);
     float x = area.most.x;
     for (auto frame = frames.rbegin(); frame != frames.rend() && x > area.least.x; ++frame) {
         x -= width;

@@ -12,7 +12,7 @@ namespace {
 constexpr float barLetters = 28.0f, barHeightLetters = 1.2f;
 constexpr int barSteps = 64;
 /// Numbers along the bar, those at its ends included.
-constexpr std::uint32_t mostMarks = 5;
+constexpr std::uint32_t maxMarks = 5;
 
 constexpr ImGuiWindowFlags windowFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
@@ -54,7 +54,7 @@ void drawCounts(std::uint32_t greatest) {
     ImGui::Dummy({size.x, size.y + 1.5f * ImGui::GetFontSize()});
     drawBar(corner, size);
     // Whole numbers only, each at its place.
-    const std::uint32_t steps = std::min(greatest, mostMarks - 1);
+    const std::uint32_t steps = std::min(greatest, maxMarks - 1);
     for (std::uint32_t i = 0; i <= steps; ++i) {
         const auto number = static_cast<std::uint32_t>(std::uint64_t{greatest} * i / steps);
         drawMark(corner, size, static_cast<float>(number) / static_cast<float>(greatest), number);
@@ -63,7 +63,7 @@ void drawCounts(std::uint32_t greatest) {
 
 void drawLevels() {
     showText("level of subdivision");
-    for (std::uint32_t level = 0; level <= candela::greatestSubdivisionLevel; ++level) {
+    for (std::uint32_t level = 0; level <= candela::maxSubdivisionLevel; ++level) {
         if (level > 0) ImGui::SameLine();
         codePatch(std::to_string(level).c_str(), candela::levelColor(level));
         ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
@@ -74,15 +74,15 @@ void drawLevels() {
 }  // namespace
 
 void drawHeatLegend(const ViewModel& model) {
-    const candela::Show show = model.options.show.show;
-    if (!model.document || (show != candela::Show::lightCount && show != candela::Show::level)) return;
+    const candela::DebugView show = model.options.show.show;
+    if (!model.document || (show != candela::DebugView::lightCount && show != candela::DebugView::level)) return;
     const PanelPlace picture = freePicture(panelSpace());
     ImGui::SetNextWindowPos({picture.position.x + 0.5f * picture.size.x,
                              picture.position.y + picture.size.y - ImGui::GetFontSize()},
                             ImGuiCond_Always, {0.5f, 1.0f});
     if (ImGui::Begin("legend", nullptr, windowFlags)) {
-        if (show == candela::Show::lightCount) {
-            drawCounts(model.greatestLightCount);
+        if (show == candela::DebugView::lightCount) {
+            drawCounts(model.maxLightCount);
         } else {
             drawLevels();
         }

@@ -17,17 +17,17 @@
 namespace {
 
 using candela::LightType;
-using candela::PlacedLight;
+using candela::WorldLight;
 
 constexpr float brightest = 1.0e20f;
 constexpr float farthest = 1.0e9f;
-constexpr float leastRange = 1.0e-3f;
+constexpr float minRange = 1.0e-3f;
 /// Irradiance in lux at which the renderer ends a light without a range; see `candela::GpuSceneOptions`.
 constexpr float rangeIrradiance = 0.005f;
 /// Numbers of every size change by this share of themselves for a pixel.
 constexpr float dragShare = 0.01f;
 
-bool editType(PlacedLight& light) {
+bool editType(WorldLight& light) {
     constexpr std::array types{LightType::point, LightType::spot, LightType::directional};
     if (!chooseOne("type", light.type, types, nameOf)) return false;
     // What the new kind reads may have been ignored so far.
@@ -36,7 +36,7 @@ bool editType(PlacedLight& light) {
     return true;
 }
 
-bool editPosition(PlacedLight& light, const LightEditing& editing) {
+bool editPosition(WorldLight& light, const LightEditing& editing) {
     if (light.type == LightType::directional) return false;
     bool changed = dragPoint("position", light.position, editing.metresAPixel);
     if (ImGui::SmallButton("To the camera's target")) {
@@ -46,7 +46,7 @@ bool editPosition(PlacedLight& light, const LightEditing& editing) {
     return changed;
 }
 
-bool editDirection(PlacedLight& light, const LightEditing& editing) {
+bool editDirection(WorldLight& light, const LightEditing& editing) {
     if (light.type == LightType::point) return false;
     DirectionAngles angles = anglesOf(light.direction);
     bool changed =
@@ -64,7 +64,7 @@ bool editDirection(PlacedLight& light, const LightEditing& editing) {
     return changed;
 }
 
-bool editCones(PlacedLight& light) {
+bool editCones(WorldLight& light) {
     if (light.type != LightType::spot) return false;
     float outer = glm::degrees(light.outerConeAngle), inner = glm::degrees(light.innerConeAngle);
     bool changed = false;
@@ -80,15 +80,15 @@ bool editCones(PlacedLight& light) {
     return changed;
 }
 
-bool editRange(PlacedLight& light, float candela) {
+bool editRange(WorldLight& light, float candela) {
     if (light.type == LightType::directional) return false;
     bool own = light.range > 0.0f;
     bool changed = ImGui::Checkbox("own range", &own);
     if (changed)
-        light.range = own ? std::clamp(std::sqrt(candela / rangeIrradiance), leastRange, farthest) : 0.0f;
+        light.range = own ? std::clamp(std::sqrt(candela / rangeIrradiance), minRange, farthest) : 0.0f;
     if (!own) return changed;
     const NumberRange range{
-        .least = leastRange, .most = farthest, .speed = dragShare * light.range, .format = "%.4g m"};
+        .least = minRange, .most = farthest, .speed = dragShare * light.range, .format = "%.4g m"};
     return dragNumber("range", light.range, range) || changed;
 }
 
@@ -107,8 +107,8 @@ bool editHue(glm::vec3& hue, LightEditing& editing) {
     ImGui::SameLine();
     float kelvin = nearestTemperature(hue);
     if (!slideNumber("kelvin", kelvin,
-                     {.least = leastTemperature,
-                      .most = greatestTemperature,
+                     {.least = minTemperature,
+                      .most = maxTemperature,
                       .format = "%.0f K",
                       .scale = NumberRange::Scale::logarithmic}))
         return false;
@@ -121,7 +121,7 @@ NumberRange strengthRange(float value, const char* format) {
     return {.most = brightest, .speed = dragShare * std::max(value, 0.1f), .format = format};
 }
 
-bool editStrength(const PlacedLight& light, float& strength, LightEditing& editing) {
+bool editStrength(const WorldLight& light, float& strength, LightEditing& editing) {
     using enum LightEditing::Unit;
     if (light.type == LightType::directional)
         return dragNumber("illuminance", strength, strengthRange(strength, "%.4g lx"));
@@ -135,7 +135,7 @@ bool editStrength(const PlacedLight& light, float& strength, LightEditing& editi
     return true;
 }
 
-bool editIntensity(PlacedLight& light, LightEditing& editing) {
+bool editIntensity(WorldLight& light, LightEditing& editing) {
     SplitColor split = splitColor(light.intensity, editing.hue);
     bool changed = editHue(split.hue, editing);
     changed = editStrength(light, split.strength, editing) || changed;
@@ -158,7 +158,7 @@ const char* nameOf(LightType type) {
     return "";
 }
 
-bool editLight(PlacedLight& light, LightEditing& editing) {
+bool editLight(WorldLight& light, LightEditing& editing) {
     bool changed = editIntensity(light, editing);
     changed = editPosition(light, editing) || changed;
     changed = editRange(light, splitColor(light.intensity).strength) || changed;

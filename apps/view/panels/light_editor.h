@@ -14,7 +14,7 @@ struct LightEditing {
 };
 
 /// Draws the values of a light. Returns whether the user changed one.
-bool editLight(candela::PlacedLight& light, LightEditing& editing);
+bool editLight(candela::WorldLight& light, LightEditing& editing);
 
 /// The short name of its kind: "point", "spot", "directional".
 const char* nameOf(candela::LightType type);

@@ -1,5 +1,5 @@
 #include "panels/light_editor.h"
-#include "panels/light_strewing.h"
+#include "panels/light_scattering.h"
 #include "panels/panel_window.h"
 #include "panels/panel_work.h"
 #include "panels/panels.h"
@@ -32,7 +32,7 @@ struct Kept {
     std::optional<std::uint32_t> edited, scrolledTo;
 };
 
-std::string rowText(std::size_t index, const candela::PlacedLight& light) {
+std::string rowText(std::size_t index, const candela::WorldLight& light) {
     const char* unit = light.type == candela::LightType::directional ? "lx" : "cd";
     std::array<char, 64> text;
     std::snprintf(text.data(), text.size(), "%zu  %s  %.4g %s", index, nameOf(light.type),
@@ -66,12 +66,12 @@ void drawList(ViewModel& model, Kept& kept) {
     ImGui::EndChild();
 }
 
-bool same(const candela::PlacedLight& a, const candela::PlacedLight& b) {
+bool same(const candela::WorldLight& a, const candela::WorldLight& b) {
     return a.type == b.type && a.position == b.position && a.intensity == b.intensity && a.range == b.range;
 }
 
 void addLight(ViewModel& model) {
-    candela::PlacedLight light;
+    candela::WorldLight light;
     light.position = model.camera.target();
     const float metres = newLightShare * glm::distance(model.camera.eye(), model.camera.target());
     light.intensity = glm::vec3(std::clamp(metres * metres, 1.0e-6f, 1.0e20f));
@@ -113,7 +113,7 @@ void drawEditor(ViewModel& model, Kept& kept) {
     kept.edited = model.pickedLight;
     kept.editing.target = model.camera.target();
     kept.editing.metresAPixel = glm::distance(model.camera.eye(), model.camera.target()) / pixelsToTarget;
-    candela::PlacedLight light = model.document->lights()[*model.pickedLight];
+    candela::WorldLight light = model.document->lights()[*model.pickedLight];
     ImGui::PushID(static_cast<int>(*model.pickedLight));
     const bool changed = editLight(light, kept.editing);
     ImGui::PopID();
@@ -140,8 +140,8 @@ void drawLightPanel(ViewModel& model) {
         drawLights(model);
         ImGui::EndTabItem();
     }
-    if (ImGui::BeginTabItem("Strew")) {
-        drawLightStrewing(model);
+    if (ImGui::BeginTabItem("Scatter")) {
+        drawLightScattering(model);
         ImGui::EndTabItem();
     }
     if (ImGui::BeginTabItem("Move")) {

@@ -12,7 +12,7 @@ namespace {
 /// The narrowest cone for which lumen are computed, in radians: those of a narrower one say nothing.
 constexpr float narrowestCone = 1.0e-3f;
 
-float candelaOfOneLumen(const candela::PlacedLight& light) {
+float candelaOfOneLumen(const candela::WorldLight& light) {
     if (light.type == candela::LightType::spot)
         return candela::candelaFromLumen(1.0f, std::max(light.outerConeAngle, narrowestCone));
     return candela::candelaFromLumen(1.0f);
@@ -20,11 +20,11 @@ float candelaOfOneLumen(const candela::PlacedLight& light) {
 
 }  // namespace
 
-float lumenOf(const candela::PlacedLight& light, float candela) {
+float lumenOf(const candela::WorldLight& light, float candela) {
     return candela / candelaOfOneLumen(light);
 }
 
-float candelaOf(const candela::PlacedLight& light, float lumen) {
+float candelaOf(const candela::WorldLight& light, float lumen) {
     return lumen * candelaOfOneLumen(light);
 }
 
@@ -39,16 +39,16 @@ glm::vec3 directionOf(const DirectionAngles& angles) {
     return {std::cos(height) * std::sin(heading), std::sin(height), -std::cos(height) * std::cos(heading)};
 }
 
-void orderCones(candela::PlacedLight& light) {
+void orderCones(candela::WorldLight& light) {
     // Just less than the outer angle is a hard edge.
     constexpr float hardest = 0.999f;
     light.innerConeAngle = std::clamp(light.innerConeAngle, 0.0f, hardest * light.outerConeAngle);
 }
 
-ScatterChoice spelledOut(ScatterChoice choice, const candela::PlacedLight& sample) {
-    const bool sayCandela = choice.candela || choice.seed != ScatterChoice().seed;
+ScatterOptions spelledOut(ScatterOptions choice, const candela::WorldLight& sample) {
+    const bool sayCandela = choice.candela || choice.seed != ScatterOptions().seed;
     if (sayCandela && !choice.range) choice.range = sample.range;
-    // Strewn colours have a greatest channel of 1.
+    // Scattered colours have a greatest channel of 1.
     if (sayCandela && !choice.candela) choice.candela = splitColor(sample.intensity).strength;
     return choice;
 }

@@ -6,9 +6,9 @@
 
 /// What a light of `candela` gives in lumen by `candela::candelaFromLumen`: over the whole sphere, or for a
 /// spot light over its cone. Not for a directional light.
-float lumenOf(const candela::PlacedLight& light, float candela);
+float lumenOf(const candela::WorldLight& light, float candela);
 /// The other way.
-float candelaOf(const candela::PlacedLight& light, float lumen);
+float candelaOf(const candela::WorldLight& light, float lumen);
 
 /// A direction as degrees.
 struct DirectionAngles {
@@ -21,8 +21,8 @@ DirectionAngles anglesOf(const glm::vec3& direction);
 glm::vec3 directionOf(const DirectionAngles& angles);
 
 /// Makes a spot light's cone angles keep 0 <= inner < outer <= pi / 2, by changing the inner one.
-void orderCones(candela::PlacedLight& light);
+void orderCones(candela::WorldLight& light);
 
-/// The same strewing as --scatter-lights can say it: an intensity needs a range before it, and another seed
-/// needs both. `sample` is one of the lights that were strewn so.
-ScatterChoice spelledOut(ScatterChoice choice, const candela::PlacedLight& sample);
+/// The same scattering as --scatter-lights can say it: an intensity needs a range before it, and another seed
+/// needs both. `sample` is one of the lights that were scattered so.
+ScatterOptions spelledOut(ScatterOptions choice, const candela::WorldLight& sample);

@@ -45,7 +45,7 @@ void drawFileMenu(ViewModel& model, Dialogs& dialogs) {
 
 void drawViewMenu(ViewModel& model) {
     if (!ImGui::BeginMenu("View")) return;
-    PanelChoice& panels = model.panels;
+    OpenPanels& panels = model.panels;
     ImGui::MenuItem("Scene", nullptr, &panels.scene);
     ImGui::MenuItem("Materials", nullptr, &panels.material);
     ImGui::MenuItem("Lights", nullptr, &panels.lights);

@@ -9,7 +9,7 @@
 
 namespace {
 
-constexpr std::size_t mostShown = 6;
+constexpr std::size_t maxShown = 6;
 constexpr float widestLetters = 50.0f;
 constexpr float tallestShare = 0.62f;  ///< Of the picture.
 /// At most, of a shader's error.
@@ -43,7 +43,7 @@ bool showMessage(const Message& message, int id) {
 
 /// The latest; older ones follow when these are dismissed.
 void showMessages(std::deque<Message>& messages) {
-    const std::size_t first = messages.size() - std::min(messages.size(), mostShown);
+    const std::size_t first = messages.size() - std::min(messages.size(), maxShown);
     std::optional<std::size_t> dismissed;
     for (std::size_t i = first; i < messages.size(); ++i)
         if (showMessage(messages[i], static_cast<int>(i))) dismissed = i;

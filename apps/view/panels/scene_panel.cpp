@@ -17,7 +17,7 @@ using Branch = SceneTree::Branch;
 
 constexpr std::size_t firstRows = 40;
 /// Height of the notes under the tree, in lines.
-constexpr std::size_t mostNoteLines = 4;
+constexpr std::size_t maxNoteLines = 4;
 
 struct Kept {
     SceneTree tree;
@@ -144,7 +144,7 @@ void drawNotes(const std::vector<std::string>& notes) {
 
 float notesHeight(const std::vector<std::string>& notes) {
     if (notes.empty()) return 0.0f;
-    const auto lines = static_cast<float>(std::min(2 * notes.size(), mostNoteLines));
+    const auto lines = static_cast<float>(std::min(2 * notes.size(), maxNoteLines));
     return lines * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
 }
 

@@ -28,7 +28,7 @@ struct TableRow {
     ReferenceRow weights, slack;
 };
 
-TableRow tableRow(const WeightRows& rows, std::uint32_t row, std::size_t columns) {
+TableRow tableRow(const StencilTable& rows, std::uint32_t row, std::size_t columns) {
     const std::vector<double> zeros(columns, 0.0);
     TableRow result{{zeros, zeros, zeros}, {zeros, zeros, zeros}};
     for (std::uint32_t entry = rows.rowStarts[row]; entry < rows.rowStarts[row + 1]; ++entry) {

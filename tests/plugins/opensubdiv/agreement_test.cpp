@@ -1,5 +1,5 @@
 #include "agreement.h"
-#include "made_cages.h"
+#include "generated_cages.h"
 
 #include <gtest/gtest.h>
 

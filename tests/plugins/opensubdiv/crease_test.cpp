@@ -1,4 +1,4 @@
-#include "made_cages.h"
+#include "generated_cages.h"
 #include "refining.h"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(Crease, thatIsSemiSharpIsSmooth) {
             cage.creaseMethod = method;
             crease(cage, 0, 6, sharpness);
             const RefinedCage refined = refineWithPlugin(cage, 2);
-            EXPECT_TRUE(refined.twinPoints.empty());
+            EXPECT_TRUE(refined.seamPoints.empty());
             const EvaluatedLimit limit = evaluated(refined, cage.positions);
             for (const double t : {0.0, 0.25, 0.5, 1.0}) {
                 const std::uint32_t left = vertexAt(cage, refined, 20, 1.0, t);
@@ -104,9 +104,9 @@ TEST(Crease, aroundOneFaceOfACubeMakesOneTwinAPoint) {
     Cage cage = cube();
     cage.creases = {{0, 2, 10.0f}, {2, 3, 10.0f}, {3, 1, 10.0f}, {1, 0, 10.0f}};
     const RefinedCage refined = refineWithPlugin(cage, 2);
-    EXPECT_EQ(refined.twinPoints.size(), 4u * 4u);
-    const std::set<std::uint32_t> points(refined.twinPoints.begin(), refined.twinPoints.end());
-    EXPECT_EQ(points.size(), refined.twinPoints.size());
+    EXPECT_EQ(refined.seamPoints.size(), 4u * 4u);
+    const std::set<std::uint32_t> points(refined.seamPoints.begin(), refined.seamPoints.end());
+    EXPECT_EQ(points.size(), refined.seamPoints.size());
 }
 
 TEST(Crease, onAllEdgesOfACubeKeepsItACube) {
@@ -126,10 +126,10 @@ TEST(Corner, thatIsInfiniteSeparatesItsFaces) {
     Cage cage = cube();
     cage.corners = {{7, infiniteSharpness}};
     RefinedCage refined = refineWithPlugin(cage, 2);
-    EXPECT_EQ(refined.twinPoints.size(), 2u);
+    EXPECT_EQ(refined.seamPoints.size(), 2u);
     cage.corners = {{7, 4.0f}};
     refined = refineWithPlugin(cage, 2);
-    EXPECT_TRUE(refined.twinPoints.empty());
+    EXPECT_TRUE(refined.seamPoints.empty());
 }
 
 TEST(Bilinear, facesShareNoNormals) {
@@ -148,7 +148,7 @@ TEST(Seam, hasTwinsWithTheTextureCoordinatesOfBothSides) {
     cage.faceUvs = {0, 1, 2, 3, 0, 1, 2, 3};
     const RefinedCage refined = refineWithPlugin(cage, 1);
     // The seam has three points: both ends and the middle.
-    EXPECT_EQ(refined.twinPoints.size(), 3u);
+    EXPECT_EQ(refined.seamPoints.size(), 3u);
     const LimitUvs uvs = evaluateLimitUvs(refined, cage.uvs);
     const EvaluatedLimit limit = evaluated(refined, cage.positions);
     const std::uint32_t left = vertexAt(cage, refined, 0, 1.0, 0.5);
@@ -171,7 +171,7 @@ TEST(Seam, thatEndsLeavesItsLastPointWhole) {
     cage.faceUvs[4 * 6] = own + 1;
     const RefinedCage refined = refineWithPlugin(cage, 2);
     // Two edges of four points each; their common end is shared with all faces around it.
-    EXPECT_EQ(refined.twinPoints.size(), 8u);
+    EXPECT_EQ(refined.seamPoints.size(), 8u);
     EXPECT_EQ(verticesAt(refined, vertexAt(cage, refined, 5, 1.0, 1.0)).size(), 1u);
 }
 

@@ -1,4 +1,4 @@
-#include "made_cages.h"
+#include "generated_cages.h"
 #include "refining.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "made_cages.h"
+#include "generated_cages.h"
 #include "plugin_call.h"
 
 #include <gtest/gtest.h>

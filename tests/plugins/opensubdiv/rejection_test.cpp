@@ -3,7 +3,7 @@
 #include <candela/error.h>
 #include <candela/plugin_registry.h>
 
-#include "made_cages.h"
+#include "generated_cages.h"
 #include "refining.h"
 
 #include <gtest/gtest.h>

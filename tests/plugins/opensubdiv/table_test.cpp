@@ -1,4 +1,4 @@
-#include "made_cages.h"
+#include "generated_cages.h"
 #include "refining.h"
 
 #include <gtest/gtest.h>
@@ -118,7 +118,7 @@ TEST(Table, hasOnePointAPlace) {
 TEST(Table, rowsHaveNoIdleOrRepeatedColumns) {
     for (const Cage& cage : variedCages()) {
         const RefinedCage refined = refineWithPlugin(cage, 2);
-        for (const WeightRows* rows : {&refined.positions, &refined.uvs}) {
+        for (const StencilTable* rows : {&refined.positions, &refined.uvs}) {
             for (std::size_t row = 0; row < rows->rowCount(); ++row) {
                 std::set<std::uint32_t> columns;
                 double sum = 0.0, du = 0.0, dv = 0.0;
@@ -157,7 +157,7 @@ TEST(Table, normalsPointOutwards) {
     }
 }
 
-bool operator==(const WeightRows& a, const WeightRows& b) {
+bool operator==(const StencilTable& a, const StencilTable& b) {
     return a.rowStarts == b.rowStarts && a.columns == b.columns && a.weights == b.weights &&
            a.duWeights == b.duWeights && a.dvWeights == b.dvWeights;
 }
@@ -173,7 +173,7 @@ TEST(Table, isTheSameForAMovedCage) {
         shake(cage, 0.1f, random);
         const RefinedCage after = refineWithPlugin(cage, 3);
         EXPECT_EQ(before.faceVertices, after.faceVertices);
-        EXPECT_EQ(before.twinPoints, after.twinPoints);
+        EXPECT_EQ(before.seamPoints, after.seamPoints);
         EXPECT_EQ(before.uvs.weights, after.uvs.weights);
         EXPECT_EQ(before.positions.weights, after.positions.weights);
         EXPECT_TRUE(before.positions == after.positions) << cage.name;

@@ -1,5 +1,5 @@
 // The stress scene of small lights: the same on every machine, and its lights do reach the shell.
-#include "made_scene.h"
+#include "procedural_scene.h"
 
 #include <candela/error.h>
 

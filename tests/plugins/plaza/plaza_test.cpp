@@ -1,5 +1,5 @@
 // The benchmark scene is the same on every machine and in every version.
-#include "made_scene.h"
+#include "procedural_scene.h"
 
 #include <candela/error.h>
 #include <candela/import.h>
@@ -77,7 +77,7 @@ TEST(Plaza, MaterialsRunAlongTheAxes) {
     const Scene scene = plaza("0");
     for (std::size_t i = 1; i < scene.meshes.size(); ++i) {
         const std::size_t column = (i - 1) % 16, row = (i - 1) / 16;
-        const glm::vec3 center = std::get<Trs>(scene.nodes.at(i).transform).translation;
+        const glm::vec3 center = std::get<Transform>(scene.nodes.at(i).transform).translation;
         const auto place = [](std::size_t step) { return -46.875f + 6.25f * static_cast<float>(step); };
         EXPECT_EQ(center, glm::vec3(place(column), 0.8f, place(row)));
         ASSERT_EQ(scene.nodes[i].mesh, i);
@@ -115,7 +115,7 @@ TEST(Plaza, TheGroundFacesUp) {
 
 TEST(Plaza, TheCameraLooksAtTheOrigin) {
     const Scene scene = plaza("0");
-    const View view = cameraView(scene, 0, worldTransforms(scene));
+    const CameraView view = cameraView(scene, 0, worldTransforms(scene));
     EXPECT_EQ(view.eye(), glm::vec3(0, 12, 45));
     EXPECT_FLOAT_EQ(view.verticalFov, 0.785398163f);
     const glm::vec3 forward(-view.worldFromCamera[2]);

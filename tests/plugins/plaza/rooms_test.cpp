@@ -1,5 +1,5 @@
 // The scene of walls: the same on every machine, one can walk through it, and most lights are out of sight.
-#include "made_scene.h"
+#include "procedural_scene.h"
 
 #include <candela/error.h>
 
@@ -118,7 +118,7 @@ TEST(Rooms, EveryInnerWallHasADoorway) {
 
 TEST(Rooms, TheCameraStandsInTheOpen) {
     const Scene scene = rooms("0");
-    const View view = cameraView(scene, 0, worldTransforms(scene));
+    const CameraView view = cameraView(scene, 0, worldTransforms(scene));
     const std::vector<Box> boxes = boxesOf(scene);
     for (float step = 0.0f; step < 1.0f; step += 0.05f)
         EXPECT_FALSE(isBlocked(boxes, view.eye() - step * glm::vec3(view.worldFromCamera[2]))) << step;

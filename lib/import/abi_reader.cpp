@@ -1,0 +1,121 @@
+#include "import/abi_reader.h"
+
+#include "import/large_array.h"
+
+#include <candela/error.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace candela {
+namespace {
+
+constexpr std::size_t longestNameShown = 80;
+// Matrices that went through text or single-precision products end a little beside (0, 0, 0, 1).
+constexpr float affineTolerance = 1e-5f;
+
+// Without a branch at each number, so that the compiler makes vector code of it: a subdivider's tables have
+// many millions of numbers.
+bool allAreFinite(const float* numbers, std::size_t count) {
+    constexpr std::uint32_t exponent = 0x7F800000;
+    std::uint32_t broken = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto bits = std::bit_cast<std::uint32_t>(numbers[i]);
+        broken |= (bits & exponent) == exponent ? 1u : 0u;
+    }
+    return broken == 0;
+}
+
+}  // namespace
+
+AbiReader::AbiReader(const char* kind, std::optional<std::size_t> index, const char* name)
+    : kind_(kind), index_(index), name_(validUtf8(name)) {}
+
+std::string AbiReader::label() const {
+    const std::string numbered = index_ ? joined(kind_, " ", *index_) : std::string(kind_);
+    if (name_.empty()) return numbered;
+    return joined(numbered, " '", oneLine(name_, longestNameShown), "'");
+}
+
+void AbiReader::refuse(const std::string& text) const {
+    throw Error(ErrorKind::badInput, "", label() + ": " + text);
+}
+
+float AbiReader::finite(const char* member, float value) const {
+    if (!std::isfinite(value)) refuse(joined(member, " is ", value, ", but a finite number was expected"));
+    return value;
+}
+
+glm::vec3 AbiReader::finiteVector(const char* member, const float (&from)[3]) const {
+    return {finite(member, from[0]), finite(member, from[1]), finite(member, from[2])};
+}
+
+float AbiReader::within(const char* member, float value, float low, float high) const {
+    finite(member, value);
+    if (value < low || value > high)
+        refuse(joined(member, " is ", value, ", but ", low, " to ", high, " was expected"));
+    return value;
+}
+
+float AbiReader::zeroOrMore(const char* member, float value) const {
+    finite(member, value);
+    if (value < 0.0f) refuse(joined(member, " is ", value, ", but 0 or more was expected"));
+    return value;
+}
+
+bool AbiReader::flag(const char* member, std::uint32_t value) const {
+    if (value > 1) refuse(joined(member, " is ", value, ", but 0 or 1 was expected"));
+    return value == 1;
+}
+
+void AbiReader::present(const char* member, const void* array, std::size_t count) const {
+    if (count > 0 && !array) refuse(joined(member, " is NULL, but ", count, " elements were expected"));
+}
+
+void AbiReader::numbers(const char* member, const float* from, std::size_t count,
+                            std::vector<float>& out) const {
+    present(member, from, count);
+    bool finite = true;
+    copyInBlocks(from, count, out, [&finite](const float* block, std::size_t size) {
+        finite = finite && allAreFinite(block, size);
+    });
+    if (!finite) requireFinite(member, out.data(), count, 1);
+}
+
+void AbiReader::counts(const char* member, const std::uint32_t* from, std::size_t count,
+                           std::vector<std::uint32_t>& out) const {
+    present(member, from, count);
+    out.assign(from, from + count);
+}
+
+glm::mat4 AbiReader::affine(const std::string& member, glm::mat4 matrix) const {
+    for (int column = 0; column < 4; ++column) {
+        const float expected = column == 3 ? 1.0f : 0.0f;
+        float& last = matrix[column][3];
+        if (std::abs(last - expected) > affineTolerance)
+            refuse(joined(member, " is not affine: the last number of column ", column, " is ", last,
+                          ", but ", expected, " was expected"));
+        last = expected;
+    }
+    return matrix;
+}
+
+std::optional<std::uint32_t> AbiReader::reference(const char* member, std::int32_t index,
+                                                      std::size_t count) const {
+    if (index == -1) return std::nullopt;
+    if (index < 0 || static_cast<std::size_t>(index) >= count)
+        refuse(joined(member, " is ", index, ", but ", count, " were pushed so far and -1 is none"));
+    return static_cast<std::uint32_t>(index);
+}
+
+void AbiReader::requireFinite(const char* member, const float* numbers, std::size_t count,
+                                  std::size_t components) const {
+    if (allAreFinite(numbers, count * components)) return;
+    const auto broken = std::find_if_not(numbers, numbers + count * components,
+                                         [](float number) { return std::isfinite(number); });
+    refuse(joined(member, " ", static_cast<std::size_t>(broken - numbers) / components, " has the component ",
+                  *broken, ", but finite numbers were expected"));
+}
+
+}  // namespace candela

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "import/plugin_struct.h"
+#include "import/text.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// A pushed element as messages name it ("mesh 3 'wheel'"), with the checks that every kind of element needs.
+/// A check that fails throws `Error` (badInput) without a path; its text begins with the element.
+class AbiReader {
+  public:
+    /// Without an index the label is "cage 'body'".
+    AbiReader(const char* kind, std::optional<std::size_t> index, const char* name);
+
+    std::string label() const;
+    /// The element's name as valid UTF-8.
+    const std::string& name() const { return name_; }
+
+    [[noreturn]] void refuse(const std::string& text) const;
+
+    float finite(const char* member, float value) const;
+    glm::vec3 finiteVector(const char* member, const float (&from)[3]) const;
+    /// `value` has to be finite and in low..high, both included.
+    float within(const char* member, float value, float low, float high) const;
+    float zeroOrMore(const char* member, float value) const;
+
+    /// The array must not be NULL unless `count` is 0.
+    void present(const char* member, const void* array, std::size_t count) const;
+
+    /// Copies `count` elements of `components` numbers each into `out`, whose elements hold just these. The
+    /// array has to be present, and all its numbers finite.
+    template <class T>
+    void numbers(const char* member, const float* from, std::size_t count, std::vector<T>& out) const {
+        static_assert(sizeof(T) % sizeof(float) == 0);
+        present(member, from, count);
+        if (count == 0) return;
+        out.resize(count);
+        std::memcpy(static_cast<void*>(out.data()), from, count * sizeof(T));
+        requireFinite(member, reinterpret_cast<const float*>(out.data()), count, sizeof(T) / sizeof(float));
+    }
+    void numbers(const char* member, const float* from, std::size_t count, std::vector<float>& out) const;
+
+    /// Copies `count` numbers of an array that has to be present.
+    void counts(const char* member, const std::uint32_t* from, std::size_t count,
+                std::vector<std::uint32_t>& out) const;
+
+    /// The number of an enumerator, which has to be below `count`.
+    template <class Enum>
+    std::uint32_t enumerator(const char* member, const Enum& value, std::uint32_t count) const {
+        const std::uint32_t number = numberOf(value);
+        if (number >= count)
+            refuse(joined(member, " is ", static_cast<std::int32_t>(number), ", but 0 to ", count - 1,
+                          " was expected"));
+        return number;
+    }
+
+    /// 0 or 1.
+    bool flag(const char* member, std::uint32_t value) const;
+
+    /// The last row of `matrix` has to be 0, 0, 0, 1 but for rounding, and is so exactly in what is returned.
+    glm::mat4 affine(const std::string& member, glm::mat4 matrix) const;
+
+    /// An index into `count` pushed elements of a kind ("material"); -1 is none.
+    std::optional<std::uint32_t> reference(const char* member, std::int32_t index, std::size_t count) const;
+
+  private:
+    void requireFinite(const char* member, const float* numbers, std::size_t count,
+                       std::size_t components) const;
+
+    // The label is made when it is needed: most elements of a scene with a million lights are never named.
+    const char* kind_;
+    std::optional<std::size_t> index_;
+    std::string name_;
+};
+
+}  // namespace candela

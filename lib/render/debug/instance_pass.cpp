@@ -1,0 +1,92 @@
+#include "render/debug/instance_pass.h"
+
+#include "render/layout.h"
+#include "render/gpu_scene/draw_commands.h"
+#include "render/debug/scissor.h"
+
+#include <array>
+
+namespace candela {
+
+namespace {
+
+gl::Program makeProgram(const char* textured, const char* label) {
+    return gl::Program({{"surface_instance.vert", {textured}, {}}, {"surface_instance.frag", {textured}, {}}},
+                       label);
+}
+
+}  // namespace
+
+InstancePass::Targets::Targets(int pixelsWide, int pixelsHigh)
+    : width(pixelsWide),
+      height(pixelsHigh),
+      instances(gl::Texture::target2d(GL_R32UI, width, height, "instances")),
+      depth(gl::Texture::target2d(GL_DEPTH_COMPONENT32F, width, height, "instance depth")),
+      framebuffer({&instances}, &depth, "instances") {}
+
+void InstancePass::prepare(int width, int height) {
+    if (!programs_) {
+        programs_.emplace(Programs{makeProgram("TEXTURED 0", "plain instances"),
+                                   makeProgram("TEXTURED 1", "textured instances")});
+    }
+    const bool fits = targets_ && targets_->width == width && targets_->height == height;
+    if (!fits) targets_.emplace(width, height);
+}
+
+const gl::Texture& InstancePass::render(const Inputs& inputs) {
+    drawBatches(inputs);
+    return targets_->instances;
+}
+
+std::optional<std::uint32_t> InstancePass::at(const Inputs& inputs, int x, int y) {
+    {
+        const Scissor pixel({x, y, 1, 1});
+        drawBatches(inputs);
+    }
+    std::uint32_t shown = 0;
+    glGetTextureSubImage(targets_->instances.name(), 0, x, y, 0, 1, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                         sizeof shown, &shown);
+    if (shown == 0) return std::nullopt;
+    return shown - 1;
+}
+
+void InstancePass::drawBatches(const Inputs& inputs) {
+    prepare(inputs.width, inputs.height);
+    constexpr std::array<GLuint, 4> none{0, 0, 0, 0};
+    constexpr GLfloat farthest = 0.0f;
+    const GLuint framebuffer = targets_->framebuffer.name();
+    glClearNamedFramebufferuiv(framebuffer, GL_COLOR, 0, none.data());
+    glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &farthest);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, inputs.width, inputs.height);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, inputs.scene.draws.commands().name());
+    glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instanceRecords.name());
+    glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materialRecordTexture.name());
+    for (const DrawBatch& batch : inputs.scene.draws.batches()) draw(inputs.scene, batch);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glFrontFace(GL_CCW);
+    glBindSampler(layout::BASE_COLOR_UNIT, 0);
+}
+
+void InstancePass::draw(const GpuScene::State& scene, const DrawBatch& batch) const {
+    const bool textured = batch.state.program == PipelineKey::Program::textured;
+    glUseProgram(textured ? programs_->textured.name() : programs_->plain.name());
+    glBindVertexArray(scene.vertexArrayOf(batch));
+    glFrontFace(batch.state.mirrored ? GL_CW : GL_CCW);
+    if (batch.state.doubleSided) {
+        glDisable(GL_CULL_FACE);
+    } else {
+        glEnable(GL_CULL_FACE);
+    }
+    if (textured) {
+        const SampledTexture& baseColor = batch.state.textures[0];
+        glBindTextureUnit(layout::BASE_COLOR_UNIT, baseColor.texture);
+        glBindSampler(layout::BASE_COLOR_UNIT, baseColor.sampler);
+    }
+    drawCommands(batch);
+}
+
+}  // namespace candela

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "gl/framebuffer.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "render/gpu_scene/gpu_scene_state.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace candela {
+
+/// Draws which instance each pixel of a frame shows, by the same draws as the geometry pass.
+class InstancePass {
+  public:
+    struct Inputs {
+        const GpuScene::State& scene;  ///< After `select`; the frame's uniform block is bound.
+        int width, height;
+    };
+    /// A picture of the instances, counted from 1; 0 on the background.
+    const gl::Texture& render(const Inputs& inputs);
+    /// The instance at one pixel, y from the bottom; none on the background. Draws that pixel alone.
+    std::optional<std::uint32_t> at(const Inputs& inputs, int x, int y);
+
+  private:
+    struct Targets {
+        Targets(int width, int height);
+        int width, height;
+        gl::Texture instances, depth;
+        gl::Framebuffer framebuffer;
+    };
+    struct Programs {
+        gl::Program plain, textured;
+    };
+    void prepare(int width, int height);
+    void drawBatches(const Inputs& inputs);
+    void draw(const GpuScene::State& scene, const DrawBatch& batch) const;
+
+    // Made when they are first needed.
+    std::optional<Programs> programs_;
+    std::optional<Targets> targets_;
+};
+
+}  // namespace candela

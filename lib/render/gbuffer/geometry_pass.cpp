@@ -1,0 +1,73 @@
+#include "render/gbuffer/geometry_pass.h"
+
+#include "render/gpu_scene/draw_commands.h"
+#include "render/layout.h"
+
+#include <array>
+
+namespace candela {
+
+namespace {
+
+constexpr std::array textureUnits{layout::BASE_COLOR_UNIT, layout::METALLIC_ROUGHNESS_UNIT,
+                                  layout::NORMAL_UNIT, layout::EMISSION_UNIT};
+
+void clear(const GBufferTargets& targets, GeometryPass::LoadOp start) {
+    constexpr std::array<GLuint, 4> nothing{0, 0, 0, 0};
+    constexpr std::array<GLfloat, 4> black{0.0f, 0.0f, 0.0f, 0.0f};
+    constexpr GLfloat farthest = 0.0f;
+    glClearNamedFramebufferuiv(targets.surfaces.name(), GL_COLOR, 0, nothing.data());
+    glClearNamedFramebufferfv(targets.surfaces.name(), GL_DEPTH, 0, &farthest);
+    if (start == GeometryPass::LoadOp::clear)
+        glClearNamedFramebufferfv(targets.lit.name(), GL_COLOR, 0, black.data());
+}
+
+}  // namespace
+
+GeometryPass::GeometryPass()
+    : plain_({{"surface_plain.vert", {}, {}}, {"surface_plain.frag", {}, {}}}, "plain surfaces"),
+      textured_({{"surface_textured.vert", {}, {}}, {"surface_textured.frag", {}, {}}}, "textured surfaces") {
+}
+
+void GeometryPass::render(const Inputs& inputs) const {
+    clear(inputs.targets, inputs.scene.draws.emits() ? LoadOp::clear : inputs.radianceLoad);
+    glViewport(0, 0, inputs.targets.width, inputs.targets.height);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, inputs.scene.draws.commands().name());
+    glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instanceRecords.name());
+    glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materialRecordTexture.name());
+    // Batches come sorted, emissive ones last: what hides emission later would otherwise have to write black
+    // over it.
+    for (const DrawBatch& batch : inputs.scene.draws.batches()) {
+        const gl::Framebuffer& target =
+            batch.state.emissive ? inputs.targets.surfacesAndEmission : inputs.targets.surfaces;
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.name());
+        glBindVertexArray(inputs.scene.vertexArrayOf(batch));
+        draw(batch);
+    }
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glFrontFace(GL_CCW);
+    glBindSamplers(layout::BASE_COLOR_UNIT, textureUnits.size(), nullptr);
+}
+
+void GeometryPass::draw(const DrawBatch& batch) const {
+    const bool textured = batch.state.program == PipelineKey::Program::textured;
+    glUseProgram(textured ? textured_.name() : plain_.name());
+    glFrontFace(batch.state.mirrored ? GL_CW : GL_CCW);
+    if (batch.state.doubleSided) {
+        glDisable(GL_CULL_FACE);
+    } else {
+        glEnable(GL_CULL_FACE);
+    }
+    if (textured) {
+        for (std::size_t i = 0; i < textureUnits.size(); ++i) {
+            glBindTextureUnit(static_cast<GLuint>(textureUnits[i]), batch.state.textures[i].texture);
+            glBindSampler(static_cast<GLuint>(textureUnits[i]), batch.state.textures[i].sampler);
+        }
+    }
+    drawCommands(batch);
+}
+
+}  // namespace candela

@@ -1,0 +1,118 @@
+#include "render/gpu_scene/gpu_meshes.h"
+
+#include "render/layout.h"
+
+#include <candela/error.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+
+namespace candela {
+
+namespace {
+
+struct SurfaceVertex {
+    glm::vec3 position, normal;
+};
+
+struct DetailVertex {
+    glm::vec4 tangent{0.0f};
+    glm::vec2 uv0{0.0f}, uv1{0.0f};
+    glm::vec4 color{1.0f};
+};
+
+void setSphere(MeshPlace& place, const Mesh& mesh) {
+    glm::vec3 low(std::numeric_limits<float>::max()), high(-std::numeric_limits<float>::max());
+    for (const glm::vec3& p : mesh.positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    if (mesh.positions.empty()) return;
+    place.center = 0.5f * low + 0.5f * high;
+    for (const glm::vec3& p : mesh.positions)
+        place.radius = std::max(place.radius, glm::distance(p, place.center));
+}
+
+}  // namespace
+
+GpuMeshes::GpuMeshes(std::span<const Mesh> meshes, Detail detail)
+    : detail_(detail),
+      indices_("mesh indices"),
+      surface_("mesh positions and normals"),
+      detailStream_("mesh details") {
+    place(meshes);
+    uploadSurface(meshes);
+    if (detail_ == Detail::everything) uploadDetail(meshes);
+}
+
+void GpuMeshes::place(std::span<const Mesh> meshes) {
+    for (const Mesh& mesh : meshes) {
+        MeshPlace place{static_cast<std::uint32_t>(indexCount_), static_cast<std::int32_t>(vertexCount_)};
+        setSphere(place, mesh);
+        places_.push_back(place);
+        vertexCount_ += mesh.positions.size();
+        indexCount_ += mesh.indices.size();
+    }
+    if (vertexCount_ > std::numeric_limits<std::int32_t>::max() ||
+        indexCount_ > std::numeric_limits<std::uint32_t>::max()) {
+        throw Error(ErrorKind::limit, "",
+                    "the scene has " + std::to_string(vertexCount_) + " vertices and " +
+                        std::to_string(indexCount_) +
+                        " indices; candela draws 2,147,483,647 and 4,294,967,295 at most");
+    }
+}
+
+void GpuMeshes::uploadSurface(std::span<const Mesh> meshes) {
+    std::vector<SurfaceVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    vertices.reserve(vertexCount_);
+    indices.reserve(indexCount_);
+    for (const Mesh& mesh : meshes) {
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+            vertices.push_back({mesh.positions[i], mesh.normals[i]});
+        indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
+    }
+    surface_.upload(std::span<const SurfaceVertex>(vertices));
+    indices_.upload(std::span<const std::uint32_t>(indices));
+}
+
+void GpuMeshes::uploadDetail(std::span<const Mesh> meshes) {
+    std::vector<DetailVertex> vertices;
+    vertices.reserve(vertexCount_);
+    for (const Mesh& mesh : meshes) {
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            DetailVertex vertex;
+            if (!mesh.tangents.empty()) vertex.tangent = mesh.tangents[i];
+            if (!mesh.uv0.empty()) vertex.uv0 = mesh.uv0[i];
+            if (!mesh.uv1.empty()) vertex.uv1 = mesh.uv1[i];
+            if (!mesh.colors.empty()) vertex.color = mesh.colors[i];
+            vertices.push_back(vertex);
+        }
+    }
+    detailStream_.upload(std::span<const DetailVertex>(vertices));
+}
+
+void GpuMeshes::describe(const gl::VertexArray& vertexArray, const gl::Buffer& draws,
+                         const DefaultDetail& defaultDetail) const {
+    const GLuint name = vertexArray.name();
+    glVertexArrayElementBuffer(name, indices_.name());
+    glVertexArrayVertexBuffer(name, 0, surface_.name(), 0, sizeof(SurfaceVertex));
+    feedFloats(vertexArray, layout::POSITION_ATTRIBUTE, 3, 0, offsetof(SurfaceVertex, position));
+    feedFloats(vertexArray, layout::NORMAL_ATTRIBUTE, 3, 0, offsetof(SurfaceVertex, normal));
+    feedDraws(vertexArray, 1, draws);
+    if (detail_ != Detail::everything) {
+        defaultDetail.describe(vertexArray, 2);
+        return;
+    }
+    glVertexArrayVertexBuffer(name, 2, detailStream_.name(), 0, sizeof(DetailVertex));
+    feedFloats(vertexArray, layout::TANGENT_ATTRIBUTE, 4, 2, offsetof(DetailVertex, tangent));
+    feedFloats(vertexArray, layout::UV0_ATTRIBUTE, 2, 2, offsetof(DetailVertex, uv0));
+    feedFloats(vertexArray, layout::UV1_ATTRIBUTE, 2, 2, offsetof(DetailVertex, uv1));
+    feedFloats(vertexArray, layout::COLOR_ATTRIBUTE, 4, 2, offsetof(DetailVertex, color));
+}
+
+}  // namespace candela

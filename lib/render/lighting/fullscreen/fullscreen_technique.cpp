@@ -1,0 +1,59 @@
+#include "render/lighting/fullscreen/fullscreen_technique.h"
+
+#include "render/layout.h"
+#include "render/gbuffer/readback.h"
+
+#include <algorithm>
+
+namespace candela {
+
+namespace {
+
+/// llvmpipe ends a loop after 65,535 turns without a word, so that longer lists take several draws.
+constexpr int lightsPerDraw = 32768;
+
+}  // namespace
+
+FullscreenPass::FullscreenPass()
+    : programs_("fullscreen_triangle.vert", "fullscreen.frag", {}), vertexArray_("fullscreen triangle") {}
+
+void FullscreenPass::draw(const LightingInputs& inputs, Span points, Span spots, Span directionals) const {
+    glUseProgram(programs_.get(inputs.brdf).name());
+    glBindVertexArray(vertexArray_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, inputs.targets.lit.name());
+    glViewport(0, 0, inputs.targets.width, inputs.targets.height);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glUniform4i(layout::LIGHT_RANGES_LOCATION, points.first, points.end, spots.first, spots.end);
+    glUniform2i(layout::DIRECTIONALS_LOCATION, directionals.first, directionals.end);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
+}
+
+void FullscreenPass::addDirectionals(const LightingInputs& inputs) const {
+    const LightCounts& counts = inputs.lights.counts();
+    const int first = counts.points + counts.spots, end = first + counts.directionals;
+    for (int i = first; i < end; i += lightsPerDraw)
+        draw(inputs, {}, {}, {i, std::min(i + lightsPerDraw, end)});
+}
+
+void FullscreenPass::addLocals(const LightingInputs& inputs) const {
+    const LightCounts& counts = inputs.lights.counts();
+    for (int i = 0; i < counts.points; i += lightsPerDraw)
+        draw(inputs, {i, std::min(i + lightsPerDraw, counts.points)}, {}, {});
+    const int end = counts.points + counts.spots;
+    for (int i = counts.points; i < end; i += lightsPerDraw)
+        draw(inputs, {}, {i, std::min(i + lightsPerDraw, end)}, {});
+}
+
+void FullscreenTechnique::render(const LightingInputs& inputs, gl::PassTimer& timer) {
+    const gl::PassTimer::Scope pass(timer, "lighting");
+    pass_.addLocals(inputs);
+    pass_.addDirectionals(inputs);
+}
+
+std::uint64_t FullscreenTechnique::countEvaluated(const LightingInputs& inputs, PairCounter&) {
+    return countLitSurfaces(inputs.targets) * inputs.lights.reaches().size();
+}
+
+}  // namespace candela

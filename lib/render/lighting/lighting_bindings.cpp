@@ -1,0 +1,46 @@
+#include "render/lighting/lighting_bindings.h"
+
+#include "render/layout.h"
+#include "shading/directional_albedo.h"
+
+#include <utility>
+
+namespace candela {
+
+gl::Texture makeAlbedoTexture() {
+    gl::Texture texture =
+        gl::Texture::target2d(GL_R32F, albedoTableSize, albedoTableSize, "directional albedo");
+    glTextureSubImage2D(texture.name(), 0, 0, 0, albedoTableSize, albedoTableSize, GL_RED, GL_FLOAT,
+                        directionalAlbedoTable().data());
+    return texture;
+}
+
+void bindForLighting(const GBufferTargets& targets, const GpuLights& lights, const gl::Texture& albedo) {
+    glBindTextureUnit(layout::SURFACE_UNIT, targets.surface.name());
+    glBindTextureUnit(layout::DEPTH_UNIT, targets.depth.name());
+    glBindTextureUnit(layout::LIGHTS_UNIT, lights.records().name());
+    glBindTextureUnit(layout::CONES_UNIT, lights.cones().name());
+    glBindTextureUnit(layout::ALBEDO_UNIT, albedo.name());
+}
+
+ModelPrograms::ModelPrograms(std::string vertexFile, std::string file, std::vector<std::string> definitions)
+    : vertexFile_(std::move(vertexFile)), file_(std::move(file)), definitions_(std::move(definitions)) {}
+
+const gl::Program& ModelPrograms::get(BrdfModel model) const {
+    auto& program = programs_[static_cast<std::size_t>(model)];
+    if (!program) {
+        std::vector<std::string> definitions = definitions_;
+        definitions.push_back(brdfDefinition(model));
+        std::vector<gl::Stage> stages;
+        if (!vertexFile_.empty()) stages.push_back({vertexFile_, {}, {}});
+        stages.push_back({file_, definitions, {}});
+        program.emplace(stages, file_.c_str());
+    }
+    return *program;
+}
+
+std::string brdfDefinition(BrdfModel model) {
+    return model == BrdfModel::course ? "BRDF BRDF_COURSE" : "BRDF BRDF_GLTF";
+}
+
+}  // namespace candela

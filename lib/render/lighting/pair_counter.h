@@ -1,0 +1,42 @@
+#pragma once
+
+#include "gl/program.h"
+#include "render/lighting/volumes/light_volumes.h"
+#include "render/lighting/lighting_technique.h"
+#include "render/lighting/volumes/stencilled_depth.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace candela {
+
+/// Counts pairs of a pixel with a point or spot light by drawing light volumes that add up ones. Slow; never
+/// part of a timed frame.
+class PairCounter {
+  public:
+    PairCounter();
+
+    /// A picture whose first components say how many lights hold each pixel within their range. It stays as
+    /// it is until the next call of any member.
+    const gl::Texture& drawLit(const LightingInputs& inputs);
+    /// The same, read back: rows from the bottom.
+    std::vector<float> litPerPixel(const LightingInputs& inputs);
+    /// The point and spot lights in view.
+    std::uint32_t lightsInView(const LightingInputs& inputs);
+    /// The fragments that `LightVolumes::drawInside` shades.
+    std::uint64_t countInside(const LightingInputs& inputs);
+
+  private:
+    enum class Channel { lit = 0, evaluated = 1 };
+    const gl::Texture& target(const LightingInputs& inputs);
+    std::vector<float> read(const LightingInputs& inputs, Channel channel) const;
+
+    gl::Program program_;
+    LightVolumes volumes_;
+    StencilledDepth depth_;
+    std::optional<gl::Texture> counts_;
+    int width_ = 0, height_ = 0;
+};
+
+}  // namespace candela

@@ -1,0 +1,143 @@
+#include "render/subdivision/gpu_stencil_table.h"
+
+#include "render/subdivision/cage_edges.h"
+
+#include <candela/error.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace candela {
+
+namespace {
+
+/// What shaders/cage_limit.comp reads of an entry.
+struct StoredEntry {
+    std::uint32_t column;
+    float weight, duWeight, dvWeight;
+};
+static_assert(sizeof(StoredEntry) == GpuStencilTable::Storage::entryBytes);
+
+template <typename T>
+std::uint64_t bytesOf(const std::vector<T>& values) {
+    return values.size() * sizeof(T);
+}
+
+std::uint64_t bytesOf(const StencilTable& rows) {
+    return bytesOf(rows.rowStarts) + bytesOf(rows.columns) + bytesOf(rows.weights) + bytesOf(rows.duWeights) +
+           bytesOf(rows.dvWeights);
+}
+
+std::vector<StoredEntry> entriesOf(const StencilTable& rows) {
+    std::vector<StoredEntry> entries(rows.columns.size());
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        entries[i] = {rows.columns[i], rows.weights[i], rows.duWeights[i], rows.dvWeights[i]};
+    return entries;
+}
+
+}  // namespace
+
+CageMaterials materialsOf(const Cage& cage, std::uint32_t none) {
+    CageMaterials result;
+    const std::size_t faces = cage.faceSizes.size();
+    const auto materialOf = [&](std::size_t face) {
+        return cage.faceMaterials.empty() ? none : cage.faceMaterials[face].value_or(none);
+    };
+    for (std::size_t face = 0; face < faces; ++face) result.materials.push_back(materialOf(face));
+    std::ranges::sort(result.materials);
+    const auto repeated = std::ranges::unique(result.materials);
+    result.materials.erase(repeated.begin(), repeated.end());
+    for (std::size_t face = 0; face < faces; ++face) {
+        const auto found = std::ranges::lower_bound(result.materials, materialOf(face));
+        result.slotOfFace.push_back(static_cast<std::uint32_t>(found - result.materials.begin()));
+    }
+    return result;
+}
+
+GpuStencilTable::GpuStencilTable(const Cage& cage, const CageMaterials& materials, RefinedCage refined)
+    : refined_(std::move(refined)), indices_("cage indices") {
+    makeTriangles(materials);
+    const std::vector<std::uint32_t>& starts = refined_.positions.rowStarts;
+    for (std::size_t i = 1; i < starts.size(); ++i)
+        longestRow_ = std::max(longestRow_, starts[i] - starts[i - 1]);
+    if (refined_.uvs.rowCount() == 0) return;
+    const LimitUvs limit = evaluateLimitUvs(refined_, cage.uvs);
+    uvs_.emplace("cage texture coordinates");
+    uvs_->upload(std::span<const glm::vec2>(limit.uvs));
+}
+
+std::uint64_t GpuStencilTable::bytes() const {
+    return bytesOf(refined_.positions) + bytesOf(refined_.uvs) + bytesOf(refined_.seamPoints);
+}
+
+void GpuStencilTable::makeTriangles(const CageMaterials& materials) {
+    const std::uint32_t corners = refined_.faceSize;
+    const std::size_t faces = refined_.faceVertices.size() / corners;
+    triangles_ = std::uint64_t{faces} * (corners - 2);
+    if (3 * triangles_ > std::numeric_limits<std::uint32_t>::max()) {
+        throw Error(ErrorKind::limit, "",
+                    "a cage refined to level " + std::to_string(refined_.level) + " has " +
+                        std::to_string(triangles_) + " triangles; candela draws 1,431,655,765 at most");
+    }
+    std::vector<std::uint32_t> ends(materials.materials.size());
+    for (const std::uint32_t cageFace : refined_.cageFaces)
+        ends[materials.slotOfFace[cageFace]] += 3 * (corners - 2);
+    std::uint32_t end = 0;
+    for (std::uint32_t& count : ends) {
+        ranges_.push_back({end, count});
+        end += std::exchange(count, end);
+    }
+    std::vector<std::uint32_t> indices(end);
+    for (std::size_t face = 0; face < faces; ++face) {
+        const std::uint32_t* vertices = refined_.faceVertices.data() + face * corners;
+        std::uint32_t& at = ends[materials.slotOfFace[refined_.cageFaces[face]]];
+        for (std::uint32_t i = 2; i < corners; ++i) {
+            indices[at++] = vertices[0];
+            indices[at++] = vertices[i - 1];
+            indices[at++] = vertices[i];
+        }
+    }
+    indices_.upload(std::span<const std::uint32_t>(indices));
+}
+
+std::span<const glm::vec4> GpuStencilTable::uvDerivatives(const Cage& cage) {
+    if (uvDerivatives_.empty() && uvs_) {
+        const LimitUvs limit = evaluateLimitUvs(refined_, cage.uvs);
+        for (std::size_t i = 0; i < limit.du.size(); ++i)
+            uvDerivatives_.emplace_back(limit.du[i].x, limit.du[i].y, limit.dv[i].x, limit.dv[i].y);
+    }
+    return uvDerivatives_;
+}
+
+const LineIndices& GpuStencilTable::faceLines() {
+    if (!faceLines_) faceLines_.emplace(edgesOf(refined_));
+    return *faceLines_;
+}
+
+const GpuStencilTable::Storage& GpuStencilTable::storage() {
+    if (!storage_) {
+        storage_.emplace(Storage{gl::Buffer("cage rows"), gl::Buffer("cage weights")});
+        std::vector<std::uint32_t> rows(refined_.positions.rowStarts);
+        rows.insert(rows.end(), refined_.seamPoints.begin(), refined_.seamPoints.end());
+        storage_->rows.upload(std::span<const std::uint32_t>(rows));
+        storage_->entries.upload(std::span<const StoredEntry>(entriesOf(refined_.positions)));
+    }
+    return *storage_;
+}
+
+const gl::Buffer& GpuStencilTable::uvDerivativeBuffer() {
+    if (!uvDerivativeBuffer_) {
+        uvDerivativeBuffer_.emplace("cage uv derivatives");
+        uvDerivativeBuffer_->upload(std::span<const glm::vec4>(uvDerivatives_));
+    }
+    return *uvDerivativeBuffer_;
+}
+
+void GpuStencilTable::dropStorage() {
+    storage_.reset();
+    uvDerivativeBuffer_.reset();
+}
+
+}  // namespace candela

@@ -1,0 +1,186 @@
+#include "scene/geometry/limit_evaluation.h"
+
+#include "base/thread_pool.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <mutex>
+
+namespace candela {
+
+namespace {
+
+/// A point in one register; what it has no component for is 0.
+typedef float Four __attribute__((vector_size(16)));
+
+Four padded(const glm::vec3& v) {
+    return Four{v.x, v.y, v.z, 0.0f};
+}
+Four padded(const glm::vec2& v) {
+    return Four{v.x, v.y, 0.0f, 0.0f};
+}
+
+template <typename Vector>
+std::vector<Four> paddedPoints(std::span<const Vector> points) {
+    std::vector<Four> result(points.size());
+    std::transform(points.begin(), points.end(), result.begin(),
+                   [](const Vector& point) { return padded(point); });
+    return result;
+}
+
+template <typename Vector>
+void store(Vector& to, Four from) {
+    std::memcpy(&to, &from, sizeof to);
+}
+
+glm::vec3 vec3(Four v) {
+    return {v[0], v[1], v[2]};
+}
+
+struct Sums {
+    Four value{}, du{}, dv{};
+};
+
+Sums sumRow(const StencilTable& rows, std::size_t row, const Four* points) {
+    const std::uint32_t* columns = rows.columns.data();
+    const float *weights = rows.weights.data(), *du = rows.duWeights.data(), *dv = rows.dvWeights.data();
+    Sums sums;
+    const std::size_t end = rows.rowStarts[row + 1];
+    for (std::size_t entry = rows.rowStarts[row]; entry < end; ++entry) {
+        const Four point = points[columns[entry]];
+        sums.value += point * weights[entry];
+        sums.du += point * du[entry];
+        sums.dv += point * dv[entry];
+    }
+    return sums;
+}
+
+float maxComponent(const glm::vec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// `v` with a largest component of 1; (0, 0, 0) where there is nothing to scale.
+glm::vec3 scaledToOne(const glm::vec3& v) {
+    const float largest = maxComponent(v);
+    return largest > 0.0f && std::isfinite(largest) ? v / largest : glm::vec3(0.0f);
+}
+
+/// For tangents of any length, at the cost of divisions.
+glm::vec3 carefulNormal(const glm::vec3& du, const glm::vec3& dv) {
+    const glm::vec3 normal = scaledToOne(glm::cross(scaledToOne(du), scaledToOne(dv)));
+    return normal == glm::vec3(0.0f) ? normal : glm::normalize(normal);
+}
+
+glm::vec3 normalOf(const glm::vec3& du, const glm::vec3& dv) {
+    const glm::vec3 normal = glm::cross(du, dv);
+    const float square = glm::dot(normal, normal);
+    // In between, no product on the way can have overflowed or lost digits that count.
+    if (!(square > 1e-20f && square < 1e30f)) return carefulNormal(du, dv);
+    return normal * (1.0f / std::sqrt(square));
+}
+
+/// Calls `body(first, end)` for blocks of rows that cost about the same, in the threads of `pool`.
+template <typename Body>
+void forRowBlocks(ThreadPool& pool, const StencilTable& rows, const Body& body) {
+    constexpr std::size_t rowCost = 8, blockCost = 1 << 15;  // In entries.
+    const std::size_t rowCount = rows.rowCount();
+    const auto costBefore = [&](std::size_t row) { return rows.rowStarts[row] + row * rowCost; };
+    const auto firstRow = [&](std::size_t block) {
+        std::size_t low = 0, high = rowCount;
+        while (low < high) {
+            const std::size_t middle = (low + high) / 2;
+            if (costBefore(middle) < block * blockCost) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
+    };
+    const std::size_t blockCount = costBefore(rowCount) / blockCost + 1;
+    const auto run = [&](std::size_t block, unsigned) { body(firstRow(block), firstRow(block + 1)); };
+    // Not worth waking threads for.
+    if (blockCount == 1) return run(0, 0);
+    pool.run(blockCount, run);
+}
+
+/// Puts the twins where their points are.
+void positionSeamVertices(const RefinedCage& refined, std::span<glm::vec3> positions, ThreadPool& pool) {
+    constexpr std::size_t blockSize = 1 << 14;
+    const std::span<glm::vec3> twins = positions.subspan(refined.pointCount);
+    const auto run = [&](std::size_t block, unsigned) {
+        const std::size_t end = std::min(twins.size(), (block + 1) * blockSize);
+        for (std::size_t twin = block * blockSize; twin < end; ++twin)
+            twins[twin] = positions[refined.seamPoints[twin]];
+    };
+    if (twins.size() <= blockSize) return run(0, 0);
+    pool.run((twins.size() + blockSize - 1) / blockSize, run);
+}
+
+/// The pool of all callers, for one at a time.
+struct SharedPool {
+    ThreadPool threads;
+    std::mutex mutex;
+};
+
+SharedPool& sharedPool() {
+    static SharedPool pool;
+    return pool;
+}
+
+}  // namespace
+
+void evaluateLimit(const RefinedCage& refined, std::span<const glm::vec3> cagePoints,
+                   const LimitVertices& out, ThreadPool& pool) {
+    assert(refined.positions.rowCount() == refined.vertexCount());
+    assert(out.positions.size() == refined.vertexCount() && out.normals.size() == refined.vertexCount());
+    assert(out.du.empty() || out.du.size() == refined.vertexCount());
+    assert(out.dv.empty() || out.dv.size() == refined.vertexCount());
+    if (refined.vertexCount() == 0) return;
+    const std::vector<Four> points = paddedPoints(cagePoints);
+    forRowBlocks(pool, refined.positions, [&](std::size_t first, std::size_t end) {
+        for (std::size_t row = first; row < end; ++row) {
+            const Sums sums = sumRow(refined.positions, row, points.data());
+            if (row < refined.pointCount) store(out.positions[row], sums.value);
+            store(out.normals[row], padded(normalOf(vec3(sums.du), vec3(sums.dv))));
+            if (!out.du.empty()) store(out.du[row], sums.du);
+            if (!out.dv.empty()) store(out.dv[row], sums.dv);
+        }
+    });
+    positionSeamVertices(refined, out.positions, pool);
+}
+
+void evaluateLimit(const RefinedCage& refined, std::span<const glm::vec3> cagePoints,
+                   const LimitVertices& out) {
+    SharedPool& pool = sharedPool();
+    const std::lock_guard lock(pool.mutex);
+    evaluateLimit(refined, cagePoints, out, pool.threads);
+}
+
+LimitUvs evaluateLimitUvs(const RefinedCage& refined, std::span<const glm::vec2> cageUvs) {
+    LimitUvs result;
+    const std::size_t rowCount = refined.uvs.rowCount();
+    if (rowCount == 0) return result;
+    assert(rowCount == refined.vertexCount());
+    result.uvs.resize(rowCount);
+    result.du.resize(rowCount);
+    result.dv.resize(rowCount);
+    const std::vector<Four> points = paddedPoints(cageUvs);
+    SharedPool& pool = sharedPool();
+    const std::lock_guard lock(pool.mutex);
+    forRowBlocks(pool.threads, refined.uvs, [&](std::size_t first, std::size_t end) {
+        for (std::size_t row = first; row < end; ++row) {
+            const Sums sums = sumRow(refined.uvs, row, points.data());
+            store(result.uvs[row], sums.value);
+            store(result.du[row], sums.du);
+            store(result.dv[row], sums.dv);
+        }
+    });
+    return result;
+}
+
+}  // namespace candela

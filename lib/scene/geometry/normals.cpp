@@ -1,0 +1,84 @@
+#include "scene/geometry/normals.h"
+
+#include "scene/validate/finite.h"
+#include "scene/geometry/mesh_indices.h"
+
+#include <glm/geometric.hpp>
+
+#include <optional>
+
+namespace candela {
+
+namespace {
+
+constexpr glm::vec3 up(0.0f, 1.0f, 0.0f);
+constexpr double minLength = 1e-12;
+
+// In double precision, where the products of any finite floats neither overflow nor vanish.
+std::optional<glm::vec3> geometricNormal(const Mesh& mesh, std::size_t firstIndex) {
+    const glm::dvec3 a(mesh.positions[mesh.indices[firstIndex]]);
+    const glm::dvec3 b(mesh.positions[mesh.indices[firstIndex + 1]]);
+    const glm::dvec3 c(mesh.positions[mesh.indices[firstIndex + 2]]);
+    const glm::dvec3 cross = glm::cross(b - a, c - a);
+    const double length = glm::length(cross);
+    if (!(length > 0.0) || !std::isfinite(length)) return {};
+    return glm::vec3(cross / length);
+}
+
+template <typename Value>
+void spread(std::vector<Value>& values, const Mesh& mesh, std::size_t vertices, const ErrorContext& element) {
+    if (values.empty()) return;
+    element.require(values.size() == vertices, "an array has neither no element nor one a vertex");
+    std::vector<Value> corners;
+    corners.reserve(mesh.indices.size());
+    for (const std::uint32_t index : mesh.indices) corners.push_back(values[index]);
+    values = std::move(corners);
+}
+
+}  // namespace
+
+void makeFlatNormals(Mesh& mesh) {
+    const ErrorContext element("mesh", {}, mesh.name);
+    requireIndices(mesh, element);
+    const std::size_t vertices = mesh.positions.size();
+    std::vector<glm::vec3> normals(mesh.indices.size());
+    for (std::size_t corner = 0; corner < mesh.indices.size(); corner += 3) {
+        const glm::vec3 normal = geometricNormal(mesh, corner).value_or(up);
+        normals[corner] = normals[corner + 1] = normals[corner + 2] = normal;
+    }
+    spread(mesh.uv0, mesh, vertices, element);
+    spread(mesh.uv1, mesh, vertices, element);
+    spread(mesh.colors, mesh, vertices, element);
+    spread(mesh.positions, mesh, vertices, element);
+    mesh.normals = std::move(normals);
+    mesh.tangents.clear();
+    for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
+        mesh.indices[corner] = static_cast<std::uint32_t>(corner);
+    }
+}
+
+std::uint32_t replaceZeroNormals(Mesh& mesh) {
+    const ErrorContext element("mesh", {}, mesh.name);
+    requireIndices(mesh, element);
+    element.require(mesh.normals.size() == mesh.positions.size(), "there must be one normal a vertex");
+    std::vector<bool> missing(mesh.normals.size());
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        if (allFinite(mesh.normals[i]) && glm::length(glm::dvec3(mesh.normals[i])) >= minLength) continue;
+        missing[i] = true;
+        mesh.normals[i] = up;
+        ++count;
+    }
+    if (count == 0) return 0;
+    for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
+        const std::uint32_t vertex = mesh.indices[corner];
+        if (!missing[vertex]) continue;
+        const std::optional<glm::vec3> normal = geometricNormal(mesh, corner - corner % 3);
+        if (!normal) continue;
+        mesh.normals[vertex] = *normal;
+        missing[vertex] = false;
+    }
+    return count;
+}
+
+}  // namespace candela

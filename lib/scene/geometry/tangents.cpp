@@ -1,0 +1,174 @@
+#include "scene/geometry/tangents.h"
+
+#include "scene/validate/error_context.h"
+#include "scene/geometry/mesh_indices.h"
+#include "scene/geometry/perpendicular.h"
+#include "scene/geometry/tangent_groups.h"
+
+#include <candela/error.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace candela {
+
+namespace {
+
+glm::dvec3 unitOrZero(const glm::dvec3& vector) {
+    const double length = glm::length(vector);
+    return length > 0.0 && std::isfinite(length) ? vector / length : glm::dvec3(0.0);
+}
+
+glm::dvec3 inPlane(const glm::dvec3& vector, const glm::dvec3& normal) {
+    return unitOrZero(vector - normal * glm::dot(normal, vector));
+}
+
+// The direction of growing u on a triangle, of any length.
+glm::dvec3 growingU(const Mesh& mesh, const std::vector<glm::vec2>& uv, std::size_t triangle, bool mirrored) {
+    const std::uint32_t* index = mesh.indices.data() + triangle * 3;
+    const glm::dvec3 origin(mesh.positions[index[0]]);
+    const glm::dvec3 edge1 = glm::dvec3(mesh.positions[index[1]]) - origin;
+    const glm::dvec3 edge2 = glm::dvec3(mesh.positions[index[2]]) - origin;
+    const double v1 = static_cast<double>(uv[index[1]].y) - uv[index[0]].y;
+    const double v2 = static_cast<double>(uv[index[2]].y) - uv[index[0]].y;
+    return (edge1 * v2 - edge2 * v1) * (mirrored ? -1.0 : 1.0);
+}
+
+// What the corners of a whole triangle add to their groups.
+void addTriangle(const Mesh& mesh, const std::vector<glm::vec2>& uv, const TangentGroups& groups,
+                 std::size_t triangle, std::vector<glm::vec3>& sums) {
+    const glm::dvec3 direction = growingU(mesh, uv, triangle, groups.mirrored[triangle]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t* index = mesh.indices.data() + triangle * 3;
+        const glm::dvec3 here(mesh.positions[index[i]]);
+        const glm::dvec3 normal = unitOrZero(glm::dvec3(mesh.normals[index[i]]));
+        const glm::dvec3 next = inPlane(glm::dvec3(mesh.positions[index[(i + 1) % 3]]) - here, normal);
+        const glm::dvec3 last = inPlane(glm::dvec3(mesh.positions[index[(i + 2) % 3]]) - here, normal);
+        const double angle = std::acos(glm::clamp(glm::dot(next, last), -1.0, 1.0));
+        sums[groups.groupOfCorner[triangle * 3 + i]] += glm::vec3(inPlane(direction, normal) * angle);
+    }
+}
+
+bool hasDirection(const glm::vec3& sum) {
+    const float length = glm::length(sum);
+    return length > 0.0f && std::isfinite(length);
+}
+
+// For each corner the group whose tangent it takes: its own when that has one, else the first at the same
+// vertex that has, else noCorner.
+std::vector<std::uint32_t> groupsToTake(const Mesh& mesh, const TangentGroups& groups,
+                                        const std::vector<glm::vec3>& sums) {
+    const std::size_t corners = mesh.indices.size();
+    std::vector<std::uint32_t> firstAtVertex(mesh.positions.size(), noCorner);
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+        std::uint32_t& first = firstAtVertex[groups.vertexOfCorner[corner]];
+        if (first == noCorner && hasDirection(sums[groups.groupOfCorner[corner]])) {
+            first = groups.groupOfCorner[corner];
+        }
+    }
+    std::vector<std::uint32_t> taken(groups.groupOfCorner);
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+        if (!hasDirection(sums[taken[corner]])) taken[corner] = firstAtVertex[groups.vertexOfCorner[corner]];
+    }
+    return taken;
+}
+
+// A corner whose vertex already has another group's tangent.
+struct Split {
+    std::uint32_t vertex, group, corner;
+
+    bool sameVertexAs(const Split& other) const { return vertex == other.vertex && group == other.group; }
+};
+
+template <typename Value>
+void repeat(std::vector<Value>& values, std::uint32_t vertex) {
+    if (!values.empty()) values.push_back(Value(values[vertex]));
+}
+
+void repeatVertex(Mesh& mesh, std::vector<std::uint32_t>& groupOfVertex, const Split& split) {
+    if (mesh.positions.size() >= std::numeric_limits<std::uint32_t>::max()) {
+        throw Error(ErrorKind::limit, {},
+                    ErrorContext("mesh", {}, mesh.name).label() +
+                        ": has more vertices than 32 bits can count once tangents have split them");
+    }
+    repeat(mesh.positions, split.vertex);
+    repeat(mesh.normals, split.vertex);
+    repeat(mesh.uv0, split.vertex);
+    repeat(mesh.uv1, split.vertex);
+    repeat(mesh.colors, split.vertex);
+    groupOfVertex.push_back(split.group);
+}
+
+// Gives each vertex one group, splitting where its corners disagree. Returns the groups, noCorner for none.
+std::vector<std::uint32_t> splitVertices(Mesh& mesh, const std::vector<std::uint32_t>& taken) {
+    std::vector<std::uint32_t> groupOfVertex(mesh.positions.size(), noCorner);
+    std::vector<bool> used(mesh.positions.size());
+    std::vector<Split> splits;
+    for (std::uint32_t corner = 0; corner < mesh.indices.size(); ++corner) {
+        const std::uint32_t vertex = mesh.indices[corner];
+        if (!used[vertex]) {
+            used[vertex] = true;
+            groupOfVertex[vertex] = taken[corner];
+        } else if (groupOfVertex[vertex] != taken[corner]) {
+            splits.push_back({vertex, taken[corner], corner});
+        }
+    }
+    std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
+        return std::tie(a.vertex, a.group, a.corner) < std::tie(b.vertex, b.group, b.corner);
+    });
+    for (std::size_t i = 0; i < splits.size(); ++i) {
+        if (i == 0 || !splits[i].sameVertexAs(splits[i - 1])) repeatVertex(mesh, groupOfVertex, splits[i]);
+        mesh.indices[splits[i].corner] = static_cast<std::uint32_t>(mesh.positions.size() - 1);
+    }
+    return groupOfVertex;
+}
+
+glm::vec4 anyTangent(const glm::vec3& normal) {
+    const glm::dvec3 axis = unitOrZero(glm::dvec3(normal));
+    return {glm::vec3(anyPerpendicular(axis)), 1.0f};
+}
+
+void requireArrays(const Mesh& mesh, std::uint32_t uvSet) {
+    const ErrorContext element("mesh", {}, mesh.name);
+    requireIndices(mesh, element);
+    const std::size_t vertices = mesh.positions.size();
+    element.require(uvSet <= 1, "tangents need set 0 or 1 of texture coordinates");
+    element.require(mesh.normals.size() == vertices, "tangents need one normal a vertex");
+    element.require((uvSet == 0 ? mesh.uv0 : mesh.uv1).size() == vertices,
+                    "tangents need one texture coordinate a vertex");
+    for (const std::size_t size : {mesh.uv0.size(), mesh.uv1.size(), mesh.colors.size()}) {
+        element.require(size == 0 || size == vertices, "an array has neither no element nor one a vertex");
+    }
+}
+
+}  // namespace
+
+void makeTangents(Mesh& mesh, std::uint32_t uvSet) {
+    requireArrays(mesh, uvSet);
+    const std::vector<glm::vec2>& uv = uvSet == 0 ? mesh.uv0 : mesh.uv1;
+    const TangentGroups groups = tangentGroups(mesh, uv);
+    std::vector<glm::vec3> sums(mesh.indices.size(), glm::vec3(0.0f));
+    for (std::size_t triangle = 0; triangle < groups.kinds.size(); ++triangle) {
+        if (groups.kinds[triangle] == TriangleKind::whole) addTriangle(mesh, uv, groups, triangle, sums);
+    }
+    const std::vector<std::uint32_t> groupOfVertex = splitVertices(mesh, groupsToTake(mesh, groups, sums));
+    mesh.tangents.clear();
+    mesh.tangents.reserve(mesh.positions.size());
+    for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
+        const std::uint32_t group = groupOfVertex[vertex];
+        if (group == noCorner) {
+            mesh.tangents.push_back(anyTangent(mesh.normals[vertex]));
+            continue;
+        }
+        // v grows down the image, bitangents point up: an unmirrored triangle has w = -1.
+        const float side = groups.mirrored[group / 3] ? 1.0f : -1.0f;
+        mesh.tangents.emplace_back(glm::normalize(sums[group]), side);
+    }
+}
+
+}  // namespace candela

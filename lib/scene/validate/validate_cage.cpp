@@ -1,0 +1,217 @@
+#include "scene/validate/limits.h"
+#include "scene/validate/require_each.h"
+#include "scene/validate/validate_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace candela {
+
+namespace {
+
+constexpr std::size_t maxCount = std::numeric_limits<std::uint32_t>::max();
+
+template <typename Enum>
+bool isWithin(Enum value, Enum first, Enum last) {
+    return value >= first && value <= last;
+}
+
+void validateRules(const Cage& cage, const ErrorContext& element) {
+    element.require(isWithin(cage.scheme, SubdivisionScheme::catmullClark, SubdivisionScheme::bilinear),
+                    "its scheme is unknown");
+    element.require(isWithin(cage.boundaryInterpolation, BoundaryInterpolation::none,
+                             BoundaryInterpolation::edgesAndCorners),
+                    "its boundary interpolation is unknown");
+    element.require(isWithin(cage.faceVaryingInterpolation, FaceVaryingInterpolation::none,
+                             FaceVaryingInterpolation::all),
+                    "its face-varying interpolation is unknown");
+    element.require(isWithin(cage.creaseMethod, CreaseMethod::uniform, CreaseMethod::chaikin),
+                    "its crease method is unknown");
+    element.require(
+        isWithin(cage.triangleSubdivision, TriangleSubdivision::catmullClark, TriangleSubdivision::smooth),
+        "its triangle subdivision is unknown");
+    if (!cage.level || (*cage.level >= 1 && *cage.level <= maxSubdivisionLevel)) return;
+    element.refuse("its level is " + std::to_string(*cage.level) + ", but must lie between 1 and " +
+                   std::to_string(maxSubdivisionLevel));
+}
+
+// A part of a cage as errors name it: "face 3".
+struct Part {
+    const char* kind;
+    std::size_t index;
+
+    std::string label() const { return kind + (" " + std::to_string(index)); }
+};
+
+// Refuses unless what `part` names is one of `count`.
+void requireNamed(const Part& part, const Part& named, std::size_t count, const ErrorContext& element) {
+    if (named.index < count) return;
+    element.refuse(part.label() + " names " + named.label() + ", but there are " + std::to_string(count));
+}
+
+void requireCount(std::size_t actual, const char* what, std::uint64_t expected, const char* of,
+                  const ErrorContext& element) {
+    if (actual == expected) return;
+    element.refuse("has " + std::to_string(actual) + " " + what + " for " + std::to_string(expected) + " " +
+                   of);
+}
+
+// The sizes of the faces, and with them those of the arrays "a corner".
+void validateFaceSizes(const Cage& cage, const ErrorContext& element) {
+    const bool triangles = cage.scheme == SubdivisionScheme::loop;
+    for (std::size_t face = 0; face < cage.faceSizes.size(); ++face) {
+        const std::uint32_t size = cage.faceSizes[face];
+        if (size >= 3 && (size == 3 || !triangles)) continue;
+        element.refuse(Part{"face", face}.label() + " has " + std::to_string(size) + " corners, but " +
+                       (triangles ? "a face of a Loop cage has 3" : "3 or more were expected"));
+    }
+    const auto corners = std::accumulate(cage.faceSizes.begin(), cage.faceSizes.end(), std::uint64_t{0});
+    element.require(cage.positions.size() <= maxCount && cage.uvs.size() <= maxCount &&
+                        cage.faceSizes.size() <= maxCount && corners <= maxCount,
+                    "has more vertices, texture coordinates, faces or corners than 32 bits can count");
+    requireCount(cage.faceVertices.size(), "vertices of faces", corners, "corners", element);
+    requireCount(cage.faceUvs.size(), "texture coordinates of faces", cage.uvs.empty() ? 0 : corners,
+                 "corners", element);
+}
+
+void validateFaces(const Cage& cage, const ErrorContext& element) {
+    // For each vertex the last face that named it, and 1; 0 before the first.
+    std::vector<std::size_t> lastFace(cage.positions.size(), 0);
+    std::size_t corner = 0;
+    for (std::size_t face = 0; face < cage.faceSizes.size(); ++face) {
+        for (const std::size_t end = corner + cage.faceSizes[face]; corner < end; ++corner) {
+            const std::uint32_t vertex = cage.faceVertices[corner];
+            requireNamed({"face", face}, {"vertex", vertex}, cage.positions.size(), element);
+            if (lastFace[vertex] == face + 1) {
+                element.refuse(Part{"face", face}.label() + " names " + Part{"vertex", vertex}.label() +
+                               " twice");
+            }
+            lastFace[vertex] = face + 1;
+            if (cage.uvs.empty()) continue;
+            requireNamed({"face", face}, {"texture coordinate", cage.faceUvs[corner]}, cage.uvs.size(),
+                         element);
+        }
+    }
+}
+
+std::uint64_t edgeKey(std::uint32_t vertex0, std::uint32_t vertex1) {
+    return std::uint64_t{std::min(vertex0, vertex1)} << 32 | std::max(vertex0, vertex1);
+}
+
+std::vector<std::uint64_t> sortedEdges(const Cage& cage) {
+    std::vector<std::uint64_t> edges;
+    edges.reserve(cage.faceVertices.size());
+    const std::uint32_t* face = cage.faceVertices.data();
+    for (const std::uint32_t size : cage.faceSizes) {
+        for (std::uint32_t i = 0; i < size; ++i) edges.push_back(edgeKey(face[i], face[(i + 1) % size]));
+        face += size;
+    }
+    std::sort(edges.begin(), edges.end());
+    return edges;
+}
+
+bool isSharpness(float sharpness) {
+    return sharpness >= 0.0f && std::isfinite(sharpness);
+}
+
+[[noreturn]] void refuseSharpness(const std::string& what, float sharpness, const ErrorContext& element) {
+    element.refuse(what + ": its sharpness is " + shortNumber(sharpness) +
+                   ", but must be a finite number, 0 or more");
+}
+
+std::string edgeLabel(const Part& part, const Crease& crease) {
+    return part.label() + ", edge " + std::to_string(crease.vertex0) + "-" + std::to_string(crease.vertex1);
+}
+
+void validateCreases(const Cage& cage, const ErrorContext& element) {
+    if (cage.creases.empty()) return;
+    const std::vector<std::uint64_t> edges = sortedEdges(cage);
+    for (std::size_t i = 0; i < cage.creases.size(); ++i) {
+        const Crease& crease = cage.creases[i];
+        const Part part{"crease", i};
+        requireNamed(part, {"vertex", crease.vertex0}, cage.positions.size(), element);
+        requireNamed(part, {"vertex", crease.vertex1}, cage.positions.size(), element);
+        // No face names a vertex twice: an edge joins two vertices.
+        if (!std::binary_search(edges.begin(), edges.end(), edgeKey(crease.vertex0, crease.vertex1))) {
+            element.refuse(edgeLabel(part, crease) + ": no face has this edge");
+        }
+        if (!isSharpness(crease.sharpness)) {
+            refuseSharpness(edgeLabel(part, crease), crease.sharpness, element);
+        }
+    }
+}
+
+void validateCorners(const Cage& cage, const ErrorContext& element) {
+    for (std::size_t i = 0; i < cage.corners.size(); ++i) {
+        const Corner& corner = cage.corners[i];
+        const Part part{"corner", i}, vertex{"vertex", corner.vertex};
+        requireNamed(part, vertex, cage.positions.size(), element);
+        if (isSharpness(corner.sharpness)) continue;
+        refuseSharpness(part.label() + ", " + vertex.label(), corner.sharpness, element);
+    }
+}
+
+void validateMaterials(const Cage& cage, const Scene& scene, const ErrorContext& element) {
+    if (cage.faceMaterials.empty()) return;
+    requireCount(cage.faceMaterials.size(), "materials", cage.faceSizes.size(), "faces", element);
+    std::vector<bool> known(scene.materials.size());
+    for (const std::optional<std::uint32_t>& material : cage.faceMaterials) {
+        element.requireIndex("material", material, scene.materials.size());
+        if (!material || known[*material]) continue;
+        known[*material] = true;
+        requireUvs({.set0 = !cage.uvs.empty()}, *material, scene, element);
+    }
+}
+
+void validateInfluences(const Cage& cage, const ErrorContext& element) {
+    const std::size_t each = cage.influenceCount;
+    const std::uint64_t count = std::uint64_t{cage.positions.size()} * each;
+    requireCount(cage.joints.size(), "joints", count, "influences", element);
+    requireCount(cage.jointWeights.size(), "joint weights", count, "influences", element);
+    if (each == 0) return;
+    for (std::size_t vertex = 0; vertex < cage.positions.size(); ++vertex) {
+        float sum = 0.0f;
+        for (std::size_t i = vertex * each; i < (vertex + 1) * each; ++i) {
+            // False for a NaN; an infinite weight makes an infinite sum.
+            if (!(cage.jointWeights[i] >= 0.0f)) {
+                element.refuse("a joint weight of " + Part{"vertex", vertex}.label() + " is not 0 or more");
+            }
+            sum += cage.jointWeights[i];
+        }
+        if (std::abs(sum - 1.0f) <= weightSumTolerance) continue;
+        element.refuse("the joint weights of " + Part{"vertex", vertex}.label() + " have the sum " +
+                       shortNumber(sum) + ", but 1 was expected");
+    }
+}
+
+void validateMorphTargets(const Cage& cage, const ErrorContext& element) {
+    for (std::size_t i = 0; i < cage.morphTargets.size(); ++i) {
+        const std::vector<glm::vec3>& offsets = cage.morphTargets[i].offsets;
+        const std::string target = Part{"morph target", i}.label();
+        requireCount(offsets.size(), ("offsets in " + target).c_str(), cage.positions.size(), "vertices",
+                     element);
+        requireFinite(offsets, (target + ": offset").c_str(), element);
+    }
+}
+
+}  // namespace
+
+void validateCage(const Cage& cage, const Scene& scene, const ErrorContext& element) {
+    validateRules(cage, element);
+    validateFaceSizes(cage, element);
+    requireFinite(cage.positions, "position", element);
+    requireFinite(cage.uvs, "texture coordinate", element);
+    validateFaces(cage, element);
+    validateCreases(cage, element);
+    validateCorners(cage, element);
+    for (std::size_t i = 0; i < cage.holes.size(); ++i) {
+        requireNamed({"hole", i}, {"face", cage.holes[i]}, cage.faceSizes.size(), element);
+    }
+    validateMaterials(cage, scene, element);
+    validateInfluences(cage, element);
+    validateMorphTargets(cage, element);
+}
+
+}  // namespace candela

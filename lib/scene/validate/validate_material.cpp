@@ -1,0 +1,98 @@
+#include "scene/validate/finite.h"
+#include "scene/validate/limits.h"
+#include "scene/validate/validate_parts.h"
+
+#include <cmath>
+#include <cstring>
+#include <initializer_list>
+
+namespace candela {
+
+namespace {
+
+constexpr std::uint32_t maxSide = 32768;
+
+bool floatsAreFinite(const std::vector<std::byte>& bytes) {
+    for (std::size_t at = 0; at < bytes.size(); at += sizeof(float)) {
+        float value = 0.0f;
+        std::memcpy(&value, bytes.data() + at, sizeof value);
+        if (!std::isfinite(value)) return false;
+    }
+    return true;
+}
+
+bool isWrap(Wrap wrap) {
+    return wrap == Wrap::repeat || wrap == Wrap::clampToEdge || wrap == Wrap::mirroredRepeat;
+}
+
+bool isMinFilter(Filter filter) {
+    return filter >= Filter::linearMipmapLinear && filter <= Filter::nearestMipmapLinear;
+}
+
+void validateTexture(const std::optional<Texture>& texture, const char* use, const Scene& scene,
+                     const ErrorContext& element) {
+    if (!texture) return;
+    const auto require = [&](bool holds, const char* rule) {
+        if (!holds) element.refuse(use + (std::string(" texture: ") + rule));
+    };
+    element.requireIndex("image", texture->image, scene.images.size());
+    require(texture->uvSet <= 1, "the set of texture coordinates must be 0 or 1");
+    require(isWrap(texture->wrapS) && isWrap(texture->wrapT), "a wrap mode is unknown");
+    require(isMinFilter(texture->minFilter), "the minification filter is unknown");
+    require(texture->magFilter == Filter::nearest || texture->magFilter == Filter::linear,
+            "the magnification filter must be nearest or linear");
+    require(allFinite(texture->offset) && std::isfinite(texture->rotation) && allFinite(texture->scale),
+            "offset, rotation and scale must be finite numbers");
+}
+
+}  // namespace
+
+void validateImage(const Image& image, const ErrorContext& element) {
+    element.require(image.format == PixelFormat::rgba8 || image.format == PixelFormat::rgba16 ||
+                        image.format == PixelFormat::rgba32f,
+                    "its pixel format is unknown");
+    element.require(
+        image.width >= 1 && image.width <= maxSide && image.height >= 1 && image.height <= maxSide,
+        "its width and height must lie between 1 and 32768");
+    const std::size_t size = std::size_t{image.width} * image.height * texelSize(image.format);
+    if (image.pixels.size() != size) {
+        element.refuse("holds " + std::to_string(image.pixels.size()) +
+                       " bytes of pixels, but its size asks for " + std::to_string(size));
+    }
+    element.require(image.format != PixelFormat::rgba32f || floatsAreFinite(image.pixels),
+                    "its pixels must be finite numbers");
+}
+
+void validateMaterial(const Material& material, const Scene& scene, const ErrorContext& element) {
+    for (int i = 0; i < 4; ++i) element.requireWithin("its base colour", material.baseColor[i], 0.0f, 1.0f);
+    element.requireWithin("its metallic factor", material.metallic, 0.0f, 1.0f);
+    element.requireWithin("its roughness", material.roughness, 0.0f, 1.0f);
+    for (int i = 0; i < 3; ++i) {
+        element.requireWithin("its emission", material.emission[i], 0.0f, maxIntensity);
+    }
+    element.require(std::isfinite(material.normalScale), "its normal scale must be a finite number");
+    element.requireWithin("its occlusion strength", material.occlusionStrength, 0.0f, 1.0f);
+    element.require(material.alphaMode == AlphaMode::opaque || material.alphaMode == AlphaMode::mask,
+                    "its alpha mode must be opaque or mask");
+    element.require(material.alphaCutoff >= 0.0f && std::isfinite(material.alphaCutoff),
+                    "its alpha cutoff must be a finite number, 0 or more");
+    validateTexture(material.baseColorTexture, "base colour", scene, element);
+    validateTexture(material.metallicRoughnessTexture, "metallic-roughness", scene, element);
+    validateTexture(material.normalTexture, "normal", scene, element);
+    validateTexture(material.occlusionTexture, "occlusion", scene, element);
+    validateTexture(material.emissionTexture, "emission", scene, element);
+}
+
+void requireUvs(const UvSets& sets, std::uint32_t material, const Scene& scene, const ErrorContext& element) {
+    const Material& reader = scene.materials[material];
+    for (const auto* texture : {&reader.baseColorTexture, &reader.metallicRoughnessTexture,
+                                &reader.normalTexture, &reader.occlusionTexture, &reader.emissionTexture}) {
+        if (!*texture) continue;
+        const std::uint32_t set = (*texture)->uvSet;
+        if (set == 0 ? sets.set0 : sets.set1) continue;
+        element.refuse("has no texture coordinates " + std::to_string(set) + ", which a texture of " +
+                       ErrorContext("material", material, reader.name).label() + " reads");
+    }
+}
+
+}  // namespace candela

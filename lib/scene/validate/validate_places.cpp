@@ -1,0 +1,117 @@
+#include "scene/validate/finite.h"
+#include "scene/validate/limits.h"
+#include "scene/validate/validate_parts.h"
+
+#include <glm/common.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace candela {
+
+namespace {
+
+constexpr const char* tooFar =
+    "stands farther than 1e9 metres from the world's origin, or at no finite place";
+
+bool isNear(const glm::vec3& position) {
+    for (int i = 0; i < 3; ++i) {
+        if (!(std::abs(position[i]) <= farthestCoordinate)) return false;
+    }
+    return true;
+}
+
+Bounds ownBounds(const std::vector<glm::vec3>& points) {
+    Bounds box;
+    for (const glm::vec3& point : points) {
+        box.min = glm::min(box.min, point);
+        box.max = glm::max(box.max, point);
+    }
+    return box;
+}
+
+bool areNear(const std::vector<glm::vec3>& points, const glm::mat4& world) {
+    for (const glm::vec3& point : points) {
+        if (!isNear(glm::vec3(world * glm::vec4(point, 1.0f)))) return false;
+    }
+    return true;
+}
+
+// Points that many nodes may place, and their own box, which mostly spares a look at each.
+class BoxedPoints {
+  public:
+    explicit BoxedPoints(const std::vector<glm::vec3>& points) : points_(points), box_(ownBounds(points)) {}
+
+    bool areNear(const glm::mat4& world) const {
+        return points_.empty() || boxIsNear(world) || candela::areNear(points_, world);
+    }
+
+  private:
+    bool boxIsNear(const glm::mat4& world) const {
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::vec4 position((corner & 1) != 0 ? box_.max.x : box_.min.x,
+                                     (corner & 2) != 0 ? box_.max.y : box_.min.y,
+                                     (corner & 4) != 0 ? box_.max.z : box_.min.z, 1.0f);
+            if (!isNear(glm::vec3(world * position))) return false;
+        }
+        return true;
+    }
+
+    const std::vector<glm::vec3>& points_;
+    Bounds box_;
+};
+
+void validateMeshPlaces(const Scene& scene, const std::vector<glm::mat4>& world) {
+    std::vector<BoxedPoints> meshes;
+    meshes.reserve(scene.meshes.size());
+    for (const Mesh& mesh : scene.meshes) meshes.emplace_back(mesh.positions);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        if (!node.mesh || meshes[*node.mesh].areNear(world[i])) continue;
+        const ErrorContext mesh("mesh", *node.mesh, scene.meshes[*node.mesh].name);
+        ErrorContext("node", i, node.name).refuse(mesh.label() + " " + tooFar);
+    }
+}
+
+void validateCagePlaces(const Scene& scene, const std::vector<glm::mat4>& world) {
+    std::vector<BoxedPoints> cages;
+    cages.reserve(scene.cages.size());
+    for (const Cage& cage : scene.cages) cages.emplace_back(cage.positions);
+    const auto stands = [&](std::uint32_t node) {
+        const CageInstance& shown = *scene.nodes[node].cage;
+        const bool moves = shown.skin || !scene.cages[shown.cage].morphTargets.empty();
+        if (!moves) return cages[shown.cage].areNear(world[node]);
+        const PosedCage posed = poseCage(scene, node, world);
+        return areNear(posed.points, posed.worldFromPoints);
+    };
+    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        if (!node.cage || stands(i)) continue;
+        const ErrorContext cage("cage", node.cage->cage, scene.cages[node.cage->cage].name);
+        ErrorContext("node", i, node.name).refuse(cage.label() + " " + tooFar);
+    }
+}
+
+}  // namespace
+
+void validatePlaces(const Scene& scene) {
+    const std::vector<glm::mat4> world = worldTransforms(scene);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        ErrorContext("node", i, scene.nodes[i].name)
+            .require(allFinite(world[i]), "its matrix in the world is not finite");
+    }
+    validateMeshPlaces(scene, world);
+    validateCagePlaces(scene, world);
+    const std::vector<WorldLight> lights = worldLights(scene, world);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const bool placed = lights[i].type == LightType::directional || isNear(lights[i].position);
+        ErrorContext("light", i, scene.lights[i].name).require(placed, tooFar);
+    }
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+        const Camera& camera = scene.cameras[i];
+        ErrorContext("camera", i, camera.name)
+            .require(!camera.node || isNear(glm::vec3(world[*camera.node][3])), tooFar);
+    }
+}
+
+}  // namespace candela

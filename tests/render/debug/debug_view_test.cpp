@@ -1,0 +1,149 @@
+// From radiance to a picture: dither, exposure and sizes, through the renderer.
+
+#include "support/drawing_test.h"
+#include "support/procedural_scene.h"
+
+#include <candela/color.h>
+#include <candela/error.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela::test {
+namespace {
+
+constexpr int width = 64, height = 48;
+
+DisplayTransform transformOf(double exposure = 0.0) {
+    DisplayOptions choice;
+    choice.exposure = exposure;
+    return ColorConfig::builtIn().displayTransform(choice);
+}
+
+FrameInputs frame(int w = width, int h = height) {
+    return {w, h, lookAt({0, 0, 3}, {0, 0, 0}, 0.5f), BrdfModel::course, Technique::fullscreen};
+}
+
+/// A surface that fills the picture with one radiance.
+Scene glowing(const glm::vec3& radiance) {
+    Material material;
+    material.emission = radiance;
+    material.baseColor = {0, 0, 0, 1};
+    return sceneOf(makeQuad(9.0f), material);
+}
+
+class ShowTest : public DrawingTest {
+  protected:
+    static std::vector<std::uint8_t> shown(const glm::vec3& radiance, double exposure = 0.0) {
+        renderer().render(upload(glowing(radiance)), frame());
+        return renderer().displayPicture(transformOf(exposure));
+    }
+};
+
+TEST_F(ShowTest, everyPixelIsOneOfTheTwoCodesAroundItsValue) {
+    for (const float radiance : {0.001f, 0.0173f, 0.2f, 0.7f, 0.99f}) {
+        std::vector<float> value{radiance, 0.5f * radiance, 0.1f * radiance, 1.0f};
+        transformOf().apply(value);
+        const std::vector<std::uint8_t> codes = shown({radiance, 0.5f * radiance, 0.1f * radiance});
+        for (std::size_t i = 0; i < codes.size(); ++i) {
+            if (i % 4 == 3) {
+                ASSERT_EQ(codes[i], 255);
+                continue;
+            }
+            // Half a code of dither and half a code of rounding; 0.05 for the difference of GPU and CPU
+            // (display_test).
+            ASSERT_LT(std::abs(float(codes[i]) - 255.0f * value[i % 4]), 1.05f) << radiance;
+        }
+    }
+}
+
+TEST_F(ShowTest, meanOfADimAreaIsItsValue) {
+    for (const float radiance : {0.0008f, 0.003f, 0.01f}) {
+        std::vector<float> value{radiance, radiance, radiance, 1.0f};
+        transformOf().apply(value);
+        const std::vector<std::uint8_t> codes = shown(glm::vec3(radiance));
+        double sum = 0.0;
+        for (std::size_t i = 0; i < codes.size(); i += 4) sum += codes[i];
+        // Codes spread by 0.5 at most: over 3,072 pixels five standard errors are 0.045; and as above.
+        EXPECT_NEAR(sum / (width * height), 255.0 * value[0], 0.1) << radiance;
+    }
+}
+
+TEST_F(ShowTest, blackAndWhiteHaveNoNoise) {
+    renderer().render(upload(Scene{}), frame());
+    const std::vector<std::uint8_t> background = renderer().displayPicture(transformOf());
+    const std::vector<std::uint8_t> black = shown(glm::vec3(0)), white = shown(glm::vec3(1000));
+    for (std::size_t i = 0; i < black.size(); ++i) {
+        ASSERT_EQ(black[i], i % 4 == 3 ? 255 : 0);
+        ASSERT_EQ(background[i], i % 4 == 3 ? 255 : 0);
+        ASSERT_EQ(white[i], 255);
+    }
+}
+
+TEST_F(ShowTest, exposureIsAFactorBeforeTheTransform) {
+    for (const double stops : {-3.0, 1.0, 5.0}) {
+        const auto scale = float(std::exp2(stops));
+        EXPECT_EQ(shown({0.02f, 0.01f, 0.03f}, stops), shown(scale * glm::vec3(0.02f, 0.01f, 0.03f), 0.0))
+            << stops;
+    }
+}
+
+TEST_F(ShowTest, pictureIsTheSameEachTime) {
+    const std::vector<std::uint8_t> first = shown({0.1f, 0.2f, 0.3f});
+    EXPECT_EQ(shown({0.1f, 0.2f, 0.3f}), first);
+}
+
+TEST_F(ShowTest, rowsRunFromTheTop) {
+    // The upper half glows.
+    Material material;
+    material.emission = glm::vec3(1000);
+    glm::mat4 up(1.0f);
+    up[3] = {0, 9, 0, 1};
+    const GpuScene scene = upload(sceneOf(makeQuad(9.0f), material, up));
+    renderer().render(scene, frame());
+    const std::vector<std::uint8_t> codes = renderer().displayPicture(transformOf());
+    EXPECT_EQ(codes.front(), 255);
+    EXPECT_EQ(codes[codes.size() - 4], 0);
+    EXPECT_GT(pixelOf(renderer().radiance(), 3, 0).g, 1.0f);
+    EXPECT_EQ(pixelOf(renderer().radiance(), 3, height - 1).g, 0.0f);
+    EXPECT_GT(aovs(scene, width).scalar("Z", 3, 0), 0.0f);
+}
+
+TEST_F(ShowTest, sizesMayChangeFromFrameToFrame) {
+    const GpuScene scene = upload(glowing({0.3f, 0.3f, 0.3f}));
+    for (const auto& [w, h] : {std::pair{7, 5}, {1, 1}, {130, 3}, {7, 5}}) {
+        renderer().render(scene, frame(w, h));
+        EXPECT_EQ(renderer().displayPicture(transformOf()).size(), std::size_t(4 * w * h));
+        EXPECT_EQ(renderer().radiance().rgba.size(), std::size_t(4 * w * h));
+        EXPECT_EQ(renderer().aovs(scene, {"Z"})[0].values[0].size(), std::size_t(w * h));
+    }
+}
+
+TEST_F(ShowTest, impossibleSizesAreErrors) {
+    const GpuScene scene = upload(Scene{});
+    for (const auto& [w, h] : {std::pair{0, 5}, {5, 0}, {-3, 4}})
+        EXPECT_THROW(renderer().render(scene, frame(w, h)), Error);
+    try {
+        renderer().render(scene, frame(1, 1 << 20));
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::limit);
+        EXPECT_NE(std::string(error.what()).find("1x1048576"), std::string::npos) << error.what();
+    }
+    renderer().render(scene, frame());
+    EXPECT_EQ(renderer().radiance().width, width) << "the renderer goes on after an error";
+}
+
+TEST_F(ShowTest, passesAreTimedInTheirOrder) {
+    renderer().render(upload(glowing(glm::vec3(1))), frame());
+    renderer().displayPicture(transformOf());
+    std::vector<std::string> names;
+    for (const PassTime& pass : renderer().passTimes()) {
+        names.push_back(pass.name);
+        EXPECT_GE(pass.milliseconds, 0.0);
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"geometry", "lighting", "display"}));
+}
+
+}  // namespace
+}  // namespace candela::test

@@ -1,0 +1,159 @@
+// Every form of the technique `tiles` (compute, and the kernel of each instruction set) gives the reference
+// picture.
+
+#include "support/lit_scenes.h"
+#include "support/procedural_scene.h"
+#include "support/tile_forms.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela::test {
+namespace {
+
+class TilesTest : public testing::Test {
+  protected:
+    static void SetUpTestSuite() { studio_ = std::make_unique<Studio>(); }
+    static void TearDownTestSuite() { studio_.reset(); }
+
+    static const Context& context() { return studio_->context; }
+    static std::vector<TileForm>& forms() { return studio_->forms; }
+
+    /// Compares every form with `fullscreen`.
+    ///
+    /// Tolerance: the forms take the same steps on the same texels, but sum in another order, round with
+    /// fused products, and take roots and reciprocals to a unit in the last place. A highlight of width alpha
+    /// magnifies some four roundings of 2^-24 of the half vector by 1 / alpha: 1e-4 at roughness 0.05, and
+    /// 1e-3 at the least alpha, which `smoothAndBright` has.
+    static void expectReference(const FormPicture& picture, const std::string& what,
+                                double tolerance = 1.0e-4) {
+        const std::vector<float> reference = radianceOf(context(), studio_->reference, picture);
+        for (const TileForm& form : forms()) {
+            EXPECT_LE(worstDifference(radianceOf(context(), form, picture), reference), tolerance)
+                << what << ", " << form.name;
+        }
+    }
+
+    static double worstDifference(const std::vector<float>& radiance, const std::vector<float>& reference) {
+        const double brightest = *std::ranges::max_element(reference);
+        double worst = 0.0;
+        for (std::size_t i = 0; i < reference.size(); ++i) {
+            const double scale = reference[i] + 5.0e-3 * brightest + 1.0e-30;
+            worst = std::max(worst, std::abs(double(radiance[i]) - double(reference[i])) / scale);
+        }
+        return worst;
+    }
+
+    static const TileForm& reference() { return studio_->reference; }
+
+  private:
+    struct Studio {
+        Context context = Context::createHeadless();
+        std::vector<TileForm> forms = tileForms();
+        TileForm reference = fullscreenForm();
+    };
+    static inline std::unique_ptr<Studio> studio_;
+};
+
+Scene wall() {
+    return sceneOf(makeQuad(10.0f), Material{});
+}
+
+const CameraView front = lookAt({0, 0, 12}, {0, 0, 0}, 0.8f);
+
+TEST_F(TilesTest, scenesOfTheEvaluatorsTestInBothModels) {
+    for (const LitScene& lit : litScenes()) {
+        // `sunAndSpots` has a cone whose ramp is 0.001 wide: it magnifies the rounding of the cosine by
+        // 1,000, and its square by two more.
+        const bool sharp = lit.name == smoothAndBright().name || lit.name == sunAndSpots().name;
+        const double tolerance = sharp ? 1.0e-3 : 1.0e-4;
+        const std::vector<WorldLight>& lights = lit.lights;
+        for (const BrdfModel model : {BrdfModel::course, BrdfModel::gltf}) {
+            expectReference({lit.scene, lights, lit.view, 96, 54, model}, lit.name, tolerance);
+        }
+    }
+}
+
+TEST_F(TilesTest, noLightAndOneLight) {
+    expectReference({wall(), {}, front}, "no light");
+    const WorldLight one = pointLight({1, 2, 3}, 5.0f, {1, 2, 3});
+    expectReference({wall(), std::span(&one, 1), front}, "one light");
+}
+
+TEST_F(TilesTest, seventyThousandLightsInOneTile) {
+    std::vector<WorldLight> lights;
+    for (std::uint32_t i = 0; i < 70'000; ++i) {
+        lights.push_back(
+            pointLight({0.2f * hashed(1, i), 0.2f * hashed(2, i), 0.3f}, 1.0f, glm::vec3(1.0e-3f)));
+    }
+    // 70,000 terms of one size: the order of the sum alone is worth sqrt(70,000) roundings of 2^-24, some
+    // 2e-5; fullscreen's blending in several draws adds nothing to that.
+    expectReference({wall(), lights, front, 24, 16}, "70,000 lights", 1.0e-3);
+}
+
+TEST_F(TilesTest, lightsAtTheNearPlaneAndBehindTheCamera) {
+    std::vector<WorldLight> lights;
+    for (std::uint32_t i = 0; i < 64; ++i) {
+        const float z = 11.5f + 0.02f * float(i);
+        lights.push_back(pointLight({hashed(3, i) - 0.5f, hashed(4, i) - 0.5f, z}, 14.0f, {5, 5, 4}));
+    }
+    expectReference({wall(), lights, front}, "near plane");
+}
+
+TEST_F(TilesTest, hugeAndTinyRanges) {
+    std::vector<WorldLight> lights{
+        pointLight({0, 0, 1}, 1.0e9f, {1, 1, 1}), pointLight({1, 0, 0.0005f}, 1.0e-3f, {1, 1, 1}),
+        pointLight({-1, 1, 2}, 1.0e-12f, {1, 1, 1}), pointLight({0, 5000, 0.5f}, 6000.0f, {1.0e6f, 0, 0})};
+    expectReference({wall(), lights, front}, "ranges");
+}
+
+TEST_F(TilesTest, picturesThatAreNoMultipleOfATile) {
+    std::vector<WorldLight> lights;
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        lights.push_back(
+            pointLight({16 * hashed(5, i) - 8, 10 * hashed(6, i) - 5, hashed(7, i) + 0.1f}, 3.0f, {4, 3, 2}));
+    }
+    const std::pair<int, int> sizes[] = {{1, 1}, {3, 2}, {17, 9}, {64, 64}, {65, 63}, {129, 67}};
+    for (const auto& [width, height] : sizes) {
+        expectReference({wall(), lights, front, width, height},
+                        std::to_string(width) + "x" + std::to_string(height));
+    }
+}
+
+TEST_F(TilesTest, pictureOf7680By4320) {
+    const Scene scene = wall();
+    std::vector<WorldLight> lights{pointLight({-7, -4, 1}, 3.0f, {9, 3, 2}),
+                                    pointLight({7, 4, 1}, 3.0f, {2, 3, 9}),
+                                    spotLight({0, 0, 4}, {1, 0, 0}, 8.0f, {20, 20, 20}, 0.2f, 0.5f)};
+    const FormPicture picture{scene, lights, front, 7680, 4320};
+    // One form, the widest kernel: the others differ from it in nothing that depends on the size, and each
+    // picture takes seconds.
+    const TileForm& widest = forms()[1];
+    const std::vector<float> expected = radianceOf(context(), reference(), picture);
+    EXPECT_LE(worstDifference(radianceOf(context(), widest, picture), expected), 1.0e-4);
+}
+
+TEST_F(TilesTest, emissionStays) {
+    Material glowing;
+    glowing.emission = {0.5f, 1.0f, 2.0f};
+    const WorldLight light = pointLight({0, 0, 2}, 4.0f, {1, 1, 1});
+    expectReference({sceneOf(makeQuad(3.0f), glowing), std::span(&light, 1), front}, "emission");
+}
+
+TEST_F(TilesTest, listsThatOutgrowTheirBufferLoseNoLight) {
+    // 1.3 million entries, more than the compute form starts with; the harness draws two frames, before and
+    // after the buffer has grown.
+    std::vector<WorldLight> lights;
+    for (std::uint32_t i = 0; i < 12'000; ++i) {
+        lights.push_back(pointLight({hashed(8, i) - 0.5f, hashed(9, i) - 0.5f, 1.0f + hashed(10, i)}, 40.0f,
+                                    glm::vec3(1.0e-3f)));
+    }
+    expectReference({wall(), lights, front, 112, 64}, "long lists", 1.0e-3);
+}
+
+}  // namespace
+}  // namespace candela::test

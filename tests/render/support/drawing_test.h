@@ -1,0 +1,90 @@
+#pragma once
+
+#include "support/techniques.h"
+
+#include <candela/context.h>
+#include <candela/gpu_scene.h>
+#include <candela/renderer.h>
+
+#include <gtest/gtest.h>
+
+#include <glm/vec3.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace candela::test {
+
+/// AOVs of a frame, addressed by pixel; y counts from the top.
+class AovReader {
+  public:
+    AovReader(const std::vector<Aov>& aovs, int width) : width_(width) {
+        for (const Aov& aov : aovs) aovs_.emplace(aov.name, aov);
+    }
+
+    float scalar(const std::string& name, int x, int y) const { return aovs_.at(name).values[0][at(x, y)]; }
+    glm::vec3 vector(const std::string& name, int x, int y) const {
+        const auto& values = aovs_.at(name).values;
+        return {values[0][at(x, y)], values[1][at(x, y)], values[2][at(x, y)]};
+    }
+
+  private:
+    std::size_t at(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    }
+    int width_;
+    std::map<std::string, Aov> aovs_;
+};
+
+inline glm::vec3 pixelOf(const HdrImage& picture, int x, int y) {
+    const std::size_t i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                               static_cast<std::size_t>(x));
+    return {picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]};
+}
+
+inline bool allFinite(const HdrImage& picture) {
+    for (const float value : picture.rgba) {
+        if (!std::isfinite(value)) return false;
+    }
+    return true;
+}
+
+/// Tests that draw: one headless context and one renderer for the whole suite.
+class DrawingTest : public testing::Test {
+  protected:
+    static void SetUpTestSuite() { studio_ = std::make_unique<Studio>(); }
+    static void TearDownTestSuite() { studio_.reset(); }
+
+    static const Context& context() { return studio_->context; }
+    static Renderer& renderer() { return studio_->renderer; }
+
+    static GpuScene upload(const Scene& scene, std::span<const WorldLight> lights = {}) {
+        GpuScene uploaded(context(), scene);
+        uploaded.setLights(lights);
+        return uploaded;
+    }
+
+    static HdrImage drawn(const GpuScene& scene, const FrameInputs& inputs) {
+        renderer().render(scene, inputs);
+        return renderer().radiance();
+    }
+
+    /// All AOVs of the frame drawn last.
+    static AovReader aovs(const GpuScene& scene, int width) {
+        return {renderer().aovs(scene, Renderer::aovNames()), width};
+    }
+
+  private:
+    struct Studio {
+        Context context = Context::createHeadless();
+        Renderer renderer{context};
+    };
+    static inline std::unique_ptr<Studio> studio_;
+};
+
+}  // namespace candela::test

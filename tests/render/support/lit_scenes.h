@@ -1,0 +1,35 @@
+#pragma once
+
+#include <candela/camera.h>
+#include <candela/light.h>
+#include <candela/scene.h>
+
+#include <string>
+#include <vector>
+
+namespace candela::test {
+
+/// A scene with its lights and a view, for comparing techniques with each other and with the evaluator.
+struct LitScene {
+    std::string name;
+    Scene scene;
+    std::vector<WorldLight> lights;
+    CameraView view;
+};
+
+/// Spheres of all roughnesses, half of them metal, over a floor, under 48 point lights of 3 m range.
+LitScene plazaLike();
+/// All textures that a surface can have, vertex colours, emission, spots and a point without range.
+LitScene textured();
+/// Two directional lights and spots, one of them with the narrowest cone.
+LitScene sunAndSpots();
+/// Lights 2 mm to 10 km from the surface.
+LitScene nearAndFar();
+/// Spheres of roughness 0 and a little more under lights of 1e6 cd.
+LitScene smoothAndBright();
+/// A floor seen and lit under small angles.
+LitScene grazing();
+
+std::vector<LitScene> litScenes();
+
+}  // namespace candela::test

@@ -1,0 +1,76 @@
+#include "support/tile_forms.h"
+
+#include "gl/state_guard.h"
+#include "render/lighting/fullscreen/fullscreen_technique.h"
+#include "render/gbuffer/geometry_pass.h"
+#include "render/lighting/lighting_bindings.h"
+#include "render/gbuffer/readback.h"
+#include "render/lighting/tiled/compute_tiles.h"
+#include "render/lighting/tiled/software_tiles.h"
+
+namespace candela::test {
+
+namespace {
+
+/// A fullscreen technique that owns its pass.
+class OwnFullscreen final : public LightingTechnique {
+  public:
+    OwnFullscreen() : technique_(pass_) {}
+    void render(const LightingInputs& inputs, gl::PassTimer& timer) override {
+        technique_.render(inputs, timer);
+    }
+    std::uint64_t lightListBytes() const override { return 0; }
+    std::uint64_t countEvaluated(const LightingInputs& inputs, PairCounter& counter) override {
+        return technique_.countEvaluated(inputs, counter);
+    }
+
+  private:
+    FullscreenPass pass_;
+    FullscreenTechnique technique_;
+};
+
+}  // namespace
+
+std::vector<TileForm> tileForms() {
+    std::vector<TileForm> forms;
+    forms.push_back({"compute", std::make_unique<ComputeTiles>()});
+    for (const TileKernel* kernel : tileKernels())
+        forms.push_back({kernel->name, std::make_unique<SoftwareTiles>(*kernel)});
+    return forms;
+}
+
+TileForm fullscreenForm() {
+    return {"fullscreen", std::make_unique<OwnFullscreen>()};
+}
+
+std::vector<float> radianceOf(const Context& context, const TileForm& form, const FormPicture& picture) {
+    context.makeCurrent();
+    GpuScene scene(context, picture.scene);
+    scene.setLights(picture.lights);
+    const gl::StateGuard guard;
+    const GBufferTargets targets(picture.width, picture.height);
+    const GeometryPass geometry;
+    const gl::Texture albedo = makeAlbedoTexture();
+    const Frustum frustum(picture.view,
+                          static_cast<float>(picture.width) / static_cast<float>(picture.height));
+    GpuScene::State& state = scene.state();
+    state.update();
+    state.select(frustum);
+    const layout::FrameUniforms uniforms =
+        frameUniforms(picture.view, picture.width, picture.height, glm::dmat3(1.0), state.lights.counts());
+    gl::Buffer buffer("frame");
+    buffer.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
+    glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, buffer.name());
+    gl::PassTimer timer(gl::PassTimer::Clock::wallAroundFinish);
+    const auto start = form.technique->overwritesRadiance() ? GeometryPass::LoadOp::dontCare
+                                                            : GeometryPass::LoadOp::clear;
+    for (int frame = 0; frame < 2; ++frame) {
+        geometry.render({state, targets, start});
+        bindForLighting(targets, state.lights, albedo);
+        form.technique->render({targets, state.lights, frustum, uniforms, picture.brdf, state.draws.emits()},
+                               timer);
+    }
+    return readColor(targets.radiance, picture.width, picture.height);
+}
+
+}  // namespace candela::test
