@@ -69,6 +69,6 @@ class BareProgram final : public Program {
 }  // namespace
 
 std::unique_ptr<Program> makeBareBaseline(const candela::Context& context, const BenchScene& scene,
-                                         const BenchOptions& options) {
+                                          const BenchOptions& options) {
     return std::make_unique<BareProgram>(context, scene, options);
 }

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array proceduralScenes{"plaza", "cloud", "rooms"};
 
 candela::CameraView viewOf(const candela::Scene& scene, const BenchOptions& options,
-                     const std::vector<glm::mat4>& world) {
+                           const std::vector<glm::mat4>& world) {
     if (!scene.cameras.empty()) return cameraView(scene, 0, world);
     return frameBounds(worldBounds(scene, world),
                        static_cast<float>(options.width) / static_cast<float>(options.height));

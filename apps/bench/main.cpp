@@ -49,7 +49,9 @@ void copyLitPairs(Result& result, const Result& candelas) {
 class Bench {
   public:
     Bench(const BenchOptions& options, const candela::Context& context)
-        : options_(options), context_(context), progress_(options.quiet ? Verbosity::quiet : Verbosity::normal) {}
+        : options_(options),
+          context_(context),
+          progress_(options.quiet ? Verbosity::quiet : Verbosity::normal) {}
 
     void measureScene(const BenchScene& scene) {
         const std::vector<candela::Technique> techniques = techniquesFor(scene, options_);

@@ -114,7 +114,7 @@ class Sphere {
 class TextbookBaseline final : public Program {
   public:
     TextbookBaseline(const candela::Context& context, const BenchScene& scene, const BenchOptions& options,
-                    TextbookLighting lighting)
+                     TextbookLighting lighting)
         : clock_(context),
           lighting_(lighting),
           width_(options.width),
@@ -301,6 +301,6 @@ bool fitsTextbookLoop(const BenchScene& scene) {
 }
 
 std::unique_ptr<Program> makeTextbookBaseline(const candela::Context& context, const BenchScene& scene,
-                                             const BenchOptions& options, TextbookLighting lighting) {
+                                              const BenchOptions& options, TextbookLighting lighting) {
     return std::make_unique<TextbookBaseline>(context, scene, options, lighting);
 }

@@ -14,7 +14,7 @@ enum class TextbookLighting {
 /// (RGBA8), lighting into RGBA16F. Point lights and untextured materials only: throws `candela::Error`
 /// (unsupported) for a scene with others.
 std::unique_ptr<Program> makeTextbookBaseline(const candela::Context& context, const BenchScene& scene,
-                                             const BenchOptions& options, TextbookLighting lighting);
+                                              const BenchOptions& options, TextbookLighting lighting);
 
 /// May the full-screen loop run over so many lights? Software rasterisers end it at 65,535 turns without a
 /// word.

@@ -18,7 +18,8 @@ constexpr const char* eraseLine = "\r\x1b[K";
 
 }  // namespace
 
-Progress::Progress(Verbosity verbosity) : enabled_(verbosity == Verbosity::normal && isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(Verbosity verbosity)
+    : enabled_(verbosity == Verbosity::normal && isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     clear();

@@ -1,9 +1,9 @@
 #include "render_command.h"
 
+#include "common/camera_selection.h"
 #include "common/output_file.h"
 #include "common/progress.h"
 #include "common/scene_box.h"
-#include "common/camera_selection.h"
 #include "frame_path.h"
 #include "picture.h"
 #include "stats.h"

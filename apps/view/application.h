@@ -1,7 +1,7 @@
 #pragma once
 
-#include "resolution_scale.h"
 #include "interaction.h"
+#include "resolution_scale.h"
 #include "scene_loader.h"
 #include "shader_watch.h"
 #include "view_model.h"

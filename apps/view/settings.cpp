@@ -68,8 +68,8 @@ void readColor(const Json& json, SceneOptions& options) {
 
 void readSubdivision(const Json& json, SceneOptions& options) {
     options.subdivision.edgePixels = std::clamp(json.at("subdivision_edge").get<float>(), 0.1f, 1.0e5f);
-    options.subdivision.maxLevel = std::clamp(json.at("subdivision_max_level").get<std::uint32_t>(), 1u,
-                                              candela::maxSubdivisionLevel);
+    options.subdivision.maxLevel =
+        std::clamp(json.at("subdivision_max_level").get<std::uint32_t>(), 1u, candela::maxSubdivisionLevel);
 }
 
 /// Into copies, so that a file with a mistake leaves everything as it was.

@@ -11,7 +11,8 @@ enum class Interpolation { linear, step, cubicSpline };
 
 /// The values of one property of one node over time.
 struct AnimationChannel {
-    /// Index into `Scene::nodes`. The node's transform is a `Transform`; or, for morph weights, it shows a cage.
+    /// Index into `Scene::nodes`. The node's transform is a `Transform`; or, for morph weights, it shows a
+    /// cage.
     std::uint32_t node = 0;
     AnimationPath path = AnimationPath::translation;
     Interpolation interpolation = Interpolation::linear;  ///< Linear is spherical for rotations.

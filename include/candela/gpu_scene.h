@@ -57,8 +57,8 @@ struct CageReport {
     std::uint64_t tableBytes = 0;  ///< Memory of all stencil tables made so far.
     std::uint32_t minLevel = 0, maxLevel = 0;  ///< 0 without a subdivider or a frame.
     std::uint64_t lodClamped = 0;  ///< Cages whose level `maxLevel` or `maxVertices` keeps below what
-                                 ///< `edgePixels` asks for.
-    std::string evaluator;       ///< What moves the points: "compute" or "threads"; empty before a frame.
+                                   ///< `edgePixels` asks for.
+    std::string evaluator;         ///< What moves the points: "compute" or "threads"; empty before a frame.
 };
 
 /// The uploaded twin of a `Scene`. The scene given to the constructor is not kept; what `setTime` and

@@ -30,8 +30,9 @@ struct CageInstance {
 struct Node {
     std::string name;
     std::optional<std::uint32_t> parent;  ///< Index into `Scene::nodes`, less than this node's own.
-    std::variant<Transform, glm::mat4> transform = Transform{};  ///< Local; an affine matrix where the file gives one.
-    std::optional<std::uint32_t> mesh;               ///< Index into `Scene::meshes`.
+    std::variant<Transform, glm::mat4> transform =
+        Transform{};                    ///< Local; an affine matrix where the file gives one.
+    std::optional<std::uint32_t> mesh;  ///< Index into `Scene::meshes`.
     std::optional<CageInstance> cage;
 };
 

@@ -351,11 +351,11 @@ typedef struct candela_stencil_table {
 typedef struct candela_refined_cage {
     uint32_t struct_size;
     uint32_t point_count, vertex_count;
-    const uint32_t* seam_points;   /* vertex_count - point_count: the point of each twin */
+    const uint32_t* seam_points;     /* vertex_count - point_count: the point of each twin */
     candela_stencil_table positions; /* a row a vertex, of the cage's vertices; a twin takes the position of
                                       its point and only the derivatives of its own row */
-    candela_stencil_table uvs;       /* a row a vertex, of the cage's uvs; row_count 0 for a cage without uvs */
-    uint32_t face_size;            /* 4, or 3 for the Loop scheme */
+    candela_stencil_table uvs; /* a row a vertex, of the cage's uvs; row_count 0 for a cage without uvs */
+    uint32_t face_size;        /* 4, or 3 for the Loop scheme */
     uint32_t face_count;
     const uint32_t* face_vertices; /* face_size a face, counter-clockwise */
     const uint32_t* cage_faces;    /* the face of the cage that each stems from */
@@ -381,8 +381,9 @@ typedef struct candela_subdivider {
 /* ---- The plugin */
 typedef struct candela_request {
     uint32_t struct_size;
-    const char* uri;  /* as the user gave it */
-    const char* name; /* a file: its name, to be read with read_file; a procedural scene: what follows "scheme:" */
+    const char* uri; /* as the user gave it */
+    const char*
+        name; /* a file: its name, to be read with read_file; a procedural scene: what follows "scheme:" */
     /* since 1.1: what follows '?' behind a file's name; NULL where there is none. An importer refuses a query
      * that it does not know. One built for 1.0 is never given any: the host refuses it. */
     const char* query;

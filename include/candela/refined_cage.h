@@ -31,9 +31,9 @@ struct RefinedCage {
     std::uint32_t level = 0;  ///< Each edge of the cage is 2^level edges long; 0: the cage's own polygons.
     std::uint32_t pointCount = 0;
     std::vector<std::uint32_t> seamPoints;  ///< The point of each twin.
-    StencilTable positions;  ///< A row a vertex, of the cage's points. A twin's own weights are not used, only
-                           ///< those of its derivatives.
-    StencilTable uvs;        ///< A row a vertex, of the cage's texture coordinates; no rows without those.
+    StencilTable positions;  ///< A row a vertex, of the cage's points. A twin's own weights are not used,
+                             ///< only those of its derivatives.
+    StencilTable uvs;  ///< A row a vertex, of the cage's texture coordinates; no rows without those.
     std::uint32_t faceSize = 4;               ///< 3 or 4.
     std::vector<std::uint32_t> faceVertices;  ///< `faceSize` a face, counter-clockwise.
     std::vector<std::uint32_t> cageFaces;     ///< The cage's face that each face stems from.

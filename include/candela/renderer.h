@@ -145,8 +145,8 @@ class CANDELA_API Renderer {
     /// What the pixel of column `x` and row `y` (from the top) of the last frame shows; none on the
     /// background. Throws `Error` (badInput) when there is no such pixel.
     std::optional<PixelProbe> probe(const GpuScene& scene, int x, int y);
-    /// The most lights of any pixel of the last frame, if that showed `DebugView::lightCount`: what the heat map's
-    /// end stands for.
+    /// The most lights of any pixel of the last frame, if that showed `DebugView::lightCount`: what the heat
+    /// map's end stands for.
     std::uint32_t maxLightCount() const;
 
     /// Counts the last frame's pairs in a drawing of its own, outside timed frames. Of a data view none was

@@ -70,16 +70,17 @@ CANDELA_API Bounds nodeBounds(const Scene& scene, std::uint32_t node, const std:
 CANDELA_API Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& world, double time = 0.0);
 
 /// The view of camera `index` of the scene. A camera ignores its node's scale, shear and mirroring.
-CANDELA_API CameraView cameraView(const Scene& scene, std::uint32_t index, const std::vector<glm::mat4>& world);
+CANDELA_API CameraView cameraView(const Scene& scene, std::uint32_t index,
+                                  const std::vector<glm::mat4>& world);
 
 /// A view in which all of `bounds` is seen, from the front, a little to the right and above, 45 degrees high;
 /// `aspect` is width over height. An empty box gives a view from (0, 0, 5) to the origin.
 CANDELA_API CameraView frameBounds(const Bounds& bounds, float aspect);
 
-/// Lengthens `lights` by `count` point lights scattered over `bounds` by a fixed hash of `seed`, with saturated
-/// colours, `range` in metres and `candela` each. The first lights are the same for every larger count, and
-/// the same on every machine. Throws `Error`: badInput when the box is empty or not finite, the range not
-/// over 0 or the intensity not within 0 to 1e20; limit when memory does not hold the lights.
+/// Lengthens `lights` by `count` point lights scattered over `bounds` by a fixed hash of `seed`, with
+/// saturated colours, `range` in metres and `candela` each. The first lights are the same for every larger
+/// count, and the same on every machine. Throws `Error`: badInput when the box is empty or not finite, the
+/// range not over 0 or the intensity not within 0 to 1e20; limit when memory does not hold the lights.
 CANDELA_API void scatterLights(std::vector<Light>& lights, const Bounds& bounds, std::uint32_t count,
                                float range, float candela, std::uint32_t seed = 1);
 

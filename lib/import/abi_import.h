@@ -19,8 +19,7 @@ using NoteSink = std::function<void(const std::string&)>;
 
 Image imageFrom(const candela_image& pushed, const AbiReader& element);
 Material materialFrom(const candela_material& pushed, const AbiReader& element, const Scene& scene);
-Mesh meshFrom(const candela_mesh& pushed, const AbiReader& element, const Scene& scene,
-              const NoteSink& note);
+Mesh meshFrom(const candela_mesh& pushed, const AbiReader& element, const Scene& scene, const NoteSink& note);
 Cage cageFrom(const candela_cage& pushed, const AbiReader& element, const Scene& scene);
 Skin skinFrom(const candela_skin& pushed, const AbiReader& element, const Scene& scene);
 Node nodeFrom(const candela_node& pushed, const AbiReader& element, const Scene& scene);

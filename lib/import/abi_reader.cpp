@@ -74,7 +74,7 @@ void AbiReader::present(const char* member, const void* array, std::size_t count
 }
 
 void AbiReader::numbers(const char* member, const float* from, std::size_t count,
-                            std::vector<float>& out) const {
+                        std::vector<float>& out) const {
     present(member, from, count);
     bool finite = true;
     copyInBlocks(from, count, out, [&finite](const float* block, std::size_t size) {
@@ -84,7 +84,7 @@ void AbiReader::numbers(const char* member, const float* from, std::size_t count
 }
 
 void AbiReader::counts(const char* member, const std::uint32_t* from, std::size_t count,
-                           std::vector<std::uint32_t>& out) const {
+                       std::vector<std::uint32_t>& out) const {
     present(member, from, count);
     out.assign(from, from + count);
 }
@@ -102,7 +102,7 @@ glm::mat4 AbiReader::affine(const std::string& member, glm::mat4 matrix) const {
 }
 
 std::optional<std::uint32_t> AbiReader::reference(const char* member, std::int32_t index,
-                                                      std::size_t count) const {
+                                                  std::size_t count) const {
     if (index == -1) return std::nullopt;
     if (index < 0 || static_cast<std::size_t>(index) >= count)
         refuse(joined(member, " is ", index, ", but ", count, " were pushed so far and -1 is none"));
@@ -110,7 +110,7 @@ std::optional<std::uint32_t> AbiReader::reference(const char* member, std::int32
 }
 
 void AbiReader::requireFinite(const char* member, const float* numbers, std::size_t count,
-                                  std::size_t components) const {
+                              std::size_t components) const {
     if (allAreFinite(numbers, count * components)) return;
     const auto broken = std::find_if_not(numbers, numbers + count * components,
                                          [](float number) { return std::isfinite(number); });

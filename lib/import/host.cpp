@@ -104,8 +104,9 @@ candela_status ImportHost::readFile(const char* path, candela_bytes* out) noexce
             throw Error(ErrorKind::badInput, uri_, "read_file: its path or its result is NULL");
         *out = {};
         if (!files_)
-            throw Error(ErrorKind::badInput, uri_,
-                        joined("file '", oneLine(path), "': a procedural scene has no folder to read files from"));
+            throw Error(
+                ErrorKind::badInput, uri_,
+                joined("file '", oneLine(path), "': a procedural scene has no folder to read files from"));
         const auto bytes = files_->read(path);
         *out = {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
     });

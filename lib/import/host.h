@@ -19,7 +19,8 @@ namespace candela {
 /// `interface()`.
 class ImportHost {
   public:
-    /// `files` is null for a procedural scene, which has no folder. `uri` is what errors name as the file at fault.
+    /// `files` is null for a procedural scene, which has no folder. `uri` is what errors name as the file at
+    /// fault.
     ImportHost(std::string uri, std::unique_ptr<FileAccess> files, ImportProgress progress);
     ImportHost(const ImportHost&) = delete;
     ImportHost& operator=(const ImportHost&) = delete;

@@ -25,8 +25,8 @@ std::size_t morphTargetCount(const Scene& scene, const Node& node) {
 }
 
 // How many numbers the value of a key has, for a node that has what the path moves.
-std::size_t numbersOf(const AnimationChannel& channel, const std::string& member,
-                      const AbiReader& element, const Scene& scene) {
+std::size_t numbersOf(const AnimationChannel& channel, const std::string& member, const AbiReader& element,
+                      const Scene& scene) {
     const Node& node = scene.nodes[channel.node];
     if (channel.path == AnimationPath::morphWeights) {
         const std::size_t targets = morphTargetCount(scene, node);

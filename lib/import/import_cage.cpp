@@ -1,5 +1,5 @@
-#include "import/import_cage_deformation.h"
 #include "import/abi_import.h"
+#include "import/import_cage_deformation.h"
 
 #include <candela/error.h>
 

@@ -1,6 +1,6 @@
-#include "import/mesh_repair.h"
 #include "import/abi_import.h"
 #include "import/import_polygons.h"
+#include "import/mesh_repair.h"
 
 #include <optional>
 

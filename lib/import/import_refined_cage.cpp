@@ -47,8 +47,9 @@ void takeStarts(const candela_stencil_table& delivered, const char* rows, std::u
                               ", but no less than the one before it, ", *(falling - 1), ", was expected"));
 }
 
-StencilTable stencilTableFrom(const candela_stencil_table& delivered, const char* rows, std::uint32_t vertexCount,
-                          std::size_t columnCount, const char* columns, const AbiReader& element) {
+StencilTable stencilTableFrom(const candela_stencil_table& delivered, const char* rows,
+                              std::uint32_t vertexCount, std::size_t columnCount, const char* columns,
+                              const AbiReader& element) {
     StencilTable table;
     takeStarts(delivered, rows, vertexCount, element, table);
     const std::size_t entries = table.rowStarts.back();
@@ -72,10 +73,10 @@ void takeVertices(const candela_refined_cage& delivered, const AbiReader& elemen
 void takeTables(const candela_refined_cage& delivered, const AbiReader& element, const Cage& cage,
                 RefinedCage& refined) {
     refined.positions = stencilTableFrom(delivered.positions, "positions", delivered.vertex_count,
-                                       cage.positions.size(), "vertices of the cage", element);
+                                         cage.positions.size(), "vertices of the cage", element);
     if (!cage.uvs.empty())
         refined.uvs = stencilTableFrom(delivered.uvs, "uvs", delivered.vertex_count, cage.uvs.size(),
-                                     "texture coordinates of the cage", element);
+                                       "texture coordinates of the cage", element);
     else if (delivered.uvs.row_count != 0)
         element.refuse(joined("uvs.row_count is ", delivered.uvs.row_count,
                               ", but the cage has no texture coordinates"));

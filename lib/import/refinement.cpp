@@ -1,7 +1,7 @@
 #include "import/refinement.h"
 
-#include "import/import_refined_cage.h"
 #include "import/abi_reader.h"
+#include "import/import_refined_cage.h"
 
 #include <candela/error.h>
 

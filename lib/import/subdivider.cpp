@@ -1,7 +1,7 @@
 #include <candela/subdivider.h>
 
-#include "import/cage_struct.h"
 #include "import/abi_reader.h"
+#include "import/cage_struct.h"
 #include "import/refinement.h"
 #include "import/subdivider_state.h"
 
@@ -16,8 +16,8 @@ namespace {
 void checkLevel(const Cage& cage, std::uint32_t level) {
     const AbiReader element("cage", std::nullopt, cage.name.c_str());
     if (level < 1 || level > maxSubdivisionLevel)
-        element.refuse(joined("it was to be refined to level ", level, ", but 1 to ",
-                              maxSubdivisionLevel, " was expected"));
+        element.refuse(joined("it was to be refined to level ", level, ", but 1 to ", maxSubdivisionLevel,
+                              " was expected"));
     // Where all faces have a surface, each corner of the cage makes 4^level corners in every scheme.
     if (!cage.holes.empty() || cage.boundaryInterpolation == BoundaryInterpolation::none) return;
     const std::uint64_t corners = std::uint64_t{cage.faceVertices.size()} << (2 * level);

@@ -3,18 +3,18 @@
 #include "gl/pass_timer.h"
 #include "gl/state_guard.h"
 #include "render/debug/aovs.h"
-#include "render/display/display_pass.h"
-#include "render/frame_uniforms.h"
-#include "render/frustum.h"
-#include "render/gbuffer/geometry_pass.h"
-#include "render/gpu_scene/gpu_scene_state.h"
-#include "render/lighting/lighting.h"
-#include "render/gbuffer/readback.h"
+#include "render/debug/debug_view_pass.h"
 #include "render/debug/instance_pass.h"
 #include "render/debug/overlay_pass.h"
 #include "render/debug/probe.h"
 #include "render/debug/scissor.h"
-#include "render/debug/debug_view_pass.h"
+#include "render/display/display_pass.h"
+#include "render/frame_uniforms.h"
+#include "render/frustum.h"
+#include "render/gbuffer/geometry_pass.h"
+#include "render/gbuffer/readback.h"
+#include "render/gpu_scene/gpu_scene_state.h"
+#include "render/lighting/lighting.h"
 
 #include <candela/error.h>
 
@@ -146,8 +146,8 @@ void Renderer::State::drawSurfaces(const GpuScene& scene, GeometryPass::LoadOp s
 
 void Renderer::State::drawPicture(const GpuScene& scene) {
     LightingTechnique& technique = lighting.technique(frame->technique);
-    drawSurfaces(scene, technique.overwritesRadiance() ? GeometryPass::LoadOp::dontCare
-                                                       : GeometryPass::LoadOp::clear);
+    drawSurfaces(
+        scene, technique.overwritesRadiance() ? GeometryPass::LoadOp::dontCare : GeometryPass::LoadOp::clear);
     const LightingInputs inputs = lightingInputs(scene);
     lighting.bind(inputs);
     technique.render(inputs, timer);
@@ -253,7 +253,7 @@ HdrImage Renderer::radiance() {
     const gl::StateGuard guard;
     const GBufferTargets& targets = *state_->targets;
     HdrImage picture{targets.width, targets.height,
-                            readColor(targets.radiance, targets.width, targets.height)};
+                     readColor(targets.radiance, targets.width, targets.height)};
     const std::vector<float> depth = readDepth(targets);
     for (std::size_t i = 0; i < depth.size(); ++i) picture.rgba[4 * i + 3] = depth[i] > 0.0f ? 1.0f : 0.0f;
     flipRows(picture.rgba, targets.width, targets.height);

@@ -2,6 +2,7 @@
 
 #include "animations.h"
 #include "buffers.h"
+#include "cage_instances.h"
 #include "cages.h"
 #include "cameras.h"
 #include "container.h"
@@ -12,7 +13,6 @@
 #include "materials.h"
 #include "meshes.h"
 #include "nodes.h"
-#include "cage_instances.h"
 #include "skins.h"
 
 namespace candela_gltf {

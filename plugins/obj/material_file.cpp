@@ -70,7 +70,7 @@ class MaterialParser {
     void readColor(Statement& statement) {
         if (statement.rest().starts_with("spectral") || statement.rest().starts_with("xyz"))
             return ignored_.count("not used", std::string(statement.keyword()) + " other than r g b",
-                                    statement.line());
+                                  statement.line());
         // Emission has no upper limit but that of the host.
         const bool emits = member == &FileMaterial::emission;
         const double most = emits ? 1e20 : 1.0;

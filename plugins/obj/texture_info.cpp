@@ -72,7 +72,7 @@ class UseReader {
                                                      "-mm",     "-t",      "-texres", "-type"};
         const bool isKnown = std::find(std::begin(known), std::end(known), option) != std::end(known);
         ignored_.count(isKnown ? "not used" : "not known", "option " + std::string(option),
-                         statement_.line());
+                       statement_.line());
         if (isKnown && option != "-t" && option != "-mm") {
             statement_.needWord("a value");
             return;
@@ -104,7 +104,8 @@ bool TextureInfo::samplesLike(const TextureInfo& other) const {
            clamp == other.clamp;
 }
 
-TextureInfo parseTextureInfo(Statement& statement, const std::string& materialFile, IgnoredStatements& ignored) {
+TextureInfo parseTextureInfo(Statement& statement, const std::string& materialFile,
+                             IgnoredStatements& ignored) {
     TextureInfo use;
     use.element = statement.place() + ": " + std::string(statement.keyword());
     UseReader(statement, ignored, use).readOptions();

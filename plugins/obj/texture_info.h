@@ -30,6 +30,7 @@ struct TextureInfo {
 };
 
 /// Reads what follows the keyword. Options without an effect here are counted.
-TextureInfo parseTextureInfo(Statement& statement, const std::string& materialFile, IgnoredStatements& ignored);
+TextureInfo parseTextureInfo(Statement& statement, const std::string& materialFile,
+                             IgnoredStatements& ignored);
 
 }  // namespace candela_obj

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "stencils.h"
 #include "stencil_table.h"
+#include "stencils.h"
 
 namespace candela_opensubdiv {
 

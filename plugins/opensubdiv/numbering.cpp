@@ -97,8 +97,8 @@ class Numbering::Assigner {
         for (std::uint32_t slot = faceGrid.pointCount; slot < faceGrid.slots.size(); ++slot) {
             const std::uint32_t vertex = vertices[faceGrid.slots[slot].point];
             addSeamVertex(vertex < numbering_.pointCount_
-                        ? vertex
-                        : numbering_.seamPoints_[vertex - numbering_.pointCount_]);
+                              ? vertex
+                              : numbering_.seamPoints_[vertex - numbering_.pointCount_]);
         }
     }
 

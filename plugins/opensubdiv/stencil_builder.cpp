@@ -29,7 +29,7 @@ Place placeAt(std::uint32_t face, const FaceGrid& grid, const GridSlot& slot, do
 }  // namespace
 
 StencilBuilder::StencilBuilder(const GivenCage& cage, const LimitSurface& positions, const LimitSurface* uvs,
-                   std::uint32_t level)
+                               std::uint32_t level)
     : cage_(cage),
       positions_(positions),
       uvs_(uvs),
@@ -48,7 +48,7 @@ StencilBuilder::StencilBuilder(const GivenCage& cage, const LimitSurface& positi
 /// That depends on the positions of the cage as it stands. Where a surface is only nearly degenerate, the
 /// normal hardly changes in a sixteenth of a step, so it does no harm to take in too many.
 void StencilBuilder::add(std::uint32_t face, const FaceGrid& grid, std::span<const std::uint32_t> slots,
-                   VertexRows& rows) {
+                         VertexRows& rows) {
     for (const std::uint32_t index : slots) {
         const GridSlot& slot = grid.slots[index];
         const Place place = placeAt(face, grid, slot, 0.0);

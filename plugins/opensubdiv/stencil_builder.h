@@ -20,7 +20,7 @@ class StencilBuilder {
   public:
     /// `uvs` is NULL for a cage without texture coordinates.
     StencilBuilder(const GivenCage& cage, const LimitSurface& positions, const LimitSurface* uvs,
-             std::uint32_t level);
+                   std::uint32_t level);
 
     /// Adds a row for each of some slots of a face.
     void add(std::uint32_t face, const FaceGrid& grid, std::span<const std::uint32_t> slots,

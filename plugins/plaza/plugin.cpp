@@ -1,4 +1,5 @@
-// The plugin of procedural scenes. A further one is a scheme and a generator in the table, in files of its own.
+// The plugin of procedural scenes. A further one is a scheme and a generator in the table, in files of its
+// own.
 
 #include "cloud.h"
 #include "generator.h"
@@ -21,8 +22,9 @@ struct ProceduralScene {
     Generator generate;
 };
 
-constexpr std::array proceduralScenes{ProceduralScene{"plaza", makePlaza}, ProceduralScene{"cloud", makeCloud},
-                                ProceduralScene{"rooms", makeRooms}, ProceduralScene{"sculpture", makeSculpture}};
+constexpr std::array proceduralScenes{
+    ProceduralScene{"plaza", makePlaza}, ProceduralScene{"cloud", makeCloud},
+    ProceduralScene{"rooms", makeRooms}, ProceduralScene{"sculpture", makeSculpture}};
 
 constexpr auto schemes = [] {
     std::array<const char*, proceduralScenes.size() + 1> names{};
@@ -63,16 +65,16 @@ candela_status importScene(const candela_host* host, const candela_request* requ
 
 constexpr candela_importer importer{sizeof(candela_importer), nullptr, schemes.data(), importScene};
 
-constexpr candela_plugin plugin{
-    sizeof(candela_plugin),
-    CANDELA_PLUGIN_MAJOR,
-    CANDELA_PLUGIN_MINOR,
-    "plaza",
-    "0.1.0",
-    "procedural scenes under N point lights: plaza:N a square with 256 spheres, cloud:N a sphere of small lights, "
-    "rooms:N a floor of 256 rooms, sculpture:N the square with a subdivided ring",
-    &importer,
-    nullptr};
+constexpr candela_plugin plugin{sizeof(candela_plugin),
+                                CANDELA_PLUGIN_MAJOR,
+                                CANDELA_PLUGIN_MINOR,
+                                "plaza",
+                                "0.1.0",
+                                "procedural scenes under N point lights: plaza:N a square with 256 spheres, "
+                                "cloud:N a sphere of small lights, "
+                                "rooms:N a floor of 256 rooms, sculpture:N the square with a subdivided ring",
+                                &importer,
+                                nullptr};
 
 }  // namespace
 }  // namespace plaza

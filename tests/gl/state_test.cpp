@@ -57,8 +57,9 @@ struct Seen {
     std::optional<PixelProbe> probe;
 };
 
-constexpr std::array views{DebugView::normals,   DebugView::level, DebugView::baseColor, DebugView::metallic,
-                           DebugView::roughness, DebugView::depth, DebugView::emission,  DebugView::lightCount};
+constexpr std::array views{DebugView::normals,  DebugView::level,     DebugView::baseColor,
+                           DebugView::metallic, DebugView::roughness, DebugView::depth,
+                           DebugView::emission, DebugView::lightCount};
 
 /// Calls everything that draws, and reports after each call whether the state is still what it was.
 class WatchedFrame {

@@ -11,8 +11,7 @@ namespace {
 
 constexpr BrdfModel models[] = {BrdfModel::course, BrdfModel::gltf};
 
-constexpr double angles[] = {minNDotV, 3.0e-4, 1.0e-3, 3.0e-3, 0.01, 0.03,
-                             0.1,          0.18,   0.3,    0.5,    0.75, 1.0};
+constexpr double angles[] = {minNDotV, 3.0e-4, 1.0e-3, 3.0e-3, 0.01, 0.03, 0.1, 0.18, 0.3, 0.5, 0.75, 1.0};
 
 /// Samples along each axis of the quadrature, and what is left of its error: that of a third of the samples,
 /// measured by the test below, is at most 6e-4, and the midpoint rule's falls at least in proportion.

@@ -231,8 +231,7 @@ TEST_F(EditSession, DisplayViewAndExposureAreThoseOfTheCommandLine) {
     session.model().options.display = {"sRGB", "ACES 1.0 SDR", "", 0.0};
     session.step();
     // Two runs may choose another form of this view, which differ by a quarter of a code and its rounding.
-    EXPECT_LE(maxDifference(session.picture(), rendered(small({"plaza:64", "--view", "ACES 1.0 SDR"}))),
-              1);
+    EXPECT_LE(maxDifference(session.picture(), rendered(small({"plaza:64", "--view", "ACES 1.0 SDR"}))), 1);
 }
 
 TEST_F(EditSession, AViewThatIsNotThereIsAMessageAndThePictureStays) {

@@ -12,13 +12,13 @@
 namespace {
 
 constexpr OpenPanels noPanels{.scene = false,
-                               .material = false,
-                               .lights = false,
-                               .camera = false,
-                               .color = false,
-                               .drawing = false,
-                               .statistics = false,
-                               .probe = false};
+                              .material = false,
+                              .lights = false,
+                              .camera = false,
+                              .color = false,
+                              .drawing = false,
+                              .statistics = false,
+                              .probe = false};
 constexpr int left = 1, middle = 2, right = 3, wheelUp = 4, wheelDown = 5;
 
 /// The sample scene in a window without panels: what the pointer does is meant for the picture.

@@ -47,7 +47,7 @@ TEST(LightMotion, CirclesTheRestingPlace) {
 TEST(LightMotion, ComesBackAfterATurn) {
     const LightMotion motion{.moving = true, .radius = 1.0f, .speed = 0.25f};
     const std::vector<WorldLight> start = movedTo(1.5, motion), turned = movedTo(5.5, motion),
-                                   half = movedTo(3.5, motion);
+                                  half = movedTo(3.5, motion);
     for (const std::size_t i : {0u, 1u, 3u, 4u}) {
         EXPECT_LT(glm::distance(start[i].position, turned[i].position), 1.0e-5f);  // rounding
         EXPECT_NEAR(glm::distance(start[i].position, half[i].position), 2.0f, 1.0e-5f);
@@ -56,7 +56,7 @@ TEST(LightMotion, ComesBackAfterATurn) {
 
 TEST(LightMotion, GivesEachLightAPhaseOfItsOwn) {
     const std::vector<WorldLight> resting = someLights(),
-                                   moved = movedTo(0.7, {.moving = true, .radius = 1.0f, .speed = 1.0f});
+                                  moved = movedTo(0.7, {.moving = true, .radius = 1.0f, .speed = 1.0f});
     for (const std::size_t i : {1u, 3u, 4u})
         EXPECT_GT(
             glm::distance(moved[i].position - resting[i].position, moved[0].position - resting[0].position),

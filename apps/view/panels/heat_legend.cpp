@@ -75,7 +75,8 @@ void drawLevels() {
 
 void drawHeatLegend(const ViewModel& model) {
     const candela::DebugView show = model.options.show.show;
-    if (!model.document || (show != candela::DebugView::lightCount && show != candela::DebugView::level)) return;
+    if (!model.document || (show != candela::DebugView::lightCount && show != candela::DebugView::level))
+        return;
     const PanelPlace picture = freePicture(panelSpace());
     ImGui::SetNextWindowPos({picture.position.x + 0.5f * picture.size.x,
                              picture.position.y + picture.size.y - ImGui::GetFontSize()},

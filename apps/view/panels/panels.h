@@ -5,17 +5,18 @@
 /// Each draws one panel with Dear ImGui, reads and changes the model, and asks for the rest by
 /// `ViewModel::requests`. To be called between ImGui::NewFrame and ImGui::Render.
 void drawMenuBar(ViewModel& model);
-void drawScenePanel(ViewModel& model);        ///< Tree of nodes with visibility; picking.
-void drawMaterialPanel(ViewModel& model);     ///< Colour, metal and roughness of the picked material.
-void drawLightPanel(ViewModel& model);        ///< List, picked light, scattering, motion.
-void drawCameraPanel(ViewModel& model);       ///< Cameras of the file, eye, target, field of view, time.
-void drawColorPanel(ViewModel& model);        ///< Config, display, view, look, exposure.
-void drawDrawingPanel(ViewModel& model);      ///< Technique, reflection model, what is shown, subdivision.
-void drawStatisticsPanel(ViewModel& model);   ///< Passes as a running graph, counters.
-void drawProbePanel(ViewModel& model);        ///< The pixel under the pointer.
-void drawHeatLegend(const ViewModel& model);  ///< Over the picture, for `DebugView::lightCount` and `DebugView::level`.
-void drawLoading(ViewModel& model);           ///< Progress bar with a button that cancels.
-void drawMessages(ViewModel& model);          ///< Notes and errors until dismissed; the shader error.
+void drawScenePanel(ViewModel& model);       ///< Tree of nodes with visibility; picking.
+void drawMaterialPanel(ViewModel& model);    ///< Colour, metal and roughness of the picked material.
+void drawLightPanel(ViewModel& model);       ///< List, picked light, scattering, motion.
+void drawCameraPanel(ViewModel& model);      ///< Cameras of the file, eye, target, field of view, time.
+void drawColorPanel(ViewModel& model);       ///< Config, display, view, look, exposure.
+void drawDrawingPanel(ViewModel& model);     ///< Technique, reflection model, what is shown, subdivision.
+void drawStatisticsPanel(ViewModel& model);  ///< Passes as a running graph, counters.
+void drawProbePanel(ViewModel& model);       ///< The pixel under the pointer.
+void drawHeatLegend(
+    const ViewModel& model);  ///< Over the picture, for `DebugView::lightCount` and `DebugView::level`.
+void drawLoading(ViewModel& model);   ///< Progress bar with a button that cancels.
+void drawMessages(ViewModel& model);  ///< Notes and errors until dismissed; the shader error.
 
 /// All of them, those that are open.
 void drawPanels(ViewModel& model);

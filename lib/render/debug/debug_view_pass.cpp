@@ -1,7 +1,7 @@
 #include "render/debug/debug_view_pass.h"
 
-#include "render/layout.h"
 #include "render/debug/color_scales.h"
+#include "render/layout.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

@@ -2,11 +2,11 @@
 
 #include "gl/program.h"
 #include "gl/texture.h"
+#include "render/debug/instance_pass.h"
+#include "render/debug/max_reduction.h"
 #include "render/gbuffer/gbuffer_targets.h"
 #include "render/gpu_scene/gpu_scene_state.h"
 #include "render/lighting/lighting.h"
-#include "render/debug/max_reduction.h"
-#include "render/debug/instance_pass.h"
 
 #include <candela/renderer.h>
 
@@ -27,8 +27,8 @@ class DebugViewPass {
         Lighting& lighting;           ///< Counts the lights.
         InstancePass& instances;
     };
-    /// Writes the view's code values into the radiance target, which holds emission where `DebugView::emission` is
-    /// asked for. The frame's uniform block is bound.
+    /// Writes the view's code values into the radiance target, which holds emission where
+    /// `DebugView::emission` is asked for. The frame's uniform block is bound.
     void render(const Inputs& inputs);
     /// The end of the heat map in the last view of light counts.
     std::uint32_t maxLightCount() const;

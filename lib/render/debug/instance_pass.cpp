@@ -1,8 +1,8 @@
 #include "render/debug/instance_pass.h"
 
-#include "render/layout.h"
-#include "render/gpu_scene/draw_commands.h"
 #include "render/debug/scissor.h"
+#include "render/gpu_scene/draw_commands.h"
+#include "render/layout.h"
 
 #include <array>
 

@@ -17,7 +17,8 @@ GLuint groups(int pixels) {
 
 }  // namespace
 
-MaxReduction::MaxReduction() : program_({{"max_reduction.comp", {}, {}}}, "greatest value"), buffer_("greatest value") {}
+MaxReduction::MaxReduction()
+    : program_({{"max_reduction.comp", {}, {}}}, "greatest value"), buffer_("greatest value") {}
 
 void MaxReduction::find(const gl::Texture& picture, int width, int height) {
     constexpr float none = 0.0f;

@@ -1,7 +1,7 @@
 #include "render/debug/overlay_pass.h"
 
-#include "render/layout.h"
 #include "render/gpu_scene/draw_commands.h"
+#include "render/layout.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

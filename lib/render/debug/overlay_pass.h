@@ -3,9 +3,9 @@
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "render/subdivision/cage_lines.h"
 #include "render/gbuffer/gbuffer_targets.h"
 #include "render/gpu_scene/gpu_scene_state.h"
+#include "render/subdivision/cage_lines.h"
 
 #include <candela/renderer.h>
 

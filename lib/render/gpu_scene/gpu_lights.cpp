@@ -61,7 +61,8 @@ GpuLights::GpuLights(const GpuSceneOptions& options)
 float GpuLights::rangeOf(const WorldLight& light, const glm::vec3& intensity) {
     if (light.range > 0.0f) return light.range;
     const float brightest = std::max({intensity.r, intensity.g, intensity.b, 0.0f});
-    // At its range a light would still give the threshold: that is the most the window takes, but no more than the light gives at all.
+    // At its range a light would still give the threshold: that is the most the window takes, but no more
+    // than the light gives at all.
     constexpr float distance = static_cast<float>(minDistance);
     ++report_.rangesAssigned;
     report_.irradianceCut += std::min(brightest / (distance * distance), options_.irradianceThreshold);

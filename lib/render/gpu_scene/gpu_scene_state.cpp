@@ -1,8 +1,8 @@
 #include "render/gpu_scene/gpu_scene_state.h"
 
 #include "render/gpu_scene/instance_records.h"
-#include "render/layout.h"
 #include "render/gpu_scene/material_records.h"
+#include "render/layout.h"
 #include "scene/validate/finite.h"
 #include "scene/validate/validate_parts.h"
 

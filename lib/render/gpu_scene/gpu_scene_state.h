@@ -2,14 +2,14 @@
 
 #include "gl/buffer.h"
 #include "gl/texture.h"
-#include "render/subdivision/cage_lines.h"
-#include "render/subdivision/gpu_cages.h"
-#include "render/gpu_scene/draw_list.h"
 #include "render/frustum.h"
+#include "render/gpu_scene/draw_list.h"
 #include "render/gpu_scene/gpu_images.h"
 #include "render/gpu_scene/gpu_lights.h"
 #include "render/gpu_scene/gpu_meshes.h"
 #include "render/gpu_scene/surface_uvs.h"
+#include "render/subdivision/cage_lines.h"
+#include "render/subdivision/gpu_cages.h"
 
 #include <candela/gpu_scene.h>
 

@@ -1,7 +1,7 @@
 #include "render/lighting/pair_counter.h"
 
-#include "render/lighting/lighting_bindings.h"
 #include "render/gbuffer/readback.h"
+#include "render/lighting/lighting_bindings.h"
 
 #include <array>
 #include <numeric>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gl/program.h"
-#include "render/lighting/volumes/light_volumes.h"
 #include "render/lighting/lighting_technique.h"
+#include "render/lighting/volumes/light_volumes.h"
 #include "render/lighting/volumes/stencilled_depth.h"
 
 #include <cstdint>

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "gl/buffer.h"
+#include "render/gpu_scene/vertex_streams.h"
 #include "render/subdivision/cage_levels.h"
 #include "render/subdivision/cage_lines.h"
 #include "render/subdivision/evaluator_backend.h"
 #include "render/subdivision/limit_streams.h"
-#include "render/gpu_scene/vertex_streams.h"
 
 #include <glm/vec3.hpp>
 

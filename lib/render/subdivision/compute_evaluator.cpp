@@ -1,7 +1,7 @@
 #include "render/subdivision/compute_evaluator.h"
 
-#include "render/subdivision/gpu_stencil_table.h"
 #include "render/layout.h"
+#include "render/subdivision/gpu_stencil_table.h"
 
 #include <algorithm>
 
@@ -26,9 +26,10 @@ ComputeEvaluator::ComputeEvaluator()
 
 bool ComputeEvaluator::takes(const LimitRequest& request) const {
     const RefinedCage& refined = request.table.refined();
-    const std::size_t largest = std::max({refined.positions.columns.size() * GpuStencilTable::Storage::entryBytes,
-                                          LimitStreams::surfaceBytes(refined.vertexCount()),
-                                          request.uvDerivatives.size_bytes(), request.points.size_bytes()});
+    const std::size_t largest =
+        std::max({refined.positions.columns.size() * GpuStencilTable::Storage::entryBytes,
+                  LimitStreams::surfaceBytes(refined.vertexCount()), request.uvDerivatives.size_bytes(),
+                  request.points.size_bytes()});
     // llvmpipe ends a loop after 65,535 turns without a word.
     constexpr std::uint32_t maxRow = 65535;
     return largest <= maxBlock_ && request.table.longestRow() <= maxRow;

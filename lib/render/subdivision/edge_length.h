@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/subdivision/cage_edges.h"
 #include "render/frustum.h"
+#include "render/subdivision/cage_edges.h"
 
 #include <glm/vec3.hpp>
 

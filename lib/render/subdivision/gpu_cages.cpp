@@ -1,8 +1,8 @@
 #include "render/subdivision/gpu_cages.h"
 
-#include "render/subdivision/lod_request.h"
 #include "render/gpu_scene/draw_list.h"
 #include "render/gpu_scene/instance_records.h"
+#include "render/subdivision/lod_request.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,7 +139,8 @@ void GpuCages::lookAtShown(const Sight& sight, const Shown& shown) {
     if (shape.levels().fixedLevel(settings_)) return;
     // No edge is longer than the sphere is wide, nor nearer than its surface.
     const float nearest = std::max(glm::distance(center, sight.eye) - radius, sight.nearPlane);
-    if (request.longestEdge && 2.0f * radius * sight.pixelsAtOneMetre / nearest <= *request.longestEdge) return;
+    if (request.longestEdge && 2.0f * radius * sight.pixelsAtOneMetre / nearest <= *request.longestEdge)
+        return;
     worldPoints_.clear();
     for (const glm::vec3& point : shape.points()) worldPoints_.emplace_back(m * glm::vec4(point, 1.0f));
     const std::optional<float> longest = longestEdge(sight, worldPoints_, shape.levels().edges());

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/subdivision/line_indices.h"
 #include "render/gpu_scene/index_range.h"
+#include "render/subdivision/line_indices.h"
 
 #include <candela/cage.h>
 #include <candela/refined_cage.h>

@@ -35,8 +35,7 @@ std::uint64_t refinedPoints(SubdivisionScheme scheme, const CageSize& size, std:
     return refined.vertices;
 }
 
-std::uint32_t maxLevel(SubdivisionScheme scheme, const CageSize& size,
-                            const SubdivisionSettings& settings) {
+std::uint32_t maxLevel(SubdivisionScheme scheme, const CageSize& size, const SubdivisionSettings& settings) {
     std::uint32_t level = 1;
     while (level < settings.maxLevel && refinedPoints(scheme, size, level + 1) <= settings.maxVertices)
         ++level;

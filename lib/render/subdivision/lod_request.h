@@ -18,8 +18,7 @@ struct CageSize {
 std::uint64_t refinedPoints(SubdivisionScheme scheme, const CageSize& size, std::uint32_t level);
 
 /// The greatest level that `settings` allow a cage whose level follows its size on the screen, 1 or more.
-std::uint32_t maxLevel(SubdivisionScheme scheme, const CageSize& size,
-                            const SubdivisionSettings& settings);
+std::uint32_t maxLevel(SubdivisionScheme scheme, const CageSize& size, const SubdivisionSettings& settings);
 
 /// The level at which edges of `longestEdge` pixels are no longer than `edgePixels`, as a real number.
 float idealLevel(float longestEdge, float edgePixels);

@@ -1,7 +1,7 @@
 #include "scene/geometry/normals.h"
 
-#include "scene/validate/finite.h"
 #include "scene/geometry/mesh_indices.h"
+#include "scene/validate/finite.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,9 +1,9 @@
 #include "scene/geometry/tangents.h"
 
-#include "scene/validate/error_context.h"
 #include "scene/geometry/mesh_indices.h"
 #include "scene/geometry/perpendicular.h"
 #include "scene/geometry/tangent_groups.h"
+#include "scene/validate/error_context.h"
 
 #include <candela/error.h>
 

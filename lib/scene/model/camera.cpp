@@ -1,7 +1,7 @@
 #include <candela/camera.h>
 
-#include "scene/validate/finite.h"
 #include "scene/model/frame.h"
+#include "scene/validate/finite.h"
 
 #include <candela/error.h>
 #include <candela/scene.h>

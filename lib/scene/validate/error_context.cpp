@@ -40,7 +40,8 @@ void ErrorContext::requireWithin(const char* what, float value, float least, flo
            shortNumber(most));
 }
 
-void ErrorContext::requireIndex(const char* kind, std::optional<std::uint32_t> index, std::size_t count) const {
+void ErrorContext::requireIndex(const char* kind, std::optional<std::uint32_t> index,
+                                std::size_t count) const {
     if (!index || *index < count) return;
     refuse("refers to " + (kind + (" " + std::to_string(*index))) + ", but the scene has " +
            std::to_string(count) + " (counted from 0)");

@@ -11,8 +11,8 @@ namespace candela {
 
 /// Refuses with "WHAT INDEX RULE" the first value for which `holds` is false.
 template <typename Value, typename Rule>
-void requireEach(const std::vector<Value>& values, const char* what, const char* rule, const ErrorContext& element,
-                 Rule holds) {
+void requireEach(const std::vector<Value>& values, const char* what, const char* rule,
+                 const ErrorContext& element, Rule holds) {
     const auto broken = std::find_if_not(values.begin(), values.end(), holds);
     if (broken == values.end()) return;
     element.refuse(what + (" " + std::to_string(broken - values.begin())) + " " + rule);

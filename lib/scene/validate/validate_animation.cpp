@@ -56,8 +56,7 @@ void validateValues(const AnimationChannel& channel, const Scene& scene, const C
                     "the number of its values does not fit the number of its keys");
     for (const float value : channel.values) {
         // False for a NaN too.
-        element.require(std::abs(value) <= maxAnimated,
-                        "its values must be finite numbers of at most 1e9");
+        element.require(std::abs(value) <= maxAnimated, "its values must be finite numbers of at most 1e9");
     }
     if (!rotates) return;
     for (std::size_t at = cubic ? numbers : 0; at < channel.values.size(); at += stride) {

@@ -38,7 +38,8 @@ void validateArrays(const Mesh& mesh, const ErrorContext& element) {
                 });
 }
 
-void validateSubmesh(const Submesh& submesh, const Mesh& mesh, const Scene& scene, const ErrorContext& element) {
+void validateSubmesh(const Submesh& submesh, const Mesh& mesh, const Scene& scene,
+                     const ErrorContext& element) {
     element.require(submesh.firstIndex % 3 == 0 && submesh.indexCount % 3 == 0,
                     "a submesh's first index and index count must be multiples of 3");
     const std::uint64_t end = std::uint64_t{submesh.firstIndex} + submesh.indexCount;

@@ -19,8 +19,9 @@ namespace candela::test {
 namespace {
 
 constexpr int width = 72, height = 50;
-constexpr std::array views{DebugView::normals,   DebugView::level, DebugView::baseColor, DebugView::metallic,
-                           DebugView::roughness, DebugView::depth, DebugView::emission,  DebugView::lightCount};
+constexpr std::array views{DebugView::normals,  DebugView::level,     DebugView::baseColor,
+                           DebugView::metallic, DebugView::roughness, DebugView::depth,
+                           DebugView::emission, DebugView::lightCount};
 
 /// Spheres and a floor of all roughnesses under point lights, a surface that glows, one without light, and
 /// background.
@@ -95,14 +96,14 @@ constexpr float powerRounding = 2e-5f;
 
 TEST_F(ShowViewsTest, normals) {
     expectView(
-        DebugView::normals, [](const AovReader& r, int x, int y) { return 0.5f + 0.5f * r.vector("N", x, y); },
-        rounding);
+        DebugView::normals,
+        [](const AovReader& r, int x, int y) { return 0.5f + 0.5f * r.vector("N", x, y); }, rounding);
 }
 
 TEST_F(ShowViewsTest, baseColor) {
     expectView(
-        DebugView::baseColor, [](const AovReader& r, int x, int y) { return srgb(r.vector("base_color", x, y)); },
-        powerRounding);
+        DebugView::baseColor,
+        [](const AovReader& r, int x, int y) { return srgb(r.vector("base_color", x, y)); }, powerRounding);
 }
 
 TEST_F(ShowViewsTest, metallicAndRoughness) {
@@ -131,8 +132,8 @@ TEST_F(ShowViewsTest, depthIsBrightWhereItIsNear) {
 
 TEST_F(ShowViewsTest, emission) {
     expectView(
-        DebugView::emission, [](const AovReader& r, int x, int y) { return srgb(r.vector("emission", x, y)); },
-        powerRounding);
+        DebugView::emission,
+        [](const AovReader& r, int x, int y) { return srgb(r.vector("emission", x, y)); }, powerRounding);
 }
 
 TEST_F(ShowViewsTest, emissionOfASceneThatEmitsNothingIsBlackAfterALitPicture) {

@@ -71,7 +71,8 @@ TEST_F(ProbeTest, equalsTheAovsOfEveryKindOfSurface) {
 TEST_F(ProbeTest, equalsTheAovsOfDataViews) {
     const LitScene made = textured();
     const GpuScene scene = upload(made.scene, made.lights);
-    for (const DebugView show : {DebugView::normals, DebugView::emission, DebugView::level, DebugView::lightCount}) {
+    for (const DebugView show :
+         {DebugView::normals, DebugView::emission, DebugView::level, DebugView::lightCount}) {
         renderer().render(scene, frameOf(made.view, show));
         EXPECT_GT(expectAovs(scene, 29), 10) << toString(show);
     }

@@ -38,8 +38,8 @@ constexpr float headOn = (0.96f + 0.01f) / pi;
 
 class LightTest : public DrawingTest {
   protected:
-    static HdrImage lit(const Scene& scene, const std::vector<WorldLight>& lights,
-                               Technique technique, BrdfModel model = BrdfModel::course) {
+    static HdrImage lit(const Scene& scene, const std::vector<WorldLight>& lights, Technique technique,
+                        BrdfModel model = BrdfModel::course) {
         return drawn(upload(scene, lights), {size, size, front(), model, technique});
     }
     static float middleOf(const HdrImage& picture) { return pixelOf(picture, middle, middle).g; }
@@ -145,8 +145,8 @@ TEST_F(LightTest, directionalLightIsTheSameEverywhereAndComesFromItsDirection) {
 TEST_F(LightTest, lightsAddUp) {
     const Scene scene = sceneOf(makeQuad(1.0f), white(0.4f));
     const std::vector<WorldLight> lights{pointLight({0.5f, 0, 1}, 4, {1, 0.2f, 0}),
-                                          spotLight({0, 0.5f, 1}, {0, 0, 0}, 4, {0, 1, 2}, 0.1f, 0.9f),
-                                          directionalLight({0.2f, 0, -1}, {0.1f, 0.3f, 0.2f})};
+                                         spotLight({0, 0.5f, 1}, {0, 0, 0}, 4, {0, 1, 2}, 0.1f, 0.9f),
+                                         directionalLight({0.2f, 0, -1}, {0.1f, 0.3f, 0.2f})};
     for (const Technique technique : techniques) {
         const HdrImage all = lit(scene, lights, technique);
         std::vector<float> sum(all.rgba.size(), 0.0f);

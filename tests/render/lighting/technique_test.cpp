@@ -37,8 +37,9 @@ class TechniqueTest : public DrawingTest {
         return 4.0 / 16777216.0 * brightest;
     }
 
-    static void expectSamePictures(const Scene& scene, std::span<const WorldLight> lights, const CameraView& view,
-                                   const char* what, int width = 96, int height = 54) {
+    static void expectSamePictures(const Scene& scene, std::span<const WorldLight> lights,
+                                   const CameraView& view, const char* what, int width = 96,
+                                   int height = 54) {
         const GpuScene uploaded = upload(scene, lights);
         for (const BrdfModel model : models) {
             FrameInputs inputs{width, height, view, model, Technique::fullscreen};
@@ -214,8 +215,7 @@ TEST_F(TechniqueTest, moreLightsThanOneLoopTurns) {
 TEST_F(TechniqueTest, noLightAtAll) {
     const Scene scene = room();
     expectSamePictures(scene, {}, front, "no light");
-    const HdrImage picture =
-        drawn(upload(scene), {8, 8, front, BrdfModel::course, Technique::volumes});
+    const HdrImage picture = drawn(upload(scene), {8, 8, front, BrdfModel::course, Technique::volumes});
     for (std::size_t i = 0; i < picture.rgba.size(); i += 4) ASSERT_EQ(picture.rgba[i], 0.0f);
 }
 
@@ -260,7 +260,8 @@ class CountTest : public DrawingTest {
   protected:
     static constexpr int width = 80, height = 45;
 
-    static void expectCounts(const Scene& scene, const std::vector<WorldLight>& lights, const CameraView& view) {
+    static void expectCounts(const Scene& scene, const std::vector<WorldLight>& lights,
+                             const CameraView& view) {
         const GpuScene uploaded = upload(scene, lights);
         for (const Technique technique : techniques) {
             renderer().render(uploaded, {width, height, view, BrdfModel::course, technique});

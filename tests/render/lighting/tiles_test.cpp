@@ -127,8 +127,8 @@ TEST_F(TilesTest, picturesThatAreNoMultipleOfATile) {
 TEST_F(TilesTest, pictureOf7680By4320) {
     const Scene scene = wall();
     std::vector<WorldLight> lights{pointLight({-7, -4, 1}, 3.0f, {9, 3, 2}),
-                                    pointLight({7, 4, 1}, 3.0f, {2, 3, 9}),
-                                    spotLight({0, 0, 4}, {1, 0, 0}, 8.0f, {20, 20, 20}, 0.2f, 0.5f)};
+                                   pointLight({7, 4, 1}, 3.0f, {2, 3, 9}),
+                                   spotLight({0, 0, 4}, {1, 0, 0}, 8.0f, {20, 20, 20}, 0.2f, 0.5f)};
     const FormPicture picture{scene, lights, front, 7680, 4320};
     // One form, the widest kernel: the others differ from it in nothing that depends on the size, and each
     // picture takes seconds.

@@ -1,7 +1,7 @@
 // What cages look like: creases, seams, levels, materials.
 
-#include "support/cage_scenes.h"
 #include "gbuffer/gbuffer_drawing.h"
+#include "support/cage_scenes.h"
 
 #include <candela/error.h>
 

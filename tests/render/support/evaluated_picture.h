@@ -22,9 +22,11 @@ struct ExpectedPixel {
 /// Tolerance: single precision holds each input of the equation to a few units in its last place (2^-24
 /// relative), and no more can be asked of a pixel than that it be right for inputs so displaced. The light of
 /// each lamp may therefore err by the sum of
-///  - its change when the surface moves by `positionUnits` units of its coordinates' size along each axis, and
+///  - its change when the surface moves by `positionUnits` units of its coordinates' size along each axis,
+///  and
 ///    when its normal turns by `normalError`: what counts for sharp highlights and for lights very near;
-///  - `relativeError` of it, for some 60 roundings on the way (6e-8 each) and for pow, of which OpenGL asks no
+///  - `relativeError` of it, for some 60 roundings on the way (6e-8 each) and for pow, of which OpenGL asks
+///  no
 ///    more than 16 units in the last place;
 ///  - `windowError` of it before the range window, where 1 - (d / range)^4 cancels;
 ///  - the change of a spot's factor when the cosine moves by `cosineError`.

@@ -88,7 +88,7 @@ WorldLight pointLight(const glm::vec3& position, float range, const glm::vec3& i
 }
 
 WorldLight spotLight(const glm::vec3& position, const glm::vec3& target, float range,
-                      const glm::vec3& intensity, float inner, float outer) {
+                     const glm::vec3& intensity, float inner, float outer) {
     WorldLight light = pointLight(position, range, intensity);
     light.type = LightType::spot;
     light.direction = glm::normalize(target - position);

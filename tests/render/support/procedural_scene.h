@@ -29,7 +29,7 @@ Scene sceneOf(Mesh mesh, const Material& material, const glm::mat4& transform = 
 
 WorldLight pointLight(const glm::vec3& position, float range, const glm::vec3& intensity);
 WorldLight spotLight(const glm::vec3& position, const glm::vec3& target, float range,
-                      const glm::vec3& intensity, float inner, float outer);
+                     const glm::vec3& intensity, float inner, float outer);
 WorldLight directionalLight(const glm::vec3& direction, const glm::vec3& illuminance);
 
 /// A number from 0 to 1 that depends on `seed` and `index` alone.

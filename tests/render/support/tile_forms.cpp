@@ -1,10 +1,10 @@
 #include "support/tile_forms.h"
 
 #include "gl/state_guard.h"
-#include "render/lighting/fullscreen/fullscreen_technique.h"
 #include "render/gbuffer/geometry_pass.h"
-#include "render/lighting/lighting_bindings.h"
 #include "render/gbuffer/readback.h"
+#include "render/lighting/fullscreen/fullscreen_technique.h"
+#include "render/lighting/lighting_bindings.h"
 #include "render/lighting/tiled/compute_tiles.h"
 #include "render/lighting/tiled/software_tiles.h"
 
@@ -62,8 +62,8 @@ std::vector<float> radianceOf(const Context& context, const TileForm& form, cons
     buffer.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
     glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, buffer.name());
     gl::PassTimer timer(gl::PassTimer::Clock::wallAroundFinish);
-    const auto start = form.technique->overwritesRadiance() ? GeometryPass::LoadOp::dontCare
-                                                            : GeometryPass::LoadOp::clear;
+    const auto start =
+        form.technique->overwritesRadiance() ? GeometryPass::LoadOp::dontCare : GeometryPass::LoadOp::clear;
     for (int frame = 0; frame < 2; ++frame) {
         geometry.render({state, targets, start});
         bindForLighting(targets, state.lights, albedo);

@@ -1,7 +1,7 @@
 #include <candela/scene.h>
 
-#include "validate/broken_rule.h"
 #include "sample_cage_scene.h"
+#include "validate/broken_rule.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 
 #include "dice.h"
 #include "sample_scene.h"
-#include "scene/validate/finite.h"
 #include "scene/geometry/normals.h"
 #include "scene/geometry/tangents.h"
+#include "scene/validate/finite.h"
 
 #include <gtest/gtest.h>
 

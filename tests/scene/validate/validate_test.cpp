@@ -1,8 +1,8 @@
 #include <candela/error.h>
 #include <candela/scene.h>
 
-#include "validate/broken_rule.h"
 #include "sample_scene.h"
+#include "validate/broken_rule.h"
 
 #include <gtest/gtest.h>
 

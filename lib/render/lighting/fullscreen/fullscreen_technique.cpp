@@ -1,7 +1,7 @@
 #include "render/lighting/fullscreen/fullscreen_technique.h"
 
-#include "render/layout.h"
 #include "render/gbuffer/readback.h"
+#include "render/layout.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "render/lighting/tiled/compute_tiles.h"
 
-#include "render/layout.h"
 #include "render/gbuffer/readback.h"
+#include "render/layout.h"
 
 #include <algorithm>
 #include <vector>

@@ -2,8 +2,8 @@
 
 #include "gl/buffer.h"
 #include "gl/program.h"
-#include "render/lighting/volumes/light_batches.h"
 #include "render/lighting/lighting_technique.h"
+#include "render/lighting/volumes/light_batches.h"
 #include "render/lighting/volumes/sphere_proxy.h"
 
 #include <cstdint>

@@ -16,7 +16,8 @@ struct SphereProxy {
     float radius = 1.0f;                                  ///< Of the sphere that holds the polyhedron.
 };
 
-/// The icosahedron: 12 vertices, 20 triangles. Software rasterisers pay more for a triangle than for the pixels that a rounder proxy would save.
+/// The icosahedron: 12 vertices, 20 triangles. Software rasterisers pay more for a triangle than for the
+/// pixels that a rounder proxy would save.
 SphereProxy makeSphereProxy();
 
 }  // namespace candela

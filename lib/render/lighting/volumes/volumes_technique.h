@@ -1,9 +1,9 @@
 #pragma once
 
 #include "render/lighting/fullscreen/fullscreen_technique.h"
-#include "render/lighting/volumes/light_volumes.h"
 #include "render/lighting/lighting_bindings.h"
 #include "render/lighting/lighting_technique.h"
+#include "render/lighting/volumes/light_volumes.h"
 #include "render/lighting/volumes/stencilled_depth.h"
 
 namespace candela {
