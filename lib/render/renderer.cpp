@@ -95,6 +95,7 @@ struct Renderer::State {
     DisplayPass display;
     gl::Buffer frameBuffer;
     InstancePass instances;
+    DrawSelection draws;  ///< Of the last frame's view.
     // Made by `makePasses` when they are first needed.
     std::optional<DebugViewPass> show;
     std::optional<OverlayPass> overlays;
@@ -125,7 +126,7 @@ void Renderer::State::makePasses(const FrameInputs& inputs, Technique technique)
 
 LightingInputs Renderer::State::lightingInputs(const GpuScene& scene) const {
     return {*targets,        scene.state().lights, frame->frustum,
-            frame->uniforms, frame->inputs.brdf,   scene.state().draws.emits()};
+            frame->uniforms, frame->inputs.brdf,   draws.emits()};
 }
 
 void Renderer::State::bindFrame(const layout::FrameUniforms& uniforms) {
@@ -135,8 +136,8 @@ void Renderer::State::bindFrame(const layout::FrameUniforms& uniforms) {
 
 void Renderer::State::drawGeometry(const GpuScene& scene, const GBufferTargets& into,
                                    GeometryPass::LoadOp start) {
-    scene.state().select(frame->frustum);
-    geometry.render({scene.state(), into, start});
+    scene.state().cull(frame->frustum, draws);
+    geometry.render({scene.state(), draws, into, start});
 }
 
 void Renderer::State::drawSurfaces(const GpuScene& scene, GeometryPass::LoadOp start) {
@@ -158,18 +159,18 @@ void Renderer::State::drawData(const GpuScene& scene) {
     const LightingInputs inputs = lightingInputs(scene);
     lighting.bind(inputs);
     const gl::PassTimer::Scope pass(timer, "show");
-    show->render({frame->inputs.show, scene.state(), inputs, lighting, instances});
+    show->render({frame->inputs.show, scene.state(), draws, inputs, lighting, instances});
 }
 
 void Renderer::State::drawOverlays(const GpuScene& scene) {
     const gl::PassTimer::Scope pass(timer, "overlays");
-    overlays->render({scene.state(), *targets, frame->inputs.overlays});
+    overlays->render({scene.state(), draws, *targets, frame->inputs.overlays});
 }
 
 /// The emission at a pixel of the last frame, y from the bottom. The frame's own radiance target holds light
 /// by now, so that the pixel is drawn once more.
 glm::vec3 Renderer::State::emissionAt(const GpuScene& scene, int x, int y) {
-    if (!scene.state().draws.emits()) return glm::vec3(0.0f);
+    if (!draws.emits()) return glm::vec3(0.0f);
     if (!unlitTargets) unlitTargets.emplace(targets->width, targets->height);
     const Scissor pixel({x, y, 1, 1});
     drawGeometry(scene, *unlitTargets, GeometryPass::LoadOp::clear);
@@ -297,9 +298,9 @@ std::optional<PixelProbe> Renderer::probe(const GpuScene& scene, int x, int y) {
         probeSurface({*state_->targets, frame.uniforms, scene.state().lights, x, fromBottom});
     if (!probe) return std::nullopt;
     state_->bindFrame(frame.uniforms);
-    scene.state().select(frame.frustum);
+    scene.state().cull(frame.frustum, state_->draws);
     const std::optional<std::uint32_t> instance =
-        state_->instances.at({scene.state(), width, height}, x, fromBottom);
+        state_->instances.at({scene.state(), state_->draws, width, height}, x, fromBottom);
     if (!instance) return std::nullopt;  // What the frame shows here has left the scene since.
     probe->node = scene.state().instances[*instance].node;
     probe->emission = state_->emissionAt(scene, x, fromBottom);

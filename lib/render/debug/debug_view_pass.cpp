@@ -71,7 +71,8 @@ void DebugViewPass::prepareLevels(const Inputs& inputs) {
         colors.emplace_back(level ? levelColor(*level) : meshColor, 0.0f);
     }
     instanceColors_.upload(std::span<const glm::vec4>(colors));
-    const gl::Texture& instances = inputs.instances.render({inputs.scene, targets.width, targets.height});
+    const gl::Texture& instances =
+        inputs.instances.render({inputs.scene, inputs.draws, targets.width, targets.height});
     glBindTextureUnit(layout::SHOWN_UNIT, instances.name());
     glBindTextureUnit(layout::INSTANCE_COLORS_UNIT, instanceColors_.name());
 }

@@ -23,6 +23,7 @@ class DebugViewPass {
     struct Inputs {
         DebugView show;  ///< Not `picture`.
         const GpuScene::State& scene;
+        const DrawSelection& draws;
         const LightingInputs& frame;  ///< Bound as for lighting.
         Lighting& lighting;           ///< Counts the lights.
         InstancePass& instances;

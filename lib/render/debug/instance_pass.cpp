@@ -1,7 +1,6 @@
 #include "render/debug/instance_pass.h"
 
 #include "render/debug/scissor.h"
-#include "render/gpu_scene/draw_commands.h"
 #include "render/layout.h"
 
 #include <array>
@@ -61,10 +60,10 @@ void InstancePass::drawBatches(const Inputs& inputs) {
     glViewport(0, 0, inputs.width, inputs.height);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, inputs.scene.draws.commands().name());
+    inputs.draws.bind();
     glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instanceRecords.name());
     glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materialRecordTexture.name());
-    for (const DrawBatch& batch : inputs.scene.draws.batches()) draw(inputs.scene, batch);
+    for (const DrawBatch& batch : inputs.draws.batches()) draw(inputs.scene, batch);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
@@ -72,21 +71,21 @@ void InstancePass::drawBatches(const Inputs& inputs) {
 }
 
 void InstancePass::draw(const GpuScene::State& scene, const DrawBatch& batch) const {
-    const bool textured = batch.state.program == PipelineKey::Program::textured;
+    const bool textured = batch.key.program == PipelineKey::Program::textured;
     glUseProgram(textured ? programs_->textured.name() : programs_->plain.name());
     glBindVertexArray(scene.vertexArrayOf(batch));
-    glFrontFace(batch.state.mirrored ? GL_CW : GL_CCW);
-    if (batch.state.doubleSided) {
+    glFrontFace(batch.key.mirrored ? GL_CW : GL_CCW);
+    if (batch.key.doubleSided) {
         glDisable(GL_CULL_FACE);
     } else {
         glEnable(GL_CULL_FACE);
     }
     if (textured) {
-        const SampledTexture& baseColor = batch.state.textures[0];
+        const SampledTexture& baseColor = batch.key.textures[0];
         glBindTextureUnit(layout::BASE_COLOR_UNIT, baseColor.texture);
         glBindSampler(layout::BASE_COLOR_UNIT, baseColor.sampler);
     }
-    drawCommands(batch);
+    DrawSelection::draw(batch);
 }
 
 }  // namespace candela

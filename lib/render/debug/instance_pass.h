@@ -14,7 +14,8 @@ namespace candela {
 class InstancePass {
   public:
     struct Inputs {
-        const GpuScene::State& scene;  ///< After `select`; the frame's uniform block is bound.
+        const GpuScene::State& scene;
+        const DrawSelection& draws;  ///< Of the view; the frame's uniform block is bound.
         int width, height;
     };
     /// A picture of the instances, counted from 1; 0 on the background.

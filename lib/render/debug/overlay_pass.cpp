@@ -1,6 +1,5 @@
 #include "render/debug/overlay_pass.h"
 
-#include "render/gpu_scene/draw_commands.h"
 #include "render/layout.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -43,10 +42,10 @@ void OverlayPass::render(const Inputs& inputs) {
     glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instanceRecords.name());
     glBindTextureUnit(layout::DEPTH_UNIT, inputs.targets.depth.name());
     if (inputs.overlays.wireframe) {
-        drawMeshEdges(inputs.scene);
-        drawCageLines(inputs.scene, CageLineKind::faceEdges, wireframeColor);
+        drawMeshEdges(inputs);
+        drawCageLines(inputs, CageLineKind::faceEdges, wireframeColor);
     }
-    if (inputs.overlays.cage) drawCageLines(inputs.scene, CageLineKind::cageEdges, cageColor);
+    if (inputs.overlays.cage) drawCageLines(inputs, CageLineKind::cageEdges, cageColor);
 }
 
 void OverlayPass::begin(const GBufferTargets& targets) {
@@ -58,19 +57,19 @@ void OverlayPass::begin(const GBufferTargets& targets) {
     glViewport(0, 0, targets.width, targets.height);
 }
 
-void OverlayPass::drawMeshEdges(const GpuScene::State& scene) const {
+void OverlayPass::drawMeshEdges(const Inputs& inputs) const {
     glUseProgram(meshEdges_.name());
     setColor(wireframeColor);
-    glBindVertexArray(scene.vertexArray.name());
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, scene.draws.commands().name());
-    for (const DrawBatch& batch : scene.draws.batches()) {
-        if (batch.state.geometry == 0) drawCommands(batch);
+    glBindVertexArray(inputs.scene.vertexArray.name());
+    inputs.draws.bind();
+    for (const DrawBatch& batch : inputs.draws.batches()) {
+        if (batch.key.geometry == 0) DrawSelection::draw(batch);
     }
 }
 
-void OverlayPass::drawCageLines(GpuScene::State& scene, CageLineKind kind, const glm::vec3& color) {
+void OverlayPass::drawCageLines(const Inputs& inputs, CageLineKind kind, const glm::vec3& color) {
     drawnLines_.clear();
-    scene.appendLines(kind, drawnLines_);
+    inputs.scene.appendLines(kind, inputs.draws, drawnLines_);
     glUseProgram(cageLines_.name());
     setColor(color);
     for (const CageLines& lines : drawnLines_) {

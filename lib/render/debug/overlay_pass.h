@@ -23,7 +23,8 @@ class OverlayPass {
     OverlayPass();
 
     struct Inputs {
-        GpuScene::State& scene;  ///< After `select`; the frame's uniform block is bound.
+        GpuScene::State& scene;
+        const DrawSelection& draws;  ///< Of the view; the frame's uniform block is bound.
         const GBufferTargets& targets;
         Overlays overlays;
     };
@@ -39,8 +40,8 @@ class OverlayPass {
         gl::Framebuffer framebuffer;
     };
     void begin(const GBufferTargets& targets);
-    void drawMeshEdges(const GpuScene::State& scene) const;
-    void drawCageLines(GpuScene::State& scene, CageLineKind kind, const glm::vec3& color);
+    void drawMeshEdges(const Inputs& inputs) const;
+    void drawCageLines(const Inputs& inputs, CageLineKind kind, const glm::vec3& color);
 
     gl::Program meshEdges_, cageLines_, display_;
     gl::VertexArray vertexArray_;

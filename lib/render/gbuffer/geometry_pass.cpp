@@ -1,6 +1,5 @@
 #include "render/gbuffer/geometry_pass.h"
 
-#include "render/gpu_scene/draw_commands.h"
 #include "render/layout.h"
 
 #include <array>
@@ -30,18 +29,18 @@ GeometryPass::GeometryPass()
 }
 
 void GeometryPass::render(const Inputs& inputs) const {
-    clear(inputs.targets, inputs.scene.draws.emits() ? LoadOp::clear : inputs.radianceLoad);
+    clear(inputs.targets, inputs.draws.emits() ? LoadOp::clear : inputs.radianceLoad);
     glViewport(0, 0, inputs.targets.width, inputs.targets.height);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, inputs.scene.draws.commands().name());
+    inputs.draws.bind();
     glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instanceRecords.name());
     glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materialRecordTexture.name());
     // Batches come sorted, emissive ones last: what hides emission later would otherwise have to write black
     // over it.
-    for (const DrawBatch& batch : inputs.scene.draws.batches()) {
+    for (const DrawBatch& batch : inputs.draws.batches()) {
         const gl::Framebuffer& target =
-            batch.state.emissive ? inputs.targets.surfacesAndEmission : inputs.targets.surfaces;
+            batch.key.emissive ? inputs.targets.surfacesAndEmission : inputs.targets.surfaces;
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.name());
         glBindVertexArray(inputs.scene.vertexArrayOf(batch));
         draw(batch);
@@ -53,21 +52,21 @@ void GeometryPass::render(const Inputs& inputs) const {
 }
 
 void GeometryPass::draw(const DrawBatch& batch) const {
-    const bool textured = batch.state.program == PipelineKey::Program::textured;
+    const bool textured = batch.key.program == PipelineKey::Program::textured;
     glUseProgram(textured ? textured_.name() : plain_.name());
-    glFrontFace(batch.state.mirrored ? GL_CW : GL_CCW);
-    if (batch.state.doubleSided) {
+    glFrontFace(batch.key.mirrored ? GL_CW : GL_CCW);
+    if (batch.key.doubleSided) {
         glDisable(GL_CULL_FACE);
     } else {
         glEnable(GL_CULL_FACE);
     }
     if (textured) {
         for (std::size_t i = 0; i < textureUnits.size(); ++i) {
-            glBindTextureUnit(static_cast<GLuint>(textureUnits[i]), batch.state.textures[i].texture);
-            glBindSampler(static_cast<GLuint>(textureUnits[i]), batch.state.textures[i].sampler);
+            glBindTextureUnit(static_cast<GLuint>(textureUnits[i]), batch.key.textures[i].texture);
+            glBindSampler(static_cast<GLuint>(textureUnits[i]), batch.key.textures[i].sampler);
         }
     }
-    drawCommands(batch);
+    DrawSelection::draw(batch);
 }
 
 }  // namespace candela

@@ -17,7 +17,8 @@ class GeometryPass {
         dontCare,  ///< When nothing in view emits, the target is left as it is.
     };
     struct Inputs {
-        const GpuScene::State& scene;  ///< After `select`.
+        const GpuScene::State& scene;
+        const DrawSelection& draws;  ///< Of the view.
         const GBufferTargets& targets;
         LoadOp radianceLoad;
     };

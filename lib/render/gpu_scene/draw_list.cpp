@@ -1,7 +1,7 @@
 #include "render/gpu_scene/draw_list.h"
 
 #include <algorithm>
-#include <tuple>
+#include <numeric>
 
 namespace candela {
 
@@ -27,19 +27,18 @@ bool isPlain(const Material& material, Colors colors) {
            !material.metallicRoughnessTexture && !material.normalTexture && colors == Colors::none;
 }
 
-/// Sets what a draw's state has from the material.
-void apply(PipelineKey& state, const Material& material, Colors colors, GpuImages& images) {
-    state.doubleSided = material.doubleSided;
-    state.emissive = false;
-    state.program = PipelineKey::Program::plain;
-    state.textures = {};
-    if (isPlain(material, colors)) return;
-    state.program = PipelineKey::Program::textured;
-    state.emissive = isEmissive(material);
-    state.textures = {images.get(material.baseColorTexture, TextureInfo::color),
-                      images.get(material.metallicRoughnessTexture, TextureInfo::data),
-                      images.get(material.normalTexture, TextureInfo::data),
-                      images.get(material.emissionTexture, TextureInfo::color)};
+/// The key of a material's draws, but for winding and geometry.
+PipelineKey materialKey(const Material& material, Colors colors, GpuImages& images) {
+    PipelineKey key;
+    key.doubleSided = material.doubleSided;
+    if (isPlain(material, colors)) return key;
+    key.program = PipelineKey::Program::textured;
+    key.emissive = isEmissive(material);
+    key.textures = {images.get(material.baseColorTexture, TextureInfo::color),
+                    images.get(material.metallicRoughnessTexture, TextureInfo::data),
+                    images.get(material.normalTexture, TextureInfo::data),
+                    images.get(material.emissionTexture, TextureInfo::color)};
+    return key;
 }
 
 bool needsDetail(const Scene& scene, const Mesh& mesh) {
@@ -58,98 +57,170 @@ GpuMeshes::Detail detailOf(const Scene& scene) {
     return needed ? GpuMeshes::Detail::everything : GpuMeshes::Detail::positionsAndNormals;
 }
 
+void DrawSelection::draw(const DrawBatch& batch) {
+    glMultiDrawElementsIndirect(
+        GL_TRIANGLES, GL_UNSIGNED_INT,
+        reinterpret_cast<const void*>(std::uintptr_t{batch.firstCommand} * sizeof(DrawCommand)),
+        static_cast<GLsizei>(batch.commandCount), 0);
+}
+
 void DrawList::addMesh(std::uint32_t instance, const Mesh& mesh, const MeshPlace& place,
                        std::span<const Material> materials, GpuImages& images) {
     for (const Submesh& submesh : mesh.submeshes) {
         if (submesh.indexCount == 0) continue;
-        const auto material = submesh.material.value_or(static_cast<std::uint32_t>(materials.size()));
-        add({{},
-             0,
-             instance,
-             material,
-             0,
-             colorsOf(mesh) == Colors::perVertex,
-             {submesh.indexCount, 1, place.firstIndex + submesh.firstIndex, place.baseVertex, 0}},
-            materials, images);
+        Draw draw;
+        draw.command = {submesh.indexCount, 1, place.firstIndex + submesh.firstIndex, place.baseVertex, 0};
+        draw.instance = instance;
+        draw.material = submesh.material.value_or(static_cast<std::uint32_t>(materials.size()));
+        draw.hasColors = colorsOf(mesh) == Colors::perVertex;
+        add(draw, materials, images);
     }
 }
 
 void DrawList::addCage(std::uint32_t instance, std::uint32_t geometry, std::span<const std::uint32_t> parts,
                        std::span<const Material> materials, GpuImages& images) {
     for (std::uint32_t part = 0; part < parts.size(); ++part) {
-        Draw draw{{}, 0, instance, parts[part], part, false, {0, 1, 0, 0, 0}};
-        draw.state.geometry = geometry;
+        Draw draw;
+        draw.instance = instance;
+        draw.material = parts[part];
+        draw.part = part;
+        draw.geometry = geometry;
         add(draw, materials, images);
     }
 }
 
 void DrawList::add(Draw draw, std::span<const Material> materials, GpuImages& images) {
-    apply(draw.state, materialOf(materials, draw.material), draw.hasColors ? Colors::perVertex : Colors::none,
-          images);
-    draw.order = static_cast<std::uint32_t>(draws_.size());
+    materialKeys_.resize(materials.size() + 1);
+    std::optional<PipelineKey>& key = materialKeys_[draw.material][draw.hasColors ? 1 : 0];
+    if (!key) {
+        key = materialKey(materialOf(materials, draw.material),
+                          draw.hasColors ? Colors::perVertex : Colors::none, images);
+    }
+    const auto index = static_cast<std::uint32_t>(draws_.size());
+    firstDraw_.resize(draw.instance + 1, index);
+    draw.command.baseInstance = index;
     draws_.push_back(draw);
-    sorted_ = false;
+    mark(draws_.back());
 }
 
-void DrawList::setMirrored(const std::vector<bool>& mirrored) {
-    for (Draw& draw : draws_) draw.state.mirrored = mirrored[draw.instance];
-    sorted_ = false;
+void DrawList::finish(std::size_t instanceCount) {
+    firstDraw_.resize(instanceCount + 1, static_cast<std::uint32_t>(draws_.size()));
+    firstOfMaterial_.assign(materialKeys_.size() + 1, 0);
+    std::vector<std::array<std::uint32_t, 2>> records;
+    records.reserve(draws_.size());
+    for (const Draw& draw : draws_) {
+        records.push_back({draw.instance, draw.material});
+        ++firstOfMaterial_[draw.material + 1];
+    }
+    std::partial_sum(firstOfMaterial_.begin(), firstOfMaterial_.end(), firstOfMaterial_.begin());
+    drawsOfMaterial_.resize(draws_.size());
+    std::vector<std::uint32_t> next(firstOfMaterial_);
+    for (std::uint32_t i = 0; i < draws_.size(); ++i) drawsOfMaterial_[next[draws_[i].material]++] = i;
+    recordBuffer_.upload(std::span<const std::array<std::uint32_t, 2>>(records));
+}
+
+std::span<DrawList::Draw> DrawList::drawsOf(std::uint32_t instance) {
+    const std::uint32_t first = firstDraw_[instance];
+    return std::span(draws_).subspan(first, firstDraw_[instance + 1] - first);
+}
+
+void DrawList::mark(Draw& draw) {
+    if (draw.pending) return;
+    pending_.push_back(draw.command.baseInstance);
+    draw.pending = true;
+}
+
+void DrawList::setWinding(std::uint32_t instance, Winding winding) {
+    for (Draw& draw : drawsOf(instance)) {
+        const bool mirrored = winding == Winding::mirrored;
+        if (draw.mirrored == mirrored) continue;
+        draw.mirrored = mirrored;
+        mark(draw);
+    }
 }
 
 void DrawList::setMaterial(std::uint32_t index, const Material& material, GpuImages& images) {
-    for (Draw& draw : draws_) {
-        if (draw.material != index) continue;
-        PipelineKey state = draw.state;
-        apply(state, material, draw.hasColors ? Colors::perVertex : Colors::none, images);
-        if (state == draw.state) continue;
-        draw.state = state;
-        sorted_ = false;
+    if (index >= materialKeys_.size()) return;
+    MaterialKeys keys = materialKeys_[index];
+    for (const Colors colors : {Colors::none, Colors::perVertex}) {
+        std::optional<PipelineKey>& key = keys[colors == Colors::perVertex ? 1 : 0];
+        if (key) key = materialKey(material, colors, images);
     }
+    if (keys == materialKeys_[index]) return;
+    materialKeys_[index] = keys;
+    for (std::uint32_t i = firstOfMaterial_[index]; i < firstOfMaterial_[index + 1]; ++i)
+        mark(draws_[drawsOfMaterial_[i]]);
 }
 
 void DrawList::setGeometry(std::uint32_t instance, std::uint32_t geometry) {
-    for (Draw& draw : draws_) {
-        const std::uint32_t last = draw.state.geometry;
-        if (draw.instance != instance || last == 0 || last == geometry) continue;
-        draw.state.geometry = geometry;
+    for (Draw& draw : drawsOf(instance)) {
+        if (draw.geometry == geometry) continue;
+        draw.geometry = geometry;
         draw.command.count = 0;
-        sorted_ = false;
+        mark(draw);
     }
 }
 
-void DrawList::setRanges(std::uint32_t geometry, std::span<const IndexRange> ranges) {
-    for (Draw& draw : draws_) {
-        if (draw.state.geometry != geometry) continue;
+void DrawList::setRanges(std::uint32_t instance, std::span<const IndexRange> ranges) {
+    for (Draw& draw : drawsOf(instance)) {
         draw.command.firstIndex = ranges[draw.part].first;
         draw.command.count = ranges[draw.part].count;
     }
 }
 
-void DrawList::sort() {
-    if (sorted_) return;
-    sorted_ = true;
-    std::ranges::sort(draws_, {}, [](const Draw& draw) { return std::tie(draw.state, draw.order); });
-    std::vector<std::array<std::uint32_t, 2>> records;
-    for (std::uint32_t i = 0; i < draws_.size(); ++i) {
-        draws_[i].command.baseInstance = i;
-        records.push_back({draws_[i].instance, draws_[i].material});
-    }
-    drawBuffer_.upload(std::span<const std::array<std::uint32_t, 2>>(records));
+PipelineKey DrawList::keyOf(const Draw& draw) const {
+    PipelineKey key = *materialKeys_[draw.material][draw.hasColors ? 1 : 0];
+    key.mirrored = draw.mirrored;
+    key.geometry = draw.geometry;
+    return key;
 }
 
-void DrawList::select(const std::function<bool(std::uint32_t)>& visible) {
-    sort();
-    commands_.clear();
-    batches_.clear();
-    for (const Draw& draw : draws_) {
-        if (draw.command.count == 0 || !visible(draw.instance)) continue;
-        if (batches_.empty() || batches_.back().state != draw.state) {
-            batches_.push_back({draw.state, static_cast<std::uint32_t>(commands_.size()), 0});
-        }
-        commands_.push_back(draw.command);
-        ++batches_.back().commandCount;
+std::size_t DrawList::group() {
+    if (pending_.empty()) return 0;
+    Groups::iterator last = groups_.end();
+    for (const std::uint32_t index : pending_) {
+        Draw& draw = draws_[index];
+        draw.pending = false;
+        const PipelineKey key = keyOf(draw);
+        if (last == groups_.end() || last->first != key) last = groups_.try_emplace(key).first;
+        Group& target = last->second;
+        if (draw.group == &target) continue;
+        if (draw.group != nullptr) draw.group->changed = true;
+        draw.group = &target;
+        target.changed = true;
+        target.added.push_back(index);
     }
-    commandBuffer_.upload(std::span<const Command>(commands_));
+    for (auto& [key, group] : groups_) {
+        if (!group.changed) continue;
+        group.changed = false;
+        std::erase_if(group.draws,
+                      [&, current = &group](std::uint32_t i) { return draws_[i].group != current; });
+        std::ranges::sort(group.added);
+        const auto middle = static_cast<std::ptrdiff_t>(group.draws.size());
+        group.draws.insert(group.draws.end(), group.added.begin(), group.added.end());
+        std::inplace_merge(group.draws.begin(), group.draws.begin() + middle, group.draws.end());
+        group.added.clear();
+    }
+    std::erase_if(groups_, [](const auto& entry) { return entry.second.draws.empty(); });
+    const std::size_t count = pending_.size();
+    pending_.clear();
+    return count;
+}
+
+void DrawList::cull(DrawSelection& selection) const {
+    selection.commands_.clear();
+    selection.batches_.clear();
+    for (const auto& [key, group] : groups_) {
+        const auto first = static_cast<std::uint32_t>(selection.commands_.size());
+        for (const std::uint32_t index : group.draws) {
+            const Draw& draw = draws_[index];
+            if (selection.visible_[draw.instance] != 0 && draw.command.count != 0)
+                selection.commands_.push_back(draw.command);
+        }
+        const auto count = static_cast<std::uint32_t>(selection.commands_.size()) - first;
+        if (count != 0) selection.batches_.push_back({key, first, count});
+    }
+    selection.commandBuffer_.upload(std::span<const DrawCommand>(selection.commands_));
 }
 
 }  // namespace candela

@@ -3,103 +3,154 @@
 #include "gl/buffer.h"
 #include "render/gpu_scene/gpu_images.h"
 #include "render/gpu_scene/gpu_meshes.h"
-#include "render/gpu_scene/index_range.h"
 
-#include <candela/scene.h>
+#include <candela/gpu_scene.h>
 
 #include <array>
 #include <compare>
 #include <cstdint>
-#include <functional>
+#include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace candela {
 
-/// What the state of GL depends on: draws that agree in it go out together.
+/// The OpenGL state that a draw needs. Draws with equal keys are issued together.
 struct PipelineKey {
     enum class Program { plain, textured };
 
     bool emissive = false;  ///< Writes radiance; drawn after all that does not (see `GeometryPass`).
     Program program = Program::plain;
     bool doubleSided = false;
-    bool mirrored = false;  ///< The instance's matrix turns the winding round.
+    bool mirrored = false;  ///< The instance's matrix reverses the winding.
     std::array<SampledTexture, 4>
         textures{};              ///< Base colour, metallic-roughness, normal, emission; unset for plain.
-    std::uint32_t geometry = 0;  ///< 0: the meshes; 1 + i: shape i of the cages.
+    std::uint32_t geometry = 0;  ///< 0: the meshes; 1 + i: limit surface i of the cages.
 
     auto operator<=>(const PipelineKey&) const = default;
 };
 
-/// The draws of one state among the commands of a frame.
+/// The commands of a selection that share a pipeline key.
 struct DrawBatch {
-    PipelineKey state;
+    PipelineKey key;
     std::uint32_t firstCommand = 0, commandCount = 0;
 };
 
-/// Every submesh of every instance, sorted by state, and the commands of those that are in view. A surface is
-/// a submesh, or the part of a cage that wears one material. Between changes and the next `select`,
-/// `batches` are those of the last.
+/// The layout that glMultiDrawElementsIndirect reads.
+struct DrawCommand {
+    std::uint32_t count = 0, instanceCount = 1, firstIndex = 0;
+    std::int32_t baseVertex = 0;
+    std::uint32_t baseInstance = 0;  ///< The draw, whose record the vertex array feeds to shaders.
+};
+
+/// A run of indices.
+struct IndexRange {
+    std::uint32_t first = 0, count = 0;
+};
+
+/// What culling has left for one view: the draw commands, and the cages among the instances. A selection is
+/// filled by `GpuScene::State::cull` as often as needed and keeps its storage. It holds for the scene as of
+/// that call: cull again after an update of the scene.
+class DrawSelection {
+  public:
+    DrawSelection() = default;
+
+    /// Sorted by key, so that batches that emit come last.
+    std::span<const DrawBatch> batches() const { return batches_; }
+    bool emits() const { return !batches_.empty() && batches_.back().key.emissive; }
+    /// Instances that show cages.
+    std::span<const std::uint32_t> cageInstances() const { return cageInstances_; }
+    std::size_t commandCount() const { return commands_.size(); }
+
+    /// Binds the commands for `draw`.
+    void bind() const { glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commandBuffer_.name()); }
+    /// Issues the commands of a batch. The selection is bound.
+    static void draw(const DrawBatch& batch);
+
+  private:
+    friend class DrawList;
+    friend struct GpuScene::State;
+
+    std::vector<std::uint8_t> visible_;  ///< One an instance; scratch of the culling.
+    std::vector<DrawCommand> commands_;
+    std::vector<DrawBatch> batches_;
+    std::vector<std::uint32_t> cageInstances_;
+    gl::Buffer commandBuffer_{"draw commands"};
+};
+
+/// A draw for every submesh of every instance, and for every part of a cage that has one material, grouped by
+/// pipeline key. The record of a draw stays at its place for good: only the grouping changes.
 class DrawList {
   public:
-    DrawList() : drawBuffer_("draws"), commandBuffer_("draw commands") {}
-
-    /// Adds all submeshes of a mesh. `materials` are those of the scene.
+    /// Adds all submeshes of a mesh. `materials` are those of the scene. Instances are added in ascending
+    /// order.
     void addMesh(std::uint32_t instance, const Mesh& mesh, const MeshPlace& place,
                  std::span<const Material> materials, GpuImages& images);
-    /// Adds a cage whose part i wears material `parts[i]` (the number of materials: none), of `geometry` as
+    /// Adds a cage whose part i has material `parts[i]` (the number of materials: none), of `geometry` as
     /// `PipelineKey` counts it. Nothing of it is drawn before `setRanges`.
     void addCage(std::uint32_t instance, std::uint32_t geometry, std::span<const std::uint32_t> parts,
                  std::span<const Material> materials, GpuImages& images);
+    /// Uploads the records. To be called once, after all instances have been added.
+    void finish(std::size_t instanceCount);
 
-    /// Says of each instance whether its matrix turns the winding round. To be called before the first
-    /// `select`, and whenever it changes.
-    void setMirrored(const std::vector<bool>& mirrored);
-    /// Brings the draws that wear material `index` to how it is drawn now.
+    enum class Winding { kept, mirrored };
+    void setWinding(std::uint32_t instance, Winding winding);
+    /// Brings the draws of material `index` to its new pipeline state. Throws `Error` (limit) when a texture
+    /// does not fit the device; nothing is changed then.
     void setMaterial(std::uint32_t index, const Material& material, GpuImages& images);
     /// Lets a cage's instance show another geometry of equal parts. Nothing of it is drawn before
     /// `setRanges`.
     void setGeometry(std::uint32_t instance, std::uint32_t geometry);
-    /// Says which indices the parts of a cage's geometry are.
-    void setRanges(std::uint32_t geometry, std::span<const IndexRange> ranges);
+    /// Sets the indices of the parts of a cage's instance.
+    void setRanges(std::uint32_t instance, std::span<const IndexRange> ranges);
 
-    /// Writes and uploads the commands of the instances that `visible` accepts.
-    void select(const std::function<bool(std::uint32_t instance)>& visible);
+    /// Groups the draws whose keys have changed since the last call; to be called before `cull`. Returns how
+    /// many those are.
+    std::size_t group();
 
-    std::span<const DrawBatch> batches() const { return batches_; }
-    /// Is any selected draw emissive?
-    bool emits() const { return !batches_.empty() && batches_.back().state.emissive; }
-    const gl::Buffer& commands() const { return commandBuffer_; }
-    const gl::Buffer& draws() const { return drawBuffer_; }
+    /// Writes and uploads the commands of the visible instances.
+    void cull(DrawSelection& selection) const;
+
+    /// The records: uvec2 a draw, see DRAW_ATTRIBUTE.
+    const gl::Buffer& records() const { return recordBuffer_; }
 
   private:
-    /// The layout that glMultiDrawElementsIndirect reads.
-    struct Command {
-        std::uint32_t count, instanceCount, firstIndex;
-        std::int32_t baseVertex;
-        std::uint32_t baseInstance;
+    struct Group {
+        std::vector<std::uint32_t> draws;  ///< Ascending.
+        std::vector<std::uint32_t> added;  ///< By the `group` in progress.
+        bool changed = false;
     };
+    using Groups = std::map<PipelineKey, Group>;
     struct Draw {
-        PipelineKey state;
-        std::uint32_t order;  ///< In which draws of one state go out.
-        std::uint32_t instance, material, part;
-        bool hasColors;  ///< The mesh has vertex colours.
-        Command command;
+        DrawCommand command;
+        std::uint32_t instance, material, part = 0;
+        std::uint32_t geometry = 0;
+        bool hasColors = false;  ///< The mesh has vertex colours.
+        bool mirrored = false;
+        bool pending = false;  ///< Waits for `group`.
+        Group* group = nullptr;
     };
+    /// The key of a material's draws, but for winding and geometry: without and with vertex colours. None
+    /// where there is no such draw.
+    using MaterialKeys = std::array<std::optional<PipelineKey>, 2>;
 
     void add(Draw draw, std::span<const Material> materials, GpuImages& images);
-    void sort();
+    std::span<Draw> drawsOf(std::uint32_t instance);
+    void mark(Draw& draw);
+    PipelineKey keyOf(const Draw& draw) const;
 
     std::vector<Draw> draws_;
-    bool sorted_ = false;
-    std::vector<Command> commands_;
-    std::vector<DrawBatch> batches_;
-    gl::Buffer drawBuffer_, commandBuffer_;
+    std::vector<std::uint32_t> firstDraw_;  ///< Of each instance, and the number of draws.
+    std::vector<std::uint32_t> firstOfMaterial_, drawsOfMaterial_;
+    std::vector<MaterialKeys> materialKeys_;  ///< One a material, and one for draws without.
+    Groups groups_;
+    std::vector<std::uint32_t> pending_;
+    gl::Buffer recordBuffer_{"draw records"};
 };
 
 /// Can any draw of the scene come to need more than positions and normals? One may without asking for it now
-/// where there are images and meshes that could wear them: `GpuScene::setMaterial` may bring the two
-/// together.
+/// where there are images and meshes that can read them: `GpuScene::setMaterial` may bring the two together.
 GpuMeshes::Detail detailOf(const Scene& scene);
 
 }  // namespace candela

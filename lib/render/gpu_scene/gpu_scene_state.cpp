@@ -61,7 +61,7 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
       hidden_(instances.size()) {
     addDraws(scene);
     images.forgetSources();
-    meshes.describe(vertexArray, draws.draws(), defaultDetail_);
+    meshes.describe(vertexArray, draws.records(), defaultDetail_);
     materialRecordTexture.upload(
         std::span<const glm::uvec4>(materialRecords(scene.materials, options.workingFromRec709)));
     update();
@@ -77,10 +77,15 @@ void GpuScene::State::addDraws(const Scene& scene) {
         draws.addCage(i, 1 + shape, cages.shape(shape).levels().materials().materials, scene.materials,
                       images);
     }
+    draws.finish(instances.size());
 }
 
 void GpuScene::State::update() {
-    if (!moved) return;
+    if (moved) place();
+    draws.group();
+}
+
+void GpuScene::State::place() {
     moved = false;
     const std::vector<glm::mat4> world = worldTransforms(sceneState, time);
     if (hasCages()) cages.pose(sceneState, world, time);
@@ -90,47 +95,51 @@ void GpuScene::State::update() {
 
 void GpuScene::State::uploadInstances(const std::vector<glm::mat4>& world) {
     records_.clear();
-    std::vector<bool> mirrored;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         const Instance& instance = instances[i];
+        const auto setWinding = [&](bool mirrored) {
+            draws.setWinding(static_cast<std::uint32_t>(i),
+                             mirrored ? DrawList::Winding::mirrored : DrawList::Winding::kept);
+        };
         if (instance.mesh) {
             const glm::mat4& m = world[instance.node];
             const MeshPlace& place = meshes.places()[*instance.mesh];
-            mirrored.push_back(appendInstanceRecord(records_, m));
+            setWinding(appendInstanceRecord(records_, m));
             instanceSpheres[i] = worldSphere(m, place.center, place.radius);
         } else {
             const GpuCages::Shown& shown = cages.shown()[instance.shown];
             const CageShape& shape = cages.shape(shown.shape);
-            mirrored.push_back(appendInstanceRecord(records_, shown.worldFromPoints));
+            setWinding(appendInstanceRecord(records_, shown.worldFromPoints));
             instanceSpheres[i] = worldSphere(shown.worldFromPoints, shape.center(), shape.radius());
         }
     }
     instanceRecords.upload(std::span<const glm::vec4>(records_));
-    if (mirrored != mirrored_) {
-        mirrored_ = std::move(mirrored);
-        draws.setMirrored(mirrored_);
-    }
 }
 
 void GpuScene::State::updateCages(const CameraView& view, int width, int height) {
-    if (hasCages()) cages.update(view, width, height, draws);
-}
-
-void GpuScene::State::select(const Frustum& frustum) {
-    selected_.clear();
-    draws.select([&](std::uint32_t instance) {
-        const glm::vec4& sphere = instanceSpheres[instance];
-        return !hidden_[instance] && frustum.meets(glm::vec3(sphere), sphere.w);
-    });
-    for (std::uint32_t i = 0; hasCages() && i < instances.size(); ++i) {
-        const glm::vec4& sphere = instanceSpheres[i];
-        if (!instances[i].mesh && !hidden_[i] && frustum.meets(glm::vec3(sphere), sphere.w))
-            selected_.push_back(i);
+    if (!hasCages()) return;
+    for (const std::uint32_t shape : cages.update(view, width, height, draws.records())) {
+        for (std::uint32_t i = 0; i < instances.size(); ++i) {
+            if (!instances[i].mesh && cages.shown()[instances[i].shown].shape == shape)
+                draws.setRanges(i, cages.shape(shape).ranges());
+        }
     }
 }
 
+void GpuScene::State::cull(const Frustum& frustum, DrawSelection& selection) const {
+    selection.visible_.resize(instances.size());
+    selection.cageInstances_.clear();
+    for (std::uint32_t i = 0; i < instances.size(); ++i) {
+        const glm::vec4& sphere = instanceSpheres[i];
+        const bool visible = !hidden_[i] && frustum.meets(glm::vec3(sphere), sphere.w);
+        selection.visible_[i] = visible ? 1 : 0;
+        if (visible && !instances[i].mesh) selection.cageInstances_.push_back(i);
+    }
+    draws.cull(selection);
+}
+
 GLuint GpuScene::State::vertexArrayOf(const DrawBatch& batch) const {
-    const std::uint32_t geometry = batch.state.geometry;
+    const std::uint32_t geometry = batch.key.geometry;
     return geometry == 0 ? vertexArray.name() : cages.shape(geometry - 1).vertexArray();
 }
 
@@ -139,8 +148,9 @@ std::optional<std::uint32_t> GpuScene::State::levelOf(std::uint32_t instance) co
     return cages.shape(cages.shown()[instances[instance].shown].shape).level().value_or(0);
 }
 
-void GpuScene::State::appendLines(CageLineKind kind, std::vector<CageLines>& lines) {
-    for (const std::uint32_t instance : selected_)
+void GpuScene::State::appendLines(CageLineKind kind, const DrawSelection& selection,
+                                  std::vector<CageLines>& lines) {
+    for (const std::uint32_t instance : selection.cageInstances())
         lines.push_back(cages.lines(kind, instances[instance].shown, instance));
 }
 

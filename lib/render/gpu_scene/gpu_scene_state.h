@@ -34,18 +34,18 @@ struct GpuScene::State {
     /// last call.
     void update();
     /// Brings the cages to the levels that a frame of `width` × `height` pixels asks for, and to where their
-    /// points are. To be called after `update` and before `select`; does nothing in a scene without cages.
+    /// points are. To be called after `update` and before `cull`; does nothing in a scene without cages.
     void updateCages(const CameraView& view, int width, int height);
     bool hasCages() const { return !cages.empty(); }
-    /// Picks the draws that the frustum meets. To be called after `update`.
-    void select(const Frustum& frustum);
+    /// Selects the draws whose bounding spheres the frustum meets. To be called after `update`.
+    void cull(const Frustum& frustum, DrawSelection& selection) const;
 
     /// The vertex array from which the commands of a batch draw.
     GLuint vertexArrayOf(const DrawBatch& batch) const;
     /// The level to which the cage that instance shows is refined, 0 for polygons; none for a mesh.
     std::optional<std::uint32_t> levelOf(std::uint32_t instance) const;
-    /// Lines of the cages that the last `select` has picked, made on demand.
-    void appendLines(CageLineKind kind, std::vector<CageLines>& lines);
+    /// Lines of the cages of a selection, made on demand.
+    void appendLines(CageLineKind kind, const DrawSelection& selection, std::vector<CageLines>& lines);
 
     void setCagePoints(std::uint32_t node, std::span<const glm::vec3> points);
     void setMaterial(std::uint32_t index, const Material& material);
@@ -74,13 +74,12 @@ struct GpuScene::State {
 
   private:
     void addDraws(const Scene& scene);
+    void place();
     void uploadInstances(const std::vector<glm::mat4>& world);
 
     DefaultDetail defaultDetail_;
     std::vector<glm::vec4> records_;
-    std::vector<bool> mirrored_;
-    std::vector<bool> hidden_;             ///< One an instance.
-    std::vector<std::uint32_t> selected_;  ///< Instances of cages that the last `select` has picked.
+    std::vector<bool> hidden_;  ///< One an instance.
 };
 
 }  // namespace candela

@@ -43,6 +43,8 @@ class CageShape {
     /// Are the vertices not yet where the points ask for them?
     bool isStale() const { return stale_; }
     std::uint64_t triangles() const { return table_->triangles(); }
+    /// Of the indices, one a material of the cage.
+    std::span<const IndexRange> ranges() const { return table_->ranges(); }
     std::size_t vertexCount() const { return table_->refined().vertexCount(); }
     /// Lets the evaluator decide on its form with this shape. The level has to be set.
     void chooseForm(EvaluatorBackend& evaluator);

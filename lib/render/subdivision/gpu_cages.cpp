@@ -1,6 +1,5 @@
 #include "render/subdivision/gpu_cages.h"
 
-#include "render/gpu_scene/draw_list.h"
 #include "render/gpu_scene/instance_records.h"
 #include "render/subdivision/lod_request.h"
 
@@ -104,18 +103,18 @@ void GpuCages::setTangents(CageShape& shape) const {
     shape.setTangents(wanted ? CageShape::Tangents::wanted : CageShape::Tangents::none);
 }
 
-void GpuCages::update(const CameraView& view, int width, int height, DrawList& draws) {
+std::span<const std::uint32_t> GpuCages::update(const CameraView& view, int width, int height,
+                                                const gl::Buffer& drawRecords) {
     const bool known =
         picture_ && sameView(picture_->view, view) && picture_->width == width && picture_->height == height;
     if (!known) look({view, width, height});
+    relevelled_.clear();
     for (std::uint32_t i = 0; i < shapes_.size(); ++i) {
-        if (!requests_[i].inView) continue;
-        CageShape& shape = *shapes_[i];
-        const std::uint32_t level = levelFor(i);
-        if (!shape.setLevel(level, draws.draws(), defaultDetail_)) continue;
-        draws.setRanges(1 + i, shape.levels().table(level).ranges());
+        if (requests_[i].inView && shapes_[i]->setLevel(levelFor(i), drawRecords, defaultDetail_))
+            relevelled_.push_back(i);
     }
     evaluateStale();
+    return relevelled_;
 }
 
 void GpuCages::look(const Picture& picture) {

@@ -18,8 +18,6 @@
 
 namespace candela {
 
-class DrawList;
-
 /// All cages of a scene: their tables, their limit surfaces, and the levels of these. A surface that is out
 /// of view keeps its level and its vertices until it comes into view.
 class GpuCages {
@@ -51,8 +49,10 @@ class GpuCages {
     void setMaterials(std::span<const Material> materials);
 
     /// Chooses the levels for a picture of `width` × `height` pixels and evaluates the surfaces in view that
-    /// are not up to date. Levels that change are told to `draws`.
-    void update(const CameraView& view, int width, int height, DrawList& draws);
+    /// are not up to date. Returns the shapes whose levels have changed. `drawRecords` are those of the draw
+    /// list.
+    std::span<const std::uint32_t> update(const CameraView& view, int width, int height,
+                                          const gl::Buffer& drawRecords);
 
     /// Lines of the cage that `shown()[index]` shows, for the instance `instance`.
     CageLines lines(CageLineKind kind, std::uint32_t index, std::uint32_t instance);
@@ -88,6 +88,7 @@ class GpuCages {
     bool subdivided_;
     std::optional<Picture> picture_;  ///< For which `requests_` hold.
     std::vector<glm::vec3> worldPoints_;
+    std::vector<std::uint32_t> relevelled_;
     DefaultDetail defaultDetail_;
     EvaluatorBackend evaluator_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/gpu_scene/index_range.h"
+#include "render/gpu_scene/draw_list.h"
 #include "render/subdivision/line_indices.h"
 
 #include <candela/cage.h>

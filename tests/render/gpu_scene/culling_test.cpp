@@ -26,11 +26,14 @@ CameraView forward() {
 
 class CullingTest : public DrawingTest {
   protected:
-    static std::uint32_t commandsOf(const GpuScene& scene) {
+    static DrawSelection selectionOf(const GpuScene& scene) {
+        DrawSelection selection;
+        scene.state().cull(Frustum(forward(), float(width) / float(height)), selection);
+        return selection;
+    }
+    static std::size_t commandsOf(const GpuScene& scene) {
         renderer().render(scene, {width, height, forward(), BrdfModel::course, Technique::fullscreen});
-        std::uint32_t commands = 0;
-        for (const DrawBatch& batch : scene.state().draws.batches()) commands += batch.commandCount;
-        return commands;
+        return selectionOf(scene).commandCount();
     }
 
     static bool isDrawn(const glm::vec3& center, float radius) {
@@ -130,7 +133,23 @@ TEST_F(CullingTest, drawsOfOneStateGoOutTogether) {
     }
     const GpuScene uploaded = upload(scene);
     EXPECT_EQ(commandsOf(uploaded), 12u);
-    EXPECT_EQ(uploaded.state().draws.batches().size(), 4u);
+    EXPECT_EQ(selectionOf(uploaded).batches().size(), 4u);
+}
+
+TEST_F(CullingTest, selectionsOfSeveralViewsAreAliveAtOnce) {
+    Scene scene = sceneOf(makeSphere(0.5f), Material{}, glm::translate(glm::mat4(1.0f), {0, 0, -5}));
+    Material glowing;
+    glowing.emission = glm::vec3(1.0f);
+    place(scene, makeSphere(0.5f), glowing, glm::translate(glm::mat4(1.0f), {0, 0, 5}));
+    const GpuScene uploaded = upload(scene);
+    EXPECT_EQ(commandsOf(uploaded), 1u);
+    const DrawSelection ahead = selectionOf(uploaded);
+    DrawSelection behind;
+    uploaded.state().cull(Frustum(lookAt({0, 0, 0}, {0, 0, 1}, 0.8f), 2.0f), behind);
+    EXPECT_EQ(ahead.commandCount(), 1u);
+    EXPECT_FALSE(ahead.emits());
+    EXPECT_EQ(behind.commandCount(), 1u);
+    EXPECT_TRUE(behind.emits());
 }
 
 TEST_F(CullingTest, instancesOfOneMeshAreAllDrawn) {

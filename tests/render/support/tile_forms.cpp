@@ -55,7 +55,8 @@ std::vector<float> radianceOf(const Context& context, const TileForm& form, cons
                           static_cast<float>(picture.width) / static_cast<float>(picture.height));
     GpuScene::State& state = scene.state();
     state.update();
-    state.select(frustum);
+    DrawSelection draws;
+    state.cull(frustum, draws);
     const layout::FrameUniforms uniforms =
         frameUniforms(picture.view, picture.width, picture.height, glm::dmat3(1.0), state.lights.counts());
     gl::Buffer buffer("frame");
@@ -65,9 +66,9 @@ std::vector<float> radianceOf(const Context& context, const TileForm& form, cons
     const auto start =
         form.technique->overwritesRadiance() ? GeometryPass::LoadOp::dontCare : GeometryPass::LoadOp::clear;
     for (int frame = 0; frame < 2; ++frame) {
-        geometry.render({state, targets, start});
+        geometry.render({state, draws, targets, start});
         bindForLighting(targets, state.lights, albedo);
-        form.technique->render({targets, state.lights, frustum, uniforms, picture.brdf, state.draws.emits()},
+        form.technique->render({targets, state.lights, frustum, uniforms, picture.brdf, draws.emits()},
                                timer);
     }
     return readColor(targets.radiance, picture.width, picture.height);
