@@ -25,5 +25,6 @@
 #include <candela/scene.h>
 #include <candela/skin.h>
 #include <candela/subdivider.h>
+#include <candela/threads.h>
 #include <candela/version.h>
 #include <candela/whole_file.h>

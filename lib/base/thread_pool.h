@@ -1,46 +1,58 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 namespace candela {
 
-/// Threads that wait for loops to run. The caller's own thread takes part, so that a pool of one has no
+/// Threads that run the iterations of loops. The calling thread takes part, so that a pool of size 1 has no
 /// thread of its own.
+///
+/// Several threads may run loops on one pool at the same time. Each advances its own loop at least; the other
+/// threads prefer the loop that started last. A loop inside of the body of another runs on the thread that
+/// meets it.
 class ThreadPool {
   public:
-    /// `size` workers, the caller included; 0 stands for one a core.
-    explicit ThreadPool(unsigned size = 0);
+    /// `size` threads, 1 or more, the caller included; fewer where the system gives no more.
+    explicit ThreadPool(unsigned size);
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
     ~ThreadPool();
 
+    /// The pool that all parallel work of the library shares, of `threadCount()` threads. `setThreadCount`
+    /// replaces it; whoever holds the old one can use it still.
+    static std::shared_ptr<ThreadPool> shared();
+
     unsigned size() const { return static_cast<unsigned>(threads_.size()) + 1; }
 
-    /// Calls `body(index, worker)` for each index under `count`, whichever worker (under `size()`) is free,
-    /// and returns when all are done. `body` must not throw.
+    /// Calls `body(index, worker)` for each index below `count`, in no particular order, and returns when all
+    /// calls have ended. `worker`, below `size()`, differs between calls that run at the same time. After an
+    /// exception no further index starts, and the first exception is thrown again here.
     using Body = std::function<void(std::size_t index, unsigned worker)>;
     void run(std::size_t count, const Body& body);
 
   private:
+    struct Loop;
+
     void work(unsigned worker);
-    void takeIndices(unsigned worker);
+    Loop* newestUnfinished() const;
 
     std::vector<std::thread> threads_;
     std::mutex mutex_;
     std::condition_variable started_, ended_;
-    const Body* body_ = nullptr;
-    std::size_t count_ = 0;
-    std::atomic<std::size_t> next_{0};
-    std::uint64_t round_ = 0;
-    std::size_t busy_ = 0;
+    std::vector<Loop*> loops_;                  ///< Those under way, in the order in which they started.
+    std::atomic<std::uint64_t> startCount_{0};  ///< Of all loops so far.
     bool stopping_ = false;
+    pid_t process_;
 };
 
 }  // namespace candela

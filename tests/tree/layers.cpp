@@ -39,8 +39,9 @@ const std::map<std::string, std::string> layerOfHeader = {
     {"scene.h", "scene"},       {"skin.h", "scene"},
     {"import.h", "import"},     {"plugin_registry.h", "import"},
     {"subdivider.h", "import"}, {"color.h", "color"},
-    {"context.h", "gl"},        {"gbuffer.h", "render"},
-    {"gpu_scene.h", "render"},  {"renderer.h", "render"},
+    {"threads.h", "base"},      {"context.h", "gl"},
+    {"gbuffer.h", "render"},    {"gpu_scene.h", "render"},
+    {"renderer.h", "render"},
 };
 
 const std::string umbrella = "candela.h";

@@ -1,5 +1,6 @@
 #include "render/subdivision/cpu_evaluator.h"
 
+#include "base/thread_pool.h"
 #include "render/subdivision/gpu_stencil_table.h"
 #include "render/subdivision/limit_tangent.h"
 
@@ -59,11 +60,10 @@ void CpuEvaluator::evaluate(const LimitRequest& request) {
 }
 
 void CpuEvaluator::writeTangents(const LimitRequest& request, std::span<const glm::vec3> normals) {
-    if (!pool_) pool_ = std::make_unique<ThreadPool>();
     constexpr std::size_t blockSize = 4096;
     const Mapping mapping(request.streams.tangents, normals.size() * sizeof(glm::vec4));
     const std::span<glm::vec4> tangents = mapping.elements<glm::vec4>(0, normals.size());
-    pool_->run((normals.size() + blockSize - 1) / blockSize, [&](std::size_t block, unsigned) {
+    ThreadPool::shared()->run((normals.size() + blockSize - 1) / blockSize, [&](std::size_t block, unsigned) {
         const std::size_t end = std::min((block + 1) * blockSize, normals.size());
         for (std::size_t i = block * blockSize; i < end; ++i)
             tangents[i] = limitTangent(normals[i], du_[i], dv_[i], request.uvDerivatives[i]);

@@ -1,11 +1,9 @@
 #pragma once
 
-#include "base/thread_pool.h"
 #include "render/subdivision/limit_streams.h"
 
 #include <glm/vec3.hpp>
 
-#include <memory>
 #include <vector>
 
 namespace candela {
@@ -19,7 +17,6 @@ class CpuEvaluator {
     void writeTangents(const LimitRequest& request, std::span<const glm::vec3> normals);
 
     std::vector<glm::vec3> du_, dv_;
-    std::unique_ptr<ThreadPool> pool_;  ///< For tangents; made when they are first wanted.
 };
 
 }  // namespace candela

@@ -1,4 +1,4 @@
-#include "scene/geometry/limit_evaluation.h"
+#include <candela/refined_cage.h>
 
 #include "base/thread_pool.h"
 
@@ -8,7 +8,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
-#include <mutex>
 
 namespace candela {
 
@@ -83,9 +82,9 @@ glm::vec3 normalOf(const glm::vec3& du, const glm::vec3& dv) {
     return normal * (1.0f / std::sqrt(square));
 }
 
-/// Calls `body(first, end)` for blocks of rows that cost about the same, in the threads of `pool`.
+/// Calls `body(first, end)` for blocks of rows that cost about the same, in parallel.
 template <typename Body>
-void forRowBlocks(ThreadPool& pool, const StencilTable& rows, const Body& body) {
+void forRowBlocks(const StencilTable& rows, const Body& body) {
     constexpr std::size_t rowCost = 8, blockCost = 1 << 15;  // In entries.
     const std::size_t rowCount = rows.rowCount();
     const auto costBefore = [&](std::size_t row) { return rows.rowStarts[row] + row * rowCost; };
@@ -105,11 +104,11 @@ void forRowBlocks(ThreadPool& pool, const StencilTable& rows, const Body& body) 
     const auto run = [&](std::size_t block, unsigned) { body(firstRow(block), firstRow(block + 1)); };
     // Not worth waking threads for.
     if (blockCount == 1) return run(0, 0);
-    pool.run(blockCount, run);
+    ThreadPool::shared()->run(blockCount, run);
 }
 
 /// Puts the twins where their points are.
-void positionSeamVertices(const RefinedCage& refined, std::span<glm::vec3> positions, ThreadPool& pool) {
+void positionSeamVertices(const RefinedCage& refined, std::span<glm::vec3> positions) {
     constexpr std::size_t blockSize = 1 << 14;
     const std::span<glm::vec3> twins = positions.subspan(refined.pointCount);
     const auto run = [&](std::size_t block, unsigned) {
@@ -118,31 +117,20 @@ void positionSeamVertices(const RefinedCage& refined, std::span<glm::vec3> posit
             twins[twin] = positions[refined.seamPoints[twin]];
     };
     if (twins.size() <= blockSize) return run(0, 0);
-    pool.run((twins.size() + blockSize - 1) / blockSize, run);
-}
-
-/// The pool of all callers, for one at a time.
-struct SharedPool {
-    ThreadPool threads;
-    std::mutex mutex;
-};
-
-SharedPool& sharedPool() {
-    static SharedPool pool;
-    return pool;
+    ThreadPool::shared()->run((twins.size() + blockSize - 1) / blockSize, run);
 }
 
 }  // namespace
 
 void evaluateLimit(const RefinedCage& refined, std::span<const glm::vec3> cagePoints,
-                   const LimitVertices& out, ThreadPool& pool) {
+                   const LimitVertices& out) {
     assert(refined.positions.rowCount() == refined.vertexCount());
     assert(out.positions.size() == refined.vertexCount() && out.normals.size() == refined.vertexCount());
     assert(out.du.empty() || out.du.size() == refined.vertexCount());
     assert(out.dv.empty() || out.dv.size() == refined.vertexCount());
     if (refined.vertexCount() == 0) return;
     const std::vector<Four> points = paddedPoints(cagePoints);
-    forRowBlocks(pool, refined.positions, [&](std::size_t first, std::size_t end) {
+    forRowBlocks(refined.positions, [&](std::size_t first, std::size_t end) {
         for (std::size_t row = first; row < end; ++row) {
             const Sums sums = sumRow(refined.positions, row, points.data());
             if (row < refined.pointCount) store(out.positions[row], sums.value);
@@ -151,14 +139,7 @@ void evaluateLimit(const RefinedCage& refined, std::span<const glm::vec3> cagePo
             if (!out.dv.empty()) store(out.dv[row], sums.dv);
         }
     });
-    positionSeamVertices(refined, out.positions, pool);
-}
-
-void evaluateLimit(const RefinedCage& refined, std::span<const glm::vec3> cagePoints,
-                   const LimitVertices& out) {
-    SharedPool& pool = sharedPool();
-    const std::lock_guard lock(pool.mutex);
-    evaluateLimit(refined, cagePoints, out, pool.threads);
+    positionSeamVertices(refined, out.positions);
 }
 
 LimitUvs evaluateLimitUvs(const RefinedCage& refined, std::span<const glm::vec2> cageUvs) {
@@ -170,9 +151,7 @@ LimitUvs evaluateLimitUvs(const RefinedCage& refined, std::span<const glm::vec2>
     result.du.resize(rowCount);
     result.dv.resize(rowCount);
     const std::vector<Four> points = paddedPoints(cageUvs);
-    SharedPool& pool = sharedPool();
-    const std::lock_guard lock(pool.mutex);
-    forRowBlocks(pool.threads, refined.uvs, [&](std::size_t first, std::size_t end) {
+    forRowBlocks(refined.uvs, [&](std::size_t first, std::size_t end) {
         for (std::size_t row = first; row < end; ++row) {
             const Sums sums = sumRow(refined.uvs, row, points.data());
             store(result.uvs[row], sums.value);

@@ -1,6 +1,5 @@
-#include "scene/geometry/limit_evaluation.h"
-
-#include "base/thread_pool.h"
+#include <candela/refined_cage.h>
+#include <candela/threads.h>
 
 #include <gtest/gtest.h>
 
@@ -145,11 +144,12 @@ TEST(LimitEvaluation, DoesNotDependOnTheNumberOfThreads) {
     Vertices shared(refined);
     evaluateLimit(refined, points, shared.all());
     for (const unsigned size : {1u, 2u, 3u, 8u}) {
-        ThreadPool pool(size);
+        setThreadCount(size);
         Vertices vertices(refined);
-        evaluateLimit(refined, points, vertices.all(), pool);
+        evaluateLimit(refined, points, vertices.all());
         EXPECT_TRUE(vertices == shared) << size << " threads";
     }
+    setThreadCount(0);
 }
 
 TEST(LimitEvaluation, MayBeCalledFromSeveralThreads) {

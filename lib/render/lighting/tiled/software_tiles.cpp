@@ -1,5 +1,6 @@
 #include "render/lighting/tiled/software_tiles.h"
 
+#include "base/thread_pool.h"
 #include "render/gbuffer/readback.h"
 #include "render/gbuffer/srgb.h"
 #include "shading/directional_albedo.h"
@@ -18,7 +19,7 @@ void copy(float (&to)[3], const glm::vec3& from) {
 
 }  // namespace
 
-SoftwareTiles::SoftwareTiles(const TileKernel& kernel) : kernel_(kernel), workers_(pool_.size()) {
+SoftwareTiles::SoftwareTiles(const TileKernel& kernel) : kernel_(kernel) {
     for (std::size_t code = 0; code < srgbDecode_.size(); ++code)
         srgbDecode_[code] = srgbDecode(static_cast<float>(code) / 255.0f);
 }
@@ -82,13 +83,15 @@ void SoftwareTiles::render(const LightingInputs& inputs, gl::PassTimer& timer) {
     const gl::PassTimer::Scope pass(timer, "lighting");
     readTargets(inputs);
     const TileFrame frame = frameOf(inputs);
-    bins_.fill(frame, kernel_, pool_);
+    const std::shared_ptr<ThreadPool> pool = ThreadPool::shared();
+    bins_.fill(frame, kernel_, *pool);
+    workers_.resize(pool->size());
     for (Worker& worker : workers_) {
         worker.reserve(bins_.longest());
         worker.scratch->pairsEvaluated = 0;
     }
     const auto shade = kernel_.shade[static_cast<std::size_t>(inputs.brdf)];
-    pool_.run(bins_.order().size(), [&](std::size_t i, unsigned worker) {
+    pool->run(bins_.order().size(), [&](std::size_t i, unsigned worker) {
         const std::uint32_t tile = bins_.order()[i];
         const auto lights = bins_.lights(tile);
         const int x = static_cast<int>(tile) % bins_.columns(), y = static_cast<int>(tile) / bins_.columns();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/thread_pool.h"
 #include "render/lighting/lighting_technique.h"
 #include "render/lighting/tiled/light_bins.h"
 #include "render/lighting/tiled/tile_kernel.h"
@@ -38,7 +37,6 @@ class SoftwareTiles final : public LightingTechnique {
     TileFrame frameOf(const LightingInputs& inputs);
 
     const TileKernel& kernel_;
-    ThreadPool pool_;
     LightBins bins_;
     std::vector<Worker> workers_;
     std::vector<std::uint32_t> surfaces_;
