@@ -4,6 +4,7 @@
 #include "gl_drawing.h"
 
 #include <chrono>
+#include <optional>
 
 namespace {
 
@@ -18,28 +19,28 @@ class CandelaProgram final : public Program {
           screen_(options.width, options.height),
           lights_(scene.lights) {
         scene_.setLights(scene.lights);
-        inputs_ = {options.width, options.height, scene.view, options.brdf, technique};
+        view_ = scene.view;
+        settings_ = {options.width, options.height, options.brdf, technique};
     }
 
     FrameTimes draw() override {
         clock_.start();
-        renderer_.render(scene_, inputs_);
-        renderer_.display(transform_, {.framebuffer = screen_.framebuffer()});
+        const candela::Frame& frame = render();
+        frame.display(transform_, {.framebuffer = screen_.framebuffer()});
         clock_.lap("frame");
-        return {clock_.times().frame, renderer_.passTimes()};
+        return {clock_.times().frame, frame.passTimes()};
     }
 
     void count(Result& result) override {
-        const candela::PairCounts pairs = renderer_.countPairs(scene_);
-        result.technique = candela::toString(renderer_.technique());
+        const candela::PairCounts pairs = frame_->countPairs();
+        result.technique = candela::toString(frame_->technique());
         result.pairsLit = pairs.pairsLit;
         result.pairsEvaluated = pairs.pairsEvaluated;
         result.lightsVisible = pairs.lightsVisible;
         result.lightsDropped = pairs.lightsDropped;
         result.lightListBytes = pairs.lightListBytes;
         result.picture = medianOf([&] {
-            renderer_.render(scene_, inputs_);
-            renderer_.displayPicture(transform_);
+            render().displayPicture(transform_);
         });
         result.setLights = medianOf([&] {
             scene_.setLights(lights_);
@@ -48,7 +49,7 @@ class CandelaProgram final : public Program {
     }
 
     std::vector<float> picture() override {
-        const candela::HdrImage radiance = renderer_.radiance();
+        const candela::HdrImage radiance = frame_->radiance();
         std::vector<float> rgb;
         rgb.reserve(radiance.rgba.size() / 4 * 3);
         for (std::size_t i = 0; i < radiance.rgba.size(); ++i) {
@@ -58,6 +59,8 @@ class CandelaProgram final : public Program {
     }
 
   private:
+    const candela::Frame& render() { return frame_.emplace(renderer_.render(scene_, view_, settings_)); }
+
     /// Wall-clock milliseconds of what ends in memory or on the device, of five.
     template <typename Work>
     static double medianOf(Work&& work) {
@@ -83,7 +86,9 @@ class CandelaProgram final : public Program {
     candela::DisplayTransform transform_;
     Screen screen_;
     std::vector<candela::WorldLight> lights_;
-    candela::FrameInputs inputs_;
+    candela::CameraView view_;
+    candela::FrameSettings settings_;
+    std::optional<candela::Frame> frame_;  ///< Drawn last.
 };
 
 }  // namespace

@@ -29,17 +29,16 @@ void writeShownPicture(const std::filesystem::path& path, int width, int height,
                       display.encoding());
 }
 
-void writeRadiance(const std::filesystem::path& path, candela::Renderer& renderer,
-                   const candela::GpuScene& scene, const std::vector<std::string>& aovs,
+void writeRadiance(const std::filesystem::path& path, const candela::Frame& frame, const std::vector<std::string>& aovs,
                    const candela::ColorConfig& color) {
-    const candela::HdrImage picture = renderer.radiance();
+    const candela::HdrImage picture = frame.radiance();
     const std::array<std::vector<float>, 4> planes = splitPlanes(picture.rgba);
     std::vector<candela::ExrChannel> channels;
     constexpr std::array names{"R", "G", "B", "A"};
     for (std::size_t i = 0; i < planes.size(); ++i) channels.push_back({names[i], planes[i]});
 
     std::vector<candela::Aov> values;
-    if (!aovs.empty()) values = renderer.aovs(scene, aovs);
+    if (!aovs.empty()) values = frame.aovs(aovs);
     for (const candela::Aov& aov : values)
         for (std::size_t i = 0; i < aov.channels.size(); ++i)
             channels.push_back({aov.channels[i], aov.values[i]});

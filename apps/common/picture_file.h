@@ -9,12 +9,11 @@
 #include <string>
 #include <vector>
 
-/// The last frame as `display` shows it, into an 8-bit PNG; black where nothing is, never see-through. The
+/// A frame as `display` shows it, into an 8-bit PNG; black where nothing is, never see-through. The
 /// file is whole or absent, also when a signal ends the program.
 void writeShownPicture(const std::filesystem::path& path, int width, int height,
                        std::vector<std::uint8_t> rgba, const candela::DisplayTransform& display);
 
-/// The last frame's radiance and the AOVs of these names, into an EXR; whole or absent likewise.
-void writeRadiance(const std::filesystem::path& path, candela::Renderer& renderer,
-                   const candela::GpuScene& scene, const std::vector<std::string>& aovs,
+/// A frame's radiance and the AOVs of these names, into an EXR; whole or absent likewise.
+void writeRadiance(const std::filesystem::path& path, const candela::Frame& frame, const std::vector<std::string>& aovs,
                    const candela::ColorConfig& color);

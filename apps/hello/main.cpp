@@ -12,12 +12,12 @@ int main() {
         const candela::DisplayTransform display = color.displayTransform({});
 
         const candela::Context context = candela::Context::createHeadless();
-        const candela::GpuScene gpuScene(context, scene, {.workingFromRec709 = color.workingFromRec709()});
+        candela::GpuScene gpuScene(context, scene, {.workingFromRec709 = color.workingFromRec709()});
         candela::Renderer renderer(context);
 
         const candela::CameraView view = candela::cameraView(scene, 0, candela::worldTransforms(scene));
-        renderer.render(gpuScene, {.width = 640, .height = 360, .view = view});
-        candela::writePng("hello.png", 640, 360, renderer.displayPicture(display), display.encoding());
+        const candela::Frame frame = renderer.render(gpuScene, view, {.width = 640, .height = 360});
+        candela::writePng("hello.png", 640, 360, frame.displayPicture(display), display.encoding());
         std::cout << "hello.png: 256 lights on " << context.renderer() << "\n";
     } catch (const candela::Error& error) {
         std::cerr << "hello: " << error.what() << "\n";

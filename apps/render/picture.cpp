@@ -9,20 +9,19 @@ Painter::Painter(candela::Renderer& renderer, candela::GpuScene& scene, const ca
     : renderer_(renderer), scene_(scene), color_(color), display_(display), options_(options) {}
 
 FrameTiming Painter::draw(const candela::CameraView& view) {
-    candela::FrameInputs inputs;
-    inputs.width = options_.width;
-    inputs.height = options_.height;
-    inputs.view = view;
-    inputs.brdf = options_.brdf;
-    inputs.technique = options_.technique;
-    inputs.show = options_.show.show;
-    inputs.overlays = options_.show.overlays;
+    candela::FrameSettings settings;
+    settings.width = options_.width;
+    settings.height = options_.height;
+    settings.brdf = options_.brdf;
+    settings.technique = options_.technique;
+    settings.debugView = options_.show.show;
+    settings.overlays = options_.show.overlays;
 
     const auto start = std::chrono::steady_clock::now();
-    renderer_.render(scene_, inputs);
-    if (display_) pixels_ = renderer_.displayPicture(*display_);
+    frame_.emplace(renderer_.render(scene_, view, settings));
+    if (display_) pixels_ = frame_->displayPicture(*display_);
     FrameTiming timing;
-    timing.passes = renderer_.passTimes();  // waits for the frame to end
+    timing.passes = frame_->passTimes();  // waits for the frame to end
     timing.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return timing;
@@ -32,5 +31,5 @@ void Painter::write(const std::filesystem::path& path) {
     if (display_)
         writeShownPicture(path, options_.width, options_.height, pixels_, *display_);
     else
-        writeRadiance(path, renderer_, scene_, options_.aovs, color_);
+        writeRadiance(path, *frame_, options_.aovs, color_);
 }

@@ -25,6 +25,8 @@ class Painter {
             const std::optional<candela::DisplayTransform>& display, const Options& options);
 
     FrameTiming draw(const candela::CameraView& view);
+    /// The frame drawn last; `draw` comes first.
+    const candela::Frame& frame() const { return *frame_; }
     /// Writes the frame drawn last; the file is whole or absent.
     void write(const std::filesystem::path& path);
 
@@ -34,5 +36,6 @@ class Painter {
     const candela::ColorConfig& color_;
     const std::optional<candela::DisplayTransform>& display_;
     const Options& options_;
+    std::optional<candela::Frame> frame_;
     std::vector<std::uint8_t> pixels_;
 };

@@ -168,14 +168,14 @@ void renderPictures(const Options& options) {
     stats.renderer = context.renderer();
     stats.width = options.width;
     stats.height = options.height;
-    stats.technique = renderer.technique();
+    stats.technique = painter.frame().technique();
     stats.brdf = options.brdf;
     stats.triangles = gpuScene.triangleCount() + gpuScene.cageReport().triangles;
     stats.materials = gpuScene.materialCount();
     stats.lights = gpuScene.lightReport().lights;
     if (options.stats) {
         session.progress.show("counting pairs of pixel and light");
-        stats.pairs = renderer.countPairs(gpuScene);
+        stats.pairs = painter.frame().countPairs();
         writeStats(session, stats);
     }
 

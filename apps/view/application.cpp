@@ -297,11 +297,11 @@ void Application::serveRequests() {
 /// What depends on the picture, which is drawn by now.
 void Application::serveReadings() {
     const Requests requests = std::exchange(model_.requests, {});
-    if (!model_.document || !viewport_.drawn()) return;
+    if (!model_.document || viewport_.frame() == nullptr) return;
     guarded([&] {
         if (model_.panels.probe) probePointer();
         if (requests.pick) pick(*requests.pick);
-        if (requests.countPairs) model_.pairs = viewport_.renderer().countPairs(model_.document->gpuScene());
+        if (requests.countPairs) model_.pairs = viewport_.frame()->countPairs();
     });
     if (requests.savePng) guarded([&] { writePicture(*requests.savePng); });
     if (requests.saveExr) guarded([&] { writePicture(*requests.saveExr); });
@@ -325,7 +325,7 @@ void Application::changeConfig(const std::optional<std::string>& config,
 
 void Application::pick(const glm::ivec2& pixel) {
     const glm::ivec2 place = viewport_.pixelAt(pixel);
-    const auto probe = viewport_.renderer().probe(model_.document->gpuScene(), place.x, place.y);
+    const auto probe = viewport_.frame()->probe(place.x, place.y);
     model_.pickedNode = probe ? std::optional(probe->node) : std::nullopt;
 }
 
@@ -361,10 +361,10 @@ void Application::drawPicture(Motion motion) {
         const double milliseconds =
             viewport_.draw({model_.document->gpuScene(), model_.options, view, *display_, model_.divisor});
         resolutionScale_.tookMilliseconds(milliseconds);
-        model_.frames.push_back({viewport_.renderer().passTimes(), milliseconds});
+        model_.frames.push_back({viewport_.frame()->passTimes(), milliseconds});
         if (model_.frames.size() > keptFrames) model_.frames.pop_front();
-        model_.technique = viewport_.renderer().technique();
-        model_.maxLightCount = viewport_.renderer().maxLightCount();
+        model_.technique = viewport_.frame()->technique();
+        model_.maxLightCount = viewport_.frame()->maxLightCount();
         model_.pairs.reset();
         ++drawnFrames_;
     });
@@ -374,7 +374,7 @@ void Application::probePointer() {
     model_.probe.reset();
     if (!model_.pointer) return;
     const glm::ivec2 pixel = viewport_.pixelAt(*model_.pointer);
-    model_.probe = viewport_.renderer().probe(model_.document->gpuScene(), pixel.x, pixel.y);
+    model_.probe = viewport_.frame()->probe(pixel.x, pixel.y);
     model_.probeDisplay = viewport_.displayValue(*model_.pointer);
 }
 
@@ -383,13 +383,13 @@ void Application::writePicture(const std::filesystem::path& file) {
     const candela::CameraView view = chosenView(model_);
     viewport_.draw({model_.document->gpuScene(), model_.options, view, *display_, 1});
     drawnPicture_.clear();
-    candela::Renderer& renderer = viewport_.renderer();
+    const candela::Frame& frame = *viewport_.frame();
     if (endingOf(file) == ".exr") {
-        writeRadiance(file, renderer, model_.document->gpuScene(), candela::Renderer::aovNames(),
+        writeRadiance(file, frame, candela::Renderer::aovNames(),
                       model_.color);
     } else {
         writeShownPicture(file, model_.options.width, model_.options.height,
-                          renderer.displayPicture(*display_), *display_);
+                          frame.displayPicture(*display_), *display_);
     }
     model_.messages.push_back({Message::Kind::note, "wrote " + file.string()});
 }

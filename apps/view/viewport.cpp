@@ -31,26 +31,25 @@ void Viewport::resize(const glm::ivec2& size) {
 
 double Viewport::draw(const Inputs& inputs) {
     const auto start = std::chrono::steady_clock::now();
-    drawn_ = false;
-    draw(renderer_, inputs);
+    frame_.reset();
+    frame_.emplace(draw(renderer_, inputs));
     glFinish();
-    drawn_ = true;
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-void Viewport::draw(candela::Renderer& renderer, const Inputs& inputs) {
+candela::Frame Viewport::draw(candela::Renderer& renderer, const Inputs& inputs) {
     fullSize_ = {inputs.options.width, inputs.options.height};
     resize(glm::max(fullSize_ / inputs.divisor, 1));
-    candela::FrameInputs frame;
-    frame.width = size_.x;
-    frame.height = size_.y;
-    frame.view = inputs.view;
-    frame.brdf = inputs.options.brdf;
-    frame.technique = inputs.options.technique;
-    frame.show = inputs.options.show.show;
-    frame.overlays = inputs.options.show.overlays;
-    renderer.render(inputs.scene, frame);
-    renderer.display(inputs.display, {.framebuffer = framebuffer_, .x = 0, .y = 0});
+    candela::FrameSettings settings;
+    settings.width = size_.x;
+    settings.height = size_.y;
+    settings.brdf = inputs.options.brdf;
+    settings.technique = inputs.options.technique;
+    settings.debugView = inputs.options.show.show;
+    settings.overlays = inputs.options.show.overlays;
+    candela::Frame frame = renderer.render(inputs.scene, inputs.view, settings);
+    frame.display(inputs.display, {.framebuffer = framebuffer_, .x = 0, .y = 0});
+    return frame;
 }
 
 void Viewport::show(const glm::ivec2& size) const {
@@ -77,7 +76,8 @@ glm::vec3 Viewport::displayValue(const glm::ivec2& pixel) const {
 void Viewport::reloadShaders(const std::optional<Inputs>& inputs) {
     candela::Renderer fresh(context_);
     // Most programs are made when they are first drawn with.
-    if (inputs) draw(fresh, *inputs);
+    std::optional<candela::Frame> frame;
+    if (inputs) frame.emplace(draw(fresh, *inputs));
     renderer_ = std::move(fresh);
-    drawn_ = inputs.has_value();
+    frame_ = std::move(frame);
 }

@@ -21,7 +21,7 @@ class Viewport {
     ~Viewport();
 
     struct Inputs {
-        const candela::GpuScene& scene;
+        candela::GpuScene& scene;
         const SceneOptions& options;  ///< Its size is the picture's.
         const candela::CameraView& view;
         const candela::DisplayTransform& display;
@@ -29,8 +29,8 @@ class Viewport {
     };
     /// Draws the picture. Returns the milliseconds it took. Throws `candela::Error`.
     double draw(const Inputs& inputs);
-    /// Has the renderer a picture, so that it can be asked about it?
-    bool drawn() const { return drawn_; }
+    /// The frame of the picture; null before the first one.
+    const candela::Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
     /// Copies the picture over the window, whose framebuffer has `size`; black before the first picture.
     void show(const glm::ivec2& size) const;
 
@@ -44,10 +44,8 @@ class Viewport {
     /// picture has to be drawn again then.
     void reloadShaders(const std::optional<Inputs>& inputs);
 
-    candela::Renderer& renderer() { return renderer_; }
-
   private:
-    void draw(candela::Renderer& renderer, const Inputs& inputs);
+    candela::Frame draw(candela::Renderer& renderer, const Inputs& inputs);
     void resize(const glm::ivec2& size);
 
     const candela::Context& context_;
@@ -55,5 +53,5 @@ class Viewport {
     unsigned texture_ = 0, framebuffer_ = 0;
     glm::ivec2 size_{0};
     glm::ivec2 fullSize_{1};
-    bool drawn_ = false;
+    std::optional<candela::Frame> frame_;
 };

@@ -32,8 +32,11 @@ struct DeviceOptions {
 /// The EGL devices of this machine; empty where EGL can not enumerate them.
 CANDELA_API std::vector<Device> listDevices();
 
-/// An OpenGL 4.5 core context. Everything made for a context must be used and destroyed while that context is
-/// current.
+/// An OpenGL 4.5 core context. Everything made for a context has to be used while that context is current on
+/// the calling thread; using it otherwise throws `Error` (environment). What is made for a headless context
+/// keeps it alive. What is made for a host's context should be destroyed while that is current: otherwise its
+/// OpenGL objects are leaked, with a line on standard error. A `Context` that was moved from throws `Error`
+/// (badInput).
 class CANDELA_API Context {
   public:
     /// Makes a context without a window and makes it current. Throws `Error` (environment) that lists every
@@ -57,8 +60,10 @@ class CANDELA_API Context {
     /// What was tried on the way to this context, in order; empty for an adopted one.
     const std::vector<ContextAttempt>& attempts() const;
 
+    struct State;  ///< Private to the library.
+    const State& state() const;
+
   private:
-    struct State;
     explicit Context(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };

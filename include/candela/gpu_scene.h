@@ -61,7 +61,7 @@ struct CageReport {
     std::string evaluator;         ///< What moves the points: "compute" or "threads"; empty before a frame.
 };
 
-/// The uploaded twin of a `Scene`. The scene given to the constructor is not kept; what `setTime` and
+/// A `Scene` on the device. The scene given to the constructor is not kept; what `setTime` and
 /// `setTransform` need of it is copied.
 class CANDELA_API GpuScene {
   public:
@@ -99,10 +99,12 @@ class CANDELA_API GpuScene {
     std::uint32_t materialCount() const;
 
     struct State;  ///< Private to the library.
-    State& state() const { return *state_; }
+    State& state() { return *state_; }
+    const State& state() const { return *state_; }
 
   private:
-    std::unique_ptr<State> state_;
+    friend class Renderer;
+    std::shared_ptr<State> state_;
 };
 
 }  // namespace candela

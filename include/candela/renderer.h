@@ -19,8 +19,7 @@ namespace candela {
 
 /// How lights are brought to pixels. All give the same picture; see docs/lighting.md.
 enum class Technique {
-    automatic,   ///< The fastest: `tiles`, in the form that a trial at the first frame finds faster on this
-                 ///< device.
+    automatic,   ///< The fastest on this device: `tiles`.
     volumes,     ///< Each light's bounding volume is rasterised against the depth buffer.
     tiles,       ///< Lights are binned to screen tiles cut by depth, and each pixel walks its list.
     fullscreen,  ///< Every light at every pixel: the reference.
@@ -46,7 +45,7 @@ enum class DebugView {
 
 /// The name on the command line: "picture", "normals", "level", "base_color", "metallic", "roughness",
 /// "depth", "emission", "light_count".
-CANDELA_API const char* toString(DebugView show);
+CANDELA_API const char* toString(DebugView debugView);
 
 /// The colour of a level of subdivision, display code values. 0 (polygons) to `maxSubdivisionLevel`.
 CANDELA_API glm::vec3 levelColor(std::uint32_t level);
@@ -65,12 +64,12 @@ struct FrameTarget {
     int x = 0, y = 0;               ///< Lower left corner of the picture in it, pixels.
 };
 
-struct FrameInputs {
+/// How a frame is drawn.
+struct FrameSettings {
     int width = 1280, height = 720;  ///< Pixels, 1 or more each.
-    CameraView view;
     BrdfModel brdf = BrdfModel::course;
     Technique technique = Technique::automatic;
-    DebugView show = DebugView::none;
+    DebugView debugView = DebugView::none;
     Overlays overlays = {};
 };
 
@@ -79,27 +78,26 @@ struct PassTime {
     double milliseconds = 0.0;
 };
 
-/// Pairs of one pixel with one light; see `Renderer::countPairs`.
+/// Light-pixel pairs; see `Frame::countPairs`.
 struct PairCounts {
-    std::uint64_t lightsVisible = 0;   ///< Lights whose reach meets the view frustum.
+    std::uint64_t lightsVisible = 0;   ///< Lights whose range meets the view frustum.
     std::uint64_t pairsLit = 0;        ///< The pixel lies within the light's range.
-    std::uint64_t pairsEvaluated = 0;  ///< The shader ran its BRDF.
+    std::uint64_t pairsEvaluated = 0;  ///< The shader evaluated the BRDF.
     std::uint64_t lightsDropped = 0;   ///< Lights that did not fit and were left out.
     std::uint64_t lightListBytes = 0;  ///< Memory of the lists that bring lights to pixels.
 };
 
-/// A picture in the working space: RGBA, rows from the top. A is 1 where a surface is and 0 on the
-/// background.
+/// Radiance in the working space: RGBA, rows from the top. A is 1 where a surface is and 0 on the background.
 struct HdrImage {
     int width = 0, height = 0;
-    std::vector<float> rgba;
+    std::vector<float> rgba;  ///< 4 × width × height.
 };
 
-/// The frame's arbitrary output variables: width × height × components floats, rows from the top.
+/// An arbitrary output variable of a frame.
 struct Aov {
     std::string name;                        ///< As in `gbufferChannels`, and "Z", "P", "light_count".
     std::vector<std::string> channels;       ///< Names as in the EXR file.
-    std::vector<std::vector<float>> values;  ///< One array a channel.
+    std::vector<std::vector<float>> values;  ///< One array a channel: width × height, rows from the top.
 };
 
 /// What a pixel of a frame shows.
@@ -111,12 +109,15 @@ struct PixelProbe {
     glm::vec3 baseColor{0.0f};  ///< Linear, working space.
     float metallic = 0.0f, roughness = 0.0f;
     glm::vec3 emission{0.0f};      ///< Radiance, working space.
-    glm::vec3 radiance{0.0f};      ///< As `Renderer::radiance` has it: of a data view its code values.
+    glm::vec3 radiance{0.0f};      ///< As `Frame::radiance`: of a debug view its code values.
     std::uint32_t lightCount = 0;  ///< Lights in whose range it lies.
 };
 
-/// Draws frames of a `GpuScene`. Holds every buffer and program; makes none anew while the size stays. Leaves
-/// the context's bound state as it found it.
+class Frame;
+
+/// Draws frames of scenes. Holds every target and program, and creates none while the size stays. In a host's
+/// context it leaves the bound state as it found it. Every function throws `Error` (environment) when the
+/// context is not current on the calling thread, and (badInput) after a move.
 class CANDELA_API Renderer {
   public:
     explicit Renderer(const Context& context);
@@ -124,42 +125,72 @@ class CANDELA_API Renderer {
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
-    /// Draws radiance: geometry pass, then lighting pass. A data view is drawn instead of the lighting pass,
-    /// and no light is evaluated. Throws `Error` (limit) when the size is beyond the device.
-    void render(const GpuScene& scene, const FrameInputs& inputs);
+    /// Draws `scene` from `view`: geometry pass, then lighting pass, or the debug view instead of it. Applies
+    /// the edits made to the scene since its last frame. Throws `Error`: badInput when the view or the settings
+    /// break what they state or the scene belongs to another context, limit when the size or the lists of
+    /// lights are beyond the device.
+    Frame render(GpuScene& scene, const CameraView& view, const FrameSettings& settings = {});
 
-    /// Shows the last frame through `transform`, with half a code value of dither, in the host's framebuffer;
-    /// a data view without either. Overlays lie over it.
-    void display(const DisplayTransform& transform, const FrameTarget& target);
-    /// Shows the last frame and reads it back: 8-bit RGBA, rows from the top.
-    std::vector<std::uint8_t> displayPicture(const DisplayTransform& transform);
-
-    /// Reads the last frame's radiance back, without overlays; of a data view its code values.
-    HdrImage radiance();
-    /// Reads AOVs of the last frame back. Throws `Error` (badInput) naming those there are when a name is
-    /// unknown.
-    std::vector<Aov> aovs(const GpuScene& scene, const std::vector<std::string>& names);
-    /// The names `aovs` takes, in the order of the EXR file.
+    /// The names `Frame::aovs` takes, in the order of the EXR file.
     static std::vector<std::string> aovNames();
 
-    /// What the pixel of column `x` and row `y` (from the top) of the last frame shows; none on the
-    /// background. Throws `Error` (badInput) when there is no such pixel.
-    std::optional<PixelProbe> probe(const GpuScene& scene, int x, int y);
-    /// The most lights of any pixel of the last frame, if that showed `DebugView::lightCount`: what the heat
-    /// map's end stands for.
-    std::uint32_t maxLightCount() const;
+  private:
+    friend class Frame;
+    struct State;
+    std::shared_ptr<State> state_;
+};
 
-    /// Counts the last frame's pairs in a drawing of its own, outside timed frames. Of a data view none was
-    /// evaluated.
-    PairCounts countPairs(const GpuScene& scene);
-    /// What each pass of the last frame took, in the order they ran. Waits for the frame to end.
-    std::vector<PassTime> passTimes();
-    /// The technique the last frame used, never `automatic`.
+/// A frame that was drawn. It refers to the targets of its renderer, which the renderer's next frame
+/// overwrites: from then on every function throws `Error` (badInput). Functions that draw parts of the scene
+/// again say so; they throw `Error` (badInput) when the scene has been destroyed. The context has to be current.
+class CANDELA_API Frame {
+  public:
+    Frame(Frame&&) noexcept;
+    Frame& operator=(Frame&&) noexcept;
+    ~Frame();
+
+    int width() const;
+    int height() const;
+    /// The technique that drew it, never `automatic`.
     Technique technique() const;
 
+    /// Shows the frame through `transform`, with half a code value of dither, in the host's framebuffer; a
+    /// debug view without either. Overlays lie over it. Throws `Error` (badInput) when the framebuffer does not
+    /// exist or is incomplete.
+    void display(const DisplayTransform& transform, const FrameTarget& target) const;
+    /// Shows the frame and reads it back: 8-bit RGBA, rows from the top.
+    std::vector<std::uint8_t> displayPicture(const DisplayTransform& transform) const;
+
+    /// Reads the radiance back, without overlays; of a debug view its code values.
+    HdrImage radiance() const;
+    /// Reads AOVs back. Emission and light counts are drawn again. Throws `Error` (badInput) when a name is
+    /// unknown or given twice.
+    std::vector<Aov> aovs(const std::vector<std::string>& names) const;
+
+    /// What the pixel of column `x` and row `y` (from the top) shows; none on the background. Draws the pixel
+    /// again. Throws `Error` (badInput) when there is no such pixel.
+    std::optional<PixelProbe> probe(int x, int y) const;
+    /// The largest number of lights at any pixel, where the frame shows `DebugView::lightCount`, as the end of
+    /// the heat map; 0 otherwise.
+    std::uint32_t maxLightCount() const;
+
+    /// Counts light-pixel pairs by drawing again. Of a debug view none was evaluated.
+    PairCounts countPairs() const;
+    /// What each pass took, in the order they ran. Waits for the frame to end.
+    std::vector<PassTime> passTimes() const;
+
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    friend class Renderer;
+    Frame(std::shared_ptr<Renderer::State> renderer, std::weak_ptr<GpuScene::State> scene,
+          std::uint64_t number);
+
+    /// The renderer's state, which still holds this frame.
+    Renderer::State& state() const;
+    std::shared_ptr<GpuScene::State> scene() const;
+
+    std::shared_ptr<Renderer::State> renderer_;
+    std::weak_ptr<GpuScene::State> scene_;
+    std::uint64_t number_ = 0;
 };
 
 }  // namespace candela

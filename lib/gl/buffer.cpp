@@ -2,6 +2,7 @@
 
 #include <candela/error.h>
 
+#include <algorithm>
 #include <string>
 
 namespace candela::gl {
@@ -29,19 +30,49 @@ GLuint createVertexArray(const char* label) {
     return name;
 }
 
+GLenum glUsage(BufferUsage usage) {
+    switch (usage) {
+        case BufferUsage::device:
+            return GL_DYNAMIC_COPY;
+        case BufferUsage::readback:
+            return GL_STREAM_READ;
+        default:
+            return GL_DYNAMIC_DRAW;
+    }
+}
+
+/// Calls `allocate`, which gives a buffer its storage of `size` bytes.
+template <typename Allocate>
+void requireMemory(std::size_t size, const Allocate& allocate) {
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    allocate();
+    if (glGetError() != GL_OUT_OF_MEMORY) return;
+    throw Error(ErrorKind::limit, "",
+                "the device has no memory for a buffer of " + std::to_string(size) + " bytes");
+}
+
 }  // namespace
 
-Buffer::Buffer(const char* label) : object_(createBuffer(label)) {}
+Buffer::Buffer(const char* label, BufferUsage usage)
+    : object_(createBuffer(label)), usage_(glUsage(usage)) {}
+
+Buffer Buffer::immutable(const char* label, std::span<const std::byte> bytes) {
+    Buffer buffer;
+    buffer.object_ = Object<deleteBuffer>(createBuffer(label));
+    // OpenGL has no empty storage.
+    buffer.capacity_ = bytes.empty() ? 4 : bytes.size();
+    requireMemory(buffer.capacity_, [&] {
+        glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(buffer.capacity_),
+                             bytes.empty() ? nullptr : bytes.data(), 0);
+    });
+    return buffer;
+}
 
 void Buffer::reserve(std::size_t size) {
     if (size <= capacity_) return;
-    while (glGetError() != GL_NO_ERROR) {
-    }
-    glNamedBufferData(name(), static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_DRAW);
-    if (glGetError() == GL_OUT_OF_MEMORY) {
-        throw Error(ErrorKind::limit, "",
-                    "the device has no memory for a buffer of " + std::to_string(size) + " bytes");
-    }
+    requireMemory(size,
+                  [&] { glNamedBufferData(name(), static_cast<GLsizeiptr>(size), nullptr, usage_); });
     capacity_ = size;
 }
 

@@ -2,6 +2,8 @@
 
 #include "gl/object.h"
 
+#include <epoxy/gl.h>
+
 #include <cstddef>
 #include <span>
 
@@ -10,13 +12,28 @@ namespace candela::gl {
 void deleteBuffer(GLuint name);
 void deleteVertexArray(GLuint name);
 
-/// A buffer that grows to what is uploaded and keeps its storage while that suffices.
+/// Who writes a buffer and how often: where a driver keeps it follows from that.
+enum class BufferUsage {
+    dynamic,   ///< The CPU, when the scene or the frame changes.
+    device,    ///< Shaders or copies on the device.
+    readback,  ///< The device, and the CPU reads it.
+};
+
+/// A buffer that grows to what is uploaded and keeps its storage while that suffices, or an immutable one.
 class Buffer {
   public:
     Buffer() = default;
-    explicit Buffer(const char* label);
+    Buffer(const char* label, BufferUsage usage);
+    explicit Buffer(const char* label) : Buffer(label, BufferUsage::dynamic) {}
+    /// A buffer whose content never changes. Throws `Error` (limit) when the device has no memory for it.
+    static Buffer immutable(const char* label, std::span<const std::byte> bytes);
+    template <typename T>
+    static Buffer immutable(const char* label, std::span<const T> values) {
+        return immutable(label, std::as_bytes(values));
+    }
 
-    /// Replaces the content. Throws `Error` (limit) when the device has no memory for it.
+    /// Replaces the content. Throws `Error` (limit) when the device has no memory for it. Not for an immutable
+    /// buffer.
     void upload(std::span<const std::byte> bytes);
     template <typename T>
     void upload(std::span<const T> values) {
@@ -30,6 +47,7 @@ class Buffer {
 
   private:
     Object<deleteBuffer> object_;
+    GLenum usage_ = GL_DYNAMIC_DRAW;
     std::size_t capacity_ = 0;
 };
 

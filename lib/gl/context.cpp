@@ -1,6 +1,6 @@
 #include <candela/context.h>
 
-#include "gl/headless_context.h"
+#include "gl/context_binding.h"
 
 #include <candela/error.h>
 
@@ -11,12 +11,6 @@
 #include <utility>
 
 namespace candela {
-
-struct Context::State {
-    std::unique_ptr<gl::HeadlessContext> headless;  ///< Null for an adopted context.
-    std::vector<ContextAttempt> attempts;
-    std::string renderer;
-};
 
 namespace {
 
@@ -91,7 +85,7 @@ Context Context::createHeadless(const DeviceOptions& choice) {
                 throw Error(ErrorKind::environment, "",
                             "it is not a software rasteriser but " + state->renderer);
             }
-            state->headless = std::move(headless);
+            state->binding = std::make_shared<gl::ContextBinding>(std::move(headless));
             state->attempts.push_back({candidate.way, state->renderer});
             return Context(std::move(state));
         } catch (const Error& error) {
@@ -108,6 +102,7 @@ Context Context::adoptCurrent() {
     }
     auto state = std::make_unique<State>();
     state->renderer = checkedRenderer();
+    state->binding = std::make_shared<gl::ContextBinding>();
     return Context(std::move(state));
 }
 
@@ -116,20 +111,31 @@ Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;
 Context::~Context() = default;
 
+const Context::State& Context::state() const {
+    if (!state_) throw Error(ErrorKind::badInput, "", "a Context is used that was moved from");
+    return *state_;
+}
+
 void Context::makeCurrent() const {
-    if (state_->headless) state_->headless->makeCurrent();
+    state().binding->makeCurrent();
 }
 
 const std::string& Context::renderer() const {
-    return state_->renderer;
+    return state().renderer;
 }
 
 bool Context::isSoftware() const {
-    return softwareName(state_->renderer);
+    return softwareName(state().renderer);
 }
 
 const std::vector<ContextAttempt>& Context::attempts() const {
-    return state_->attempts;
+    return state().attempts;
+}
+
+std::vector<Device> listDevices() {
+    std::vector<Device> devices;
+    for (const gl::EglDevice& device : gl::enumerateEglDevices()) devices.push_back(device.device);
+    return devices;
 }
 
 }  // namespace candela

@@ -68,24 +68,52 @@ std::string eglErrorName() {
     }
 }
 
+namespace {
+
+/// The displays that are initialised. One handle may have two `EglDisplay` objects for a moment: the last
+/// owner of one is on its way to the destructor while another thread opens the display again.
+struct OpenDisplays {
+    struct Entry {
+        std::weak_ptr<EglDisplay> display;
+        int objects = 0;
+    };
+    std::mutex mutex;
+    std::map<EGLDisplay, Entry> entries;
+};
+
+OpenDisplays& openDisplays() {
+    static OpenDisplays displays;
+    return displays;
+}
+
+}  // namespace
+
 EglDisplay::~EglDisplay() {
+    OpenDisplays& displays = openDisplays();
+    const std::lock_guard lock(displays.mutex);
+    if (--displays.entries[handle_].objects > 0) return;
+    displays.entries.erase(handle_);
     eglTerminate(handle_);
 }
 
 std::shared_ptr<EglDisplay> EglDisplay::open(EGLDeviceEXT device) {
-    static std::mutex mutex;
-    static std::map<EGLDisplay, std::weak_ptr<EglDisplay>> opened;
-    const std::lock_guard lock(mutex);
+    OpenDisplays& displays = openDisplays();
+    const std::lock_guard lock(displays.mutex);
     const EGLDisplay handle = displayHandle(device);
     if (handle == EGL_NO_DISPLAY)
         throw Error(ErrorKind::environment, "", "EGL gives no display (" + eglErrorName() + ")");
-    if (auto shared = opened[handle].lock()) return shared;
+    const auto found = displays.entries.find(handle);
+    if (found != displays.entries.end()) {
+        if (auto shared = found->second.display.lock()) return shared;
+    }
     if (eglInitialize(handle, nullptr, nullptr) == EGL_FALSE) {
         throw Error(ErrorKind::environment, "",
                     "the EGL display does not initialise (" + eglErrorName() + ")");
     }
     std::shared_ptr<EglDisplay> display(new EglDisplay(handle));
-    opened[handle] = display;
+    OpenDisplays::Entry& entry = displays.entries[handle];
+    entry.display = display;
+    ++entry.objects;
     return display;
 }
 

@@ -39,6 +39,17 @@ EGLContext createContext(EGLDisplay display) {
 
 }  // namespace
 
+CurrentEglContext CurrentEglContext::get() {
+    return {eglGetCurrentDisplay(), eglGetCurrentSurface(EGL_DRAW), eglGetCurrentSurface(EGL_READ),
+            eglGetCurrentContext()};
+}
+
+void CurrentEglContext::makeCurrent() const {
+    // EGL releases the current context through any initialised display.
+    const EGLDisplay through = display != EGL_NO_DISPLAY ? display : eglGetCurrentDisplay();
+    if (through != EGL_NO_DISPLAY) eglMakeCurrent(through, draw, read, context);
+}
+
 HeadlessContext::HeadlessContext(std::shared_ptr<EglDisplay> display)
     : display_(std::move(display)), context_(createContext(display_->handle())) {
     try {
@@ -56,8 +67,12 @@ HeadlessContext::~HeadlessContext() {
     eglDestroyContext(display_->handle(), context_);
 }
 
+bool HeadlessContext::tryMakeCurrent() const {
+    return eglMakeCurrent(display_->handle(), EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+}
+
 void HeadlessContext::makeCurrent() const {
-    if (eglMakeCurrent(display_->handle(), EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
+    if (!tryMakeCurrent()) {
         throw Error(ErrorKind::environment, "",
                     "the OpenGL context can not be made current (" + eglErrorName() + ")");
     }

@@ -1,9 +1,20 @@
 #include "gl/pass_timer.h"
 
+#include <algorithm>
+#include <string_view>
+
 namespace candela::gl {
 
 void deleteQuery(GLuint name) {
     glDeleteQueries(1, &name);
+}
+
+DebugGroup::DebugGroup(const char* name) {
+    glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name);
+}
+
+DebugGroup::~DebugGroup() {
+    glPopDebugGroup();
 }
 
 PassTimer::PassTimer(Clock clock) : clock_(clock) {}
@@ -22,9 +33,11 @@ GLuint PassTimer::query(std::size_t index) {
 }
 
 void PassTimer::begin(const char* name) {
-    passes_.push_back({name, 0.0});
+    const auto found = std::ranges::find(passes_, std::string_view(name), &Pass::name);
+    current_ = static_cast<std::size_t>(found - passes_.begin());
+    if (found == passes_.end()) passes_.push_back({name, 0.0});
     if (clock_ == Clock::gpuQueries) {
-        glQueryCounter(query(2 * passes_.size() - 2), GL_TIMESTAMP);
+        glQueryCounter(query(2 * current_), GL_TIMESTAMP);
         return;
     }
     glFinish();
@@ -33,11 +46,11 @@ void PassTimer::begin(const char* name) {
 
 void PassTimer::end() {
     if (clock_ == Clock::gpuQueries) {
-        glQueryCounter(query(2 * passes_.size() - 1), GL_TIMESTAMP);
+        glQueryCounter(query(2 * current_ + 1), GL_TIMESTAMP);
         return;
     }
     glFinish();
-    passes_.back().milliseconds =
+    passes_[current_].milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
 }
 

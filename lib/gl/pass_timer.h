@@ -1,10 +1,10 @@
 #pragma once
 
-#include "gl/debug_group.h"
 #include "gl/object.h"
 
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,8 +12,18 @@ namespace candela::gl {
 
 void deleteQuery(GLuint name);
 
+/// Names the GL commands of a scope for debuggers and traces.
+class DebugGroup {
+  public:
+    explicit DebugGroup(const char* name);
+    DebugGroup(const DebugGroup&) = delete;
+    DebugGroup& operator=(const DebugGroup&) = delete;
+    ~DebugGroup();
+};
+
 /// Times the passes of a frame: on a GPU with timestamp queries, which do not stall it; on a software
-/// rasteriser, whose queries do not cover its worker threads, by the wall clock around a finish.
+/// rasteriser, whose queries do not cover its worker threads, by the wall clock around a finish. A pass that
+/// runs again before `beginFrame` replaces its time.
 class PassTimer {
   public:
     enum class Clock { gpuQueries, wallAroundFinish };
@@ -41,7 +51,7 @@ class PassTimer {
 
   private:
     struct Pass {
-        const char* name;
+        std::string_view name;  ///< Of a string literal.
         double milliseconds;
     };
     void begin(const char* name);
@@ -50,6 +60,7 @@ class PassTimer {
 
     Clock clock_;
     std::vector<Pass> passes_;
+    std::size_t current_ = 0;  ///< Index into `passes_` of the pass that runs.
     std::chrono::steady_clock::time_point start_;
     std::vector<Object<deleteQuery>> queries_;
 };

@@ -108,12 +108,19 @@ void restoreIndexed(const Indexed& kept, GLenum target, GLuint index) {
 
 }  // namespace
 
-StateGuard::StateGuard() {
-    keepCapabilities();
-    keepBindings();
-    keepFixedFunction();
-    keepDrawBuffers();
-    keepViewports();
+StateGuard::StateGuard(const ContextBinding& binding, const char* user) : restores_(!binding.isOwned()) {
+    binding.requireCurrent(user);
+    if (restores_) {
+        keepCapabilities();
+        keepBindings();
+        keepFixedFunction();
+        keepDrawBuffers();
+        keepViewports();
+    }
+    setDefaults();
+}
+
+void StateGuard::setDefaults() const {
     for (const GLenum capability : capabilityNames) glDisable(capability);
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);
@@ -138,6 +145,7 @@ StateGuard::StateGuard() {
 }
 
 StateGuard::~StateGuard() {
+    if (!restores_) return;
     restoreCapabilities();
     restoreBindings();
     restoreFixedFunction();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gl/context_binding.h"
+
 #include <epoxy/gl.h>
 
 #include <array>
@@ -16,11 +18,14 @@ constexpr int imageUnits = 4;
 constexpr int drawBuffers = 8;
 constexpr int viewports = 16;
 
-/// Keeps the state of the current context that candela's passes change, sets what they rely on, and puts the
-/// host's state back at the end of the scope.
+/// Begins the use of a context: sets the state that candela's passes rely on. In a host's context it also
+/// keeps the state that the passes change, and puts it back at the end of the scope; no host relies on the state of
+/// an owned one.
 class StateGuard {
   public:
-    StateGuard();
+    /// Throws `Error` (environment) naming `user`, such as "Renderer", unless the context is current on this
+    /// thread.
+    StateGuard(const ContextBinding& binding, const char* user);
     StateGuard(const StateGuard&) = delete;
     StateGuard& operator=(const StateGuard&) = delete;
     ~StateGuard();
@@ -49,6 +54,7 @@ class StateGuard {
         std::array<GLint, 4> scissorBox;
     };
 
+    void setDefaults() const;
     void keepCapabilities();
     void keepBindings();
     void keepFixedFunction();
@@ -60,6 +66,7 @@ class StateGuard {
     void restoreDrawBuffers() const;
     void restoreViewports() const;
 
+    bool restores_;
     std::array<GLboolean, 28> capabilities_{};
     GLint program_ = 0, pipeline_ = 0, vertexArray_ = 0, drawFramebuffer_ = 0, readFramebuffer_ = 0,
           activeTexture_ = 0;

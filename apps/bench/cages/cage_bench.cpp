@@ -33,15 +33,15 @@ class CandelaMove {
     CandelaMove(const candela::Context& context, const candela::Subdivider& subdivider)
         : scene_(makeCageScene()), gpuScene_(context, scene_, optionsOf(subdivider)), renderer_(context) {
         const std::vector<glm::mat4> world = worldTransforms(scene_);
-        inputs_.width = inputs_.height = 64;
-        inputs_.view = frameBounds(worldBounds(scene_, world), 1.0f);
+        settings_.width = settings_.height = 64;
+        view_ = frameBounds(worldBounds(scene_, world), 1.0f);
     }
 
     /// Draws a small frame of the moved cage; what the move took of it.
     double move(const std::vector<glm::vec3>& points) {
         gpuScene_.setCagePoints(0, points);
-        renderer_.render(gpuScene_, inputs_);
-        for (const candela::PassTime& pass : renderer_.passTimes())
+        const candela::Frame frame = renderer_.render(gpuScene_, view_, settings_);
+        for (const candela::PassTime& pass : frame.passTimes())
             if (pass.name == "cages") return pass.milliseconds;
         throw candela::Error(candela::ErrorKind::environment, "", "no pass moved the cage");
     }
@@ -59,7 +59,8 @@ class CandelaMove {
     candela::Scene scene_;
     candela::GpuScene gpuScene_;
     candela::Renderer renderer_;
-    candela::FrameInputs inputs_;
+    candela::CameraView view_;
+    candela::FrameSettings settings_;
 };
 
 /// A sum of n products in single precision is off by at most n roundings of the sum of their sizes; rows have

@@ -56,6 +56,8 @@ std::vector<std::string> Renderer::aovNames() {
 void checkAovNames(const std::vector<std::string>& names) {
     const std::vector<std::string> known = Renderer::aovNames();
     for (const std::string& name : names) {
+        if (std::ranges::count(names, name) > 1)
+            throw Error(ErrorKind::badInput, "", "the AOV '" + name + "' is asked for twice");
         if (std::ranges::find(known, name) != known.end()) continue;
         std::string text = "there is no AOV '" + name + "'; there are";
         for (const std::string& one : known) text += (one == known.front() ? " " : ", ") + one;

@@ -12,8 +12,8 @@ namespace candela {
 
 namespace {
 
-const char* definitionOf(DebugView show) {
-    switch (show) {
+const char* definitionOf(DebugView debugView) {
+    switch (debugView) {
         case DebugView::normals:
             return "SHOW SHOW_NORMALS";
         case DebugView::level:
@@ -33,12 +33,12 @@ const char* definitionOf(DebugView show) {
     }
 }
 
-gl::Program makeProgram(DebugView show) {
+gl::Program makeProgram(DebugView debugView) {
     const std::string heatStopCount = "HEAT_STOPS " + std::to_string(heatStops.size());
     gl::Program program(
-        {{"fullscreen_triangle.vert", {}, {}}, {"debug_view.frag", {definitionOf(show), heatStopCount}, {}}},
-        toString(show));
-    if (show == DebugView::lightCount) {
+        {{"fullscreen_triangle.vert", {}, {}}, {"debug_view.frag", {definitionOf(debugView), heatStopCount}, {}}},
+        toString(debugView));
+    if (debugView == DebugView::lightCount) {
         glProgramUniform3fv(program.name(), layout::HEAT_STOPS_LOCATION,
                             static_cast<GLsizei>(heatStops.size()), glm::value_ptr(heatStops[0]));
     }
@@ -57,9 +57,9 @@ DebugViewPass::DebugViewPass()
       vertexArray_("data view"),
       instanceColors_(GL_RGBA32F, "instance colors") {}
 
-const gl::Program& DebugViewPass::program(DebugView show) {
-    auto found = programs_.find(show);
-    if (found == programs_.end()) found = programs_.emplace(show, makeProgram(show)).first;
+const gl::Program& DebugViewPass::program(DebugView debugView) {
+    auto found = programs_.find(debugView);
+    if (found == programs_.end()) found = programs_.emplace(debugView, makeProgram(debugView)).first;
     return found->second;
 }
 
@@ -79,13 +79,13 @@ void DebugViewPass::prepareLevels(const Inputs& inputs) {
 
 void DebugViewPass::prepare(const Inputs& inputs) {
     const GBufferTargets& targets = inputs.frame.targets;
-    if (inputs.show == DebugView::level) prepareLevels(inputs);
-    if (inputs.show == DebugView::depth) greatest_.find(targets.depth, targets.width, targets.height);
-    if (inputs.show == DebugView::lightCount) {
+    if (inputs.debugView == DebugView::level) prepareLevels(inputs);
+    if (inputs.debugView == DebugView::depth) maxReduction_.find(targets.depth, targets.width, targets.height);
+    if (inputs.debugView == DebugView::lightCount) {
         const gl::Texture& counts = inputs.lighting.counter().drawLit(inputs.frame);
-        greatest_.find(counts, targets.width, targets.height);
+        maxReduction_.find(counts, targets.width, targets.height);
     }
-    if (inputs.show == DebugView::emission) {
+    if (inputs.debugView == DebugView::emission) {
         glBindTextureUnit(layout::SHOWN_UNIT, targets.radiance.name());
         glTextureBarrier();
     }
@@ -96,14 +96,14 @@ void DebugViewPass::render(const Inputs& inputs) {
     const GBufferTargets& targets = inputs.frame.targets;
     glBindTextureUnit(layout::SURFACE_UNIT, targets.surface.name());
     glBindTextureUnit(layout::DEPTH_UNIT, targets.depth.name());
-    glUseProgram(program(inputs.show).name());
+    glUseProgram(program(inputs.debugView).name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, targets.lit.name());
     glViewport(0, 0, targets.width, targets.height);
     drawPicture(vertexArray_);
 }
 
 std::uint32_t DebugViewPass::maxLightCount() const {
-    return static_cast<std::uint32_t>(greatest_.value());
+    return static_cast<std::uint32_t>(maxReduction_.value());
 }
 
 void DebugViewPass::display(const GBufferTargets& targets, const FrameTarget& target) const {

@@ -21,7 +21,7 @@ class DebugViewPass {
     DebugViewPass();
 
     struct Inputs {
-        DebugView show;  ///< Not `picture`.
+        DebugView debugView;  ///< Not `none`.
         const GpuScene::State& scene;
         const DrawSelection& draws;
         const LightingInputs& frame;  ///< Bound as for lighting.
@@ -40,12 +40,12 @@ class DebugViewPass {
   private:
     void prepare(const Inputs& inputs);
     void prepareLevels(const Inputs& inputs);
-    const gl::Program& program(DebugView show);
+    const gl::Program& program(DebugView debugView);
 
     std::map<DebugView, gl::Program> programs_;
     gl::Program display_;
     gl::VertexArray vertexArray_;
-    MaxReduction greatest_;
+    MaxReduction maxReduction_;
     gl::BufferTexture instanceColors_;
 };
 

@@ -5,6 +5,13 @@
 
 namespace candela {
 
+/// What a pass does with the content of a target before it draws.
+enum class LoadOp {
+    load,      ///< Keeps it.
+    clear,     ///< Sets it to zero.
+    dontCare,  ///< Leaves it undefined: the pass or the next one writes every pixel.
+};
+
 /// The G-buffer of one picture size and the radiance target that goes with it.
 struct GBufferTargets {
     GBufferTargets(int width, int height);

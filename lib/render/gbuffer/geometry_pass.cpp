@@ -11,13 +11,13 @@ namespace {
 constexpr std::array textureUnits{layout::BASE_COLOR_UNIT, layout::METALLIC_ROUGHNESS_UNIT,
                                   layout::NORMAL_UNIT, layout::EMISSION_UNIT};
 
-void clear(const GBufferTargets& targets, GeometryPass::LoadOp start) {
+void clear(const GBufferTargets& targets, LoadOp radianceLoad) {
     constexpr std::array<GLuint, 4> nothing{0, 0, 0, 0};
     constexpr std::array<GLfloat, 4> black{0.0f, 0.0f, 0.0f, 0.0f};
     constexpr GLfloat farthest = 0.0f;
     glClearNamedFramebufferuiv(targets.surfaces.name(), GL_COLOR, 0, nothing.data());
     glClearNamedFramebufferfv(targets.surfaces.name(), GL_DEPTH, 0, &farthest);
-    if (start == GeometryPass::LoadOp::clear)
+    if (radianceLoad == LoadOp::clear)
         glClearNamedFramebufferfv(targets.lit.name(), GL_COLOR, 0, black.data());
 }
 

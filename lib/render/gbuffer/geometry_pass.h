@@ -11,16 +11,11 @@ class GeometryPass {
   public:
     GeometryPass();
 
-    /// What the radiance target holds after the pass where nothing emits.
-    enum class LoadOp {
-        clear,     ///< Black.
-        dontCare,  ///< When nothing in view emits, the target is left as it is.
-    };
     struct Inputs {
         const GpuScene::State& scene;
         const DrawSelection& draws;  ///< Of the view.
         const GBufferTargets& targets;
-        LoadOp radianceLoad;
+        LoadOp radianceLoad;  ///< Where a draw emits, the target is cleared in any case.
     };
     void render(const Inputs& inputs) const;
 

@@ -8,8 +8,10 @@ namespace candela {
 GpuScene::GpuScene(const Context& context, const Scene& scene, const GpuSceneOptions& options) {
     context.makeCurrent();
     validate(scene);
-    const gl::StateGuard guard;  // Images are uploaded with the pixel storage that it sets.
-    state_ = std::make_unique<State>(context, scene, options);
+    const std::shared_ptr<gl::ContextBinding>& binding = context.state().binding;
+    const gl::StateGuard guard(*binding, "a GpuScene");  // Images are uploaded with the pixel storage that it sets.
+    state_ = std::shared_ptr<State>(new State(context, scene, options),
+                                    gl::ContextDeleter<State>{binding, "GpuScene"});
 }
 
 GpuScene::GpuScene(GpuScene&&) noexcept = default;
@@ -42,7 +44,7 @@ void GpuScene::setSubdivision(const SubdivisionSettings& settings) {
 }
 
 void GpuScene::setMaterial(std::uint32_t index, const Material& material) {
-    const gl::StateGuard guard;  // As above.
+    const gl::StateGuard guard(*state_->binding, "a GpuScene");  // As above.
     state_->setMaterial(index, material);
 }
 

@@ -44,7 +44,8 @@ std::vector<Instance> instancesOf(const Scene& scene) {
 }  // namespace
 
 GpuScene::State::State(const Context& context, const Scene& scene, const GpuSceneOptions& sceneOptions)
-    : options(sceneOptions),
+    : binding(context.state().binding),
+      options(sceneOptions),
       sceneState(changingParts(scene)),
       triangles(candela::triangleCount(scene)),
       materialCount(static_cast<std::uint32_t>(scene.materials.size())),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gl/buffer.h"
+#include "gl/context_binding.h"
 #include "gl/texture.h"
 #include "render/frustum.h"
 #include "render/gpu_scene/draw_list.h"
@@ -51,6 +52,7 @@ struct GpuScene::State {
     void setMaterial(std::uint32_t index, const Material& material);
     void setVisibility(std::uint32_t node, Visibility visibility);
 
+    std::shared_ptr<const gl::ContextBinding> binding;
     GpuSceneOptions options;
     /// Nodes, animations, lights, cages and skins: what moves; and materials, which can be replaced. Images
     /// have lost their pixels, and meshes are not kept.

@@ -1,0 +1,208 @@
+#include "gl/state_guard.h"
+#include "render/debug/aovs.h"
+#include "render/debug/probe.h"
+#include "render/gbuffer/readback.h"
+#include "render/renderer_state.h"
+
+#include <candela/error.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+namespace candela {
+
+namespace {
+
+constexpr const char* user = "a Frame";
+
+void checkPixel(const FrameSettings& settings, int x, int y) {
+    if (x >= 0 && x < settings.width && y >= 0 && y < settings.height) return;
+    throw Error(ErrorKind::badInput, "",
+                "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") is asked for of a picture of " +
+                    std::to_string(settings.width) + "x" + std::to_string(settings.height) + " pixels");
+}
+
+/// What a host hands over as a target has to be a framebuffer that can be drawn into: OpenGL itself would only
+/// leave an error in the host's queue.
+void checkTarget(const FrameTarget& target) {
+    const bool exists = target.framebuffer == 0 || glIsFramebuffer(target.framebuffer) == GL_TRUE;
+    if (exists && glCheckNamedFramebufferStatus(target.framebuffer, GL_DRAW_FRAMEBUFFER) ==
+                      GL_FRAMEBUFFER_COMPLETE)
+        return;
+    throw Error(ErrorKind::badInput, "",
+                "framebuffer " + std::to_string(target.framebuffer) +
+                    (exists ? " is incomplete; a frame is displayed in a complete one"
+                            : " does not exist in the current context"));
+}
+
+template <typename T>
+void flipRows(std::vector<T>& pixels, int width, int height) {
+    const auto row = static_cast<std::ptrdiff_t>(width) * 4;
+    for (std::ptrdiff_t y = 0; y < height / 2; ++y) {
+        std::swap_ranges(pixels.begin() + y * row, pixels.begin() + (y + 1) * row,
+                         pixels.begin() + (height - 1 - y) * row);
+    }
+}
+
+}  // namespace
+
+Frame::Frame(std::shared_ptr<Renderer::State> renderer, std::weak_ptr<GpuScene::State> scene,
+             std::uint64_t number)
+    : renderer_(std::move(renderer)), scene_(std::move(scene)), number_(number) {}
+Frame::Frame(Frame&&) noexcept = default;
+Frame& Frame::operator=(Frame&&) noexcept = default;
+Frame::~Frame() = default;
+
+Renderer::State& Frame::state() const {
+    if (!renderer_) throw Error(ErrorKind::badInput, "", "a Frame is used that was moved from");
+    if (renderer_->frameNumber != number_) {
+        throw Error(ErrorKind::badInput, "",
+                    "a Frame is used after its renderer has drawn another one, which replaced it");
+    }
+    return *renderer_;
+}
+
+std::shared_ptr<GpuScene::State> Frame::scene() const {
+    if (auto scene = scene_.lock()) return scene;
+    throw Error(ErrorKind::badInput, "",
+                "a Frame is asked for what has to be drawn again, but its GpuScene has been destroyed");
+}
+
+int Frame::width() const {
+    return state().frame->settings.width;
+}
+
+int Frame::height() const {
+    return state().frame->settings.height;
+}
+
+Technique Frame::technique() const {
+    return state().frame->technique;
+}
+
+void Frame::display(const DisplayTransform& transform, const FrameTarget& target) const {
+    Renderer::State& state = this->state();
+    const gl::StateGuard guard(*state.binding, user);
+    checkTarget(target);
+    const DrawnFrame& frame = *state.frame;
+    const gl::PassTimer::Scope pass(state.timer, "display");
+    if (frame.settings.debugView == DebugView::none) {
+        state.display.render(
+            {state.targets->radiance, frame.settings.width, frame.settings.height, transform, target});
+    } else {
+        state.debugView->display(*state.targets, target);
+    }
+    if (frame.settings.overlays.wireframe || frame.settings.overlays.cage) state.overlays->display(target);
+}
+
+std::vector<std::uint8_t> Frame::displayPicture(const DisplayTransform& transform) const {
+    Renderer::State& state = this->state();
+    const gl::StateGuard guard(*state.binding, user);
+    const int width = state.targets->width, height = state.targets->height;
+    if (!state.displayTarget) state.displayTarget.emplace(width, height);
+    display(transform, {.framebuffer = state.displayTarget->framebuffer.name()});
+    std::vector<std::uint8_t> pixels = readBytes(state.displayTarget->texture, width, height);
+    flipRows(pixels, width, height);
+    return pixels;
+}
+
+HdrImage Frame::radiance() const {
+    const Renderer::State& state = this->state();
+    const gl::StateGuard guard(*state.binding, user);
+    const GBufferTargets& targets = *state.targets;
+    HdrImage picture{targets.width, targets.height,
+                     readColor(targets.radiance, targets.width, targets.height)};
+    const std::vector<float> depth = readDepth(targets);
+    for (std::size_t i = 0; i < depth.size(); ++i) picture.rgba[4 * i + 3] = depth[i] > 0.0f ? 1.0f : 0.0f;
+    flipRows(picture.rgba, targets.width, targets.height);
+    return picture;
+}
+
+std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
+    checkAovNames(names);
+    Renderer::State& state = this->state();
+    const gl::StateGuard guard(*state.binding, user);
+    const GBufferTargets& targets = *state.targets;
+    const auto wants = [&](const char* name) { return std::ranges::find(names, name) != names.end(); };
+    state.bindFrame();
+    std::vector<float> emission, lightCount;
+    if (wants("emission")) {
+        // The frame's own radiance target holds light by now: the emission is drawn again.
+        const GBufferTargets emissionTargets(targets.width, targets.height);
+        state.drawGeometry(*scene(), emissionTargets, LoadOp::clear);
+        emission = readColor(emissionTargets.radiance, targets.width, targets.height);
+    }
+    if (wants("light_count")) {
+        const std::shared_ptr<GpuScene::State> scene = this->scene();
+        const LightingInputs inputs = state.lightingInputs(*scene);
+        state.lighting.bind(inputs);
+        lightCount = state.lighting.counter().litPerPixel(inputs);
+    }
+    const std::vector<GBufferTexel> surfaces = readSurfaces(targets);
+    const std::vector<float> depth = readDepth(targets);
+    const AovSources sources{targets.width, targets.height, state.frame->uniforms, surfaces,
+                             depth,         emission,       lightCount};
+    std::vector<Aov> result;
+    for (const std::string& name : names) result.push_back(makeAov(name, sources));
+    return result;
+}
+
+std::optional<PixelProbe> Frame::probe(int x, int y) const {
+    Renderer::State& state = this->state();
+    const DrawnFrame& frame = *state.frame;
+    checkPixel(frame.settings, x, y);
+    const gl::StateGuard guard(*state.binding, user);
+    const std::shared_ptr<GpuScene::State> scene = this->scene();
+    const int width = frame.settings.width, height = frame.settings.height, fromBottom = height - 1 - y;
+    std::optional<PixelProbe> probe =
+        probeSurface({*state.targets, frame.uniforms, scene->lights, x, fromBottom});
+    if (!probe) return std::nullopt;
+    state.bindFrame();
+    scene->cull(frame.frustum, state.draws);
+    const std::optional<std::uint32_t> instance =
+        state.instances.at({*scene, state.draws, width, height}, x, fromBottom);
+    if (!instance) return std::nullopt;  // What the frame shows here has been hidden or moved since.
+    probe->node = scene->instances[*instance].node;
+    probe->emission = state.emissionAt(*scene, x, fromBottom);
+    return probe;
+}
+
+std::uint32_t Frame::maxLightCount() const {
+    const Renderer::State& state = this->state();
+    const gl::StateGuard guard(*state.binding, user);
+    if (state.frame->settings.debugView != DebugView::lightCount) return 0;
+    return state.debugView->maxLightCount();
+}
+
+PairCounts Frame::countPairs() const {
+    Renderer::State& state = this->state();
+    const gl::StateGuard guard(*state.binding, user);
+    const std::shared_ptr<GpuScene::State> scene = this->scene();
+    state.bindFrame();
+    const LightingInputs inputs = state.lightingInputs(*scene);
+    state.lighting.bind(inputs);
+    PairCounter& counter = state.lighting.counter();
+    const auto directionals = static_cast<std::uint64_t>(inputs.lights.counts().directionals);
+    const std::uint64_t directionalPairs = directionals * countLitSurfaces(*state.targets);
+    const std::vector<float> lit = counter.litPerPixel(inputs);
+    PairCounts counts;
+    counts.lightsVisible = counter.lightsInView(inputs) + directionals;
+    counts.pairsLit =
+        static_cast<std::uint64_t>(std::accumulate(lit.begin(), lit.end(), 0.0)) + directionalPairs;
+    if (state.frame->settings.debugView != DebugView::none) return counts;  // No light was evaluated.
+    LightingTechnique& technique = state.lighting.technique(state.frame->technique);
+    counts.pairsEvaluated = technique.countEvaluated(inputs, counter) + directionalPairs;
+    counts.lightListBytes = technique.lightListBytes();
+    return counts;
+}
+
+std::vector<PassTime> Frame::passTimes() const {
+    Renderer::State& state = this->state();
+    state.binding->requireCurrent(user);
+    std::vector<PassTime> times;
+    for (const auto& [name, milliseconds] : state.timer.results()) times.push_back({name, milliseconds});
+    return times;
+}
+
+}  // namespace candela

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "gl/context_binding.h"
+#include "gl/pass_timer.h"
+#include "render/debug/debug_view_pass.h"
+#include "render/debug/instance_pass.h"
+#include "render/debug/overlay_pass.h"
+#include "render/display/display_pass.h"
+#include "render/frustum.h"
+#include "render/gbuffer/geometry_pass.h"
+#include "render/gpu_scene/gpu_scene_state.h"
+#include "render/layout.h"
+#include "render/lighting/lighting.h"
+
+#include <candela/renderer.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace candela {
+
+/// The frame that a renderer's targets hold.
+struct DrawnFrame {
+    FrameSettings settings;
+    Technique technique;  ///< Never `automatic`.
+    layout::FrameUniforms uniforms;
+    Frustum frustum;
+};
+
+/// An 8-bit picture that is read back.
+struct DisplayTarget {
+    DisplayTarget(int width, int height);
+    gl::Texture texture;
+    gl::Framebuffer framebuffer;
+};
+
+/// The passes of a renderer and the targets that they draw into. A `Renderer` and its `Frame`s share it.
+struct Renderer::State {
+    explicit State(const Context& context);
+
+    /// Draws a frame and counts it in `frameNumber`.
+    void render(GpuScene::State& scene, const CameraView& view, const FrameSettings& settings);
+
+    // What frames ask for, once they have made sure that `frame` is theirs.
+    LightingInputs lightingInputs(const GpuScene::State& scene) const;
+    void bindFrame();
+    void drawGeometry(const GpuScene::State& scene, const GBufferTargets& into, LoadOp radianceLoad);
+    /// Emission at a pixel, y from the bottom. The frame's own radiance target holds light by now, so that the
+    /// pixel is drawn again.
+    glm::vec3 emissionAt(const GpuScene::State& scene, int x, int y);
+
+    std::shared_ptr<gl::ContextBinding> binding;
+    gl::PassTimer timer;
+    GeometryPass geometry;
+    Lighting lighting;
+    DisplayPass display;
+    gl::Buffer frameBuffer;
+    InstancePass instances;
+    DrawSelection draws;  ///< Of the frame's view.
+    std::uint64_t frameNumber = 0;
+    std::optional<DrawnFrame> frame;
+    // Created when they are first needed.
+    std::optional<DebugViewPass> debugView;
+    std::optional<OverlayPass> overlays;
+    std::optional<GBufferTargets> targets;
+    std::optional<GBufferTargets> emissionTargets;  ///< Where `emissionAt` draws.
+    std::optional<DisplayTarget> displayTarget;
+
+  private:
+    void resize(int width, int height);
+    void createPasses(const FrameSettings& settings, Technique technique);
+    void drawLit(const GpuScene::State& scene);
+    void drawDebugView(const GpuScene::State& scene);
+    void drawOverlays(GpuScene::State& scene);
+};
+
+}  // namespace candela
