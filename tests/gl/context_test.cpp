@@ -18,8 +18,7 @@ std::vector<float> drawn(const Context& context, Renderer& renderer, const LitSc
     context.makeCurrent();
     GpuScene scene(context, made.scene);
     scene.setLights(made.lights);
-    renderer.render(scene, smallFrame(made, Technique::volumes));
-    return renderer.radiance().rgba;
+    return render(renderer, scene, smallFrame(made, Technique::volumes)).radiance().rgba;
 }
 
 DeviceOptions software() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "support/frame_request.h"
 #include "support/lit_scenes.h"
 #include "support/procedural_scene.h"
 
@@ -17,7 +18,7 @@ inline LitScene smallScene() {
     return made;
 }
 
-inline FrameInputs smallFrame(const LitScene& made, Technique technique, int width = 48, int height = 32) {
+inline FrameRequest smallFrame(const LitScene& made, Technique technique, int width = 48, int height = 32) {
     return {width, height, made.view, BrdfModel::gltf, technique};
 }
 

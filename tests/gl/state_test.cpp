@@ -25,10 +25,11 @@ class HostStateTest : public testing::Test {
 };
 
 TEST_F(HostStateTest, guardPutsBackWhatDiffersInside) {
+    const Context context = Context::adoptCurrent();
     const UnusualState unusual;
     const GlState before = queryState();
     {
-        const gl::StateGuard guard;
+        const gl::StateGuard guard(*context.state().binding, "a test");
         EXPECT_GT(differences(before, queryState()).size(), 20u) << "the guard sets what passes rely on";
     }
     EXPECT_EQ(differences(before, queryState()), std::vector<std::string>{});
@@ -94,27 +95,27 @@ Seen drawWatched(HostContext& host, Technique technique) {
     GpuScene scene = watched("GpuScene", [&] { return GpuScene(context, made.scene); });
     watched("setLights", [&] { scene.setLights(made.lights); });
     watched("setTransform", [&] { scene.setTransform(0, glm::mat4(1.0f)); });
-    watched("render", [&] { renderer.render(scene, smallFrame(made, technique)); });
+    Frame frame = watched("render", [&] { return render(renderer, scene, smallFrame(made, technique)); });
     Seen seen;
-    seen.radiance = watched("radiance", [&] { return renderer.radiance().rgba; });
-    seen.display = watched("displayPicture", [&] { return renderer.displayPicture(transform); });
-    const auto aovs = watched("aovs", [&] { return renderer.aovs(scene, Renderer::aovNames()); });
+    seen.radiance = watched("radiance", [&] { return frame.radiance().rgba; });
+    seen.display = watched("displayPicture", [&] { return frame.displayPicture(transform); });
+    const auto aovs = watched("aovs", [&] { return frame.aovs(Renderer::aovNames()); });
     for (const Aov& aov : aovs) seen.aovs.insert(seen.aovs.end(), aov.values.begin(), aov.values.end());
-    seen.pairs = watched("countPairs", [&] { return renderer.countPairs(scene); });
-    watched("passTimes", [&] { return renderer.passTimes(); });
+    seen.pairs = watched("countPairs", [&] { return frame.countPairs(); });
+    watched("passTimes", [&] { return frame.passTimes(); });
     for (const DebugView show : views) {
-        FrameInputs inputs = smallFrame(made, technique);
-        inputs.show = show;
+        FrameRequest inputs = smallFrame(made, technique);
+        inputs.debugView = show;
         inputs.overlays = {.wireframe = true, .cage = true};
-        watched(toString(show), [&] { renderer.render(scene, inputs); });
-        seen.views.push_back(watched("display of data", [&] { return renderer.displayPicture(transform); }));
-        watched("maxLightCount", [&] { return renderer.maxLightCount(); });
-        seen.probe = watched("probe", [&] { return renderer.probe(scene, 20, 14); });
+        frame = watched(toString(show), [&] { return render(renderer, scene, inputs); });
+        seen.views.push_back(watched("display of data", [&] { return frame.displayPicture(transform); }));
+        watched("maxLightCount", [&] { return frame.maxLightCount(); });
+        seen.probe = watched("probe", [&] { return frame.probe(20, 14); });
     }
     GLint named = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &named);
     if (named != 0)
-        watched("display", [&] { renderer.display(transform, {static_cast<std::uint32_t>(named), 3, 5}); });
+        watched("display", [&] { frame.display(transform, {static_cast<std::uint32_t>(named), 3, 5}); });
     return seen;
 }
 
@@ -179,10 +180,10 @@ TEST_F(HostStateTest, drawsIntoItsFramebufferAtAnOffsetAndNowhereElse) {
     GpuScene scene(context, made.scene);
     scene.setLights(made.lights);
     constexpr int width = 40, height = 30, left = 17, bottom = 9;
-    renderer.render(scene, smallFrame(made, Technique::volumes, width, height));
-    const std::vector<std::uint8_t> picture = renderer.displayPicture(transform);
+    const Frame frame = render(renderer, scene, smallFrame(made, Technique::volumes, width, height));
+    const std::vector<std::uint8_t> picture = frame.displayPicture(transform);
     const HostTarget target;
-    renderer.display(transform, {target.framebuffer(), left, bottom});
+    frame.display(transform, {target.framebuffer(), left, bottom});
     const std::vector<std::uint8_t> seen = target.pixels();
     for (int y = 0; y < HostTarget::height; ++y) {
         for (int x = 0; x < HostTarget::width; ++x) {
@@ -202,10 +203,10 @@ TEST_F(HostStateTest, pictureOverTheEdgeOfTheFramebufferIsClipped) {
     const DisplayTransform transform = ColorConfig::builtIn().displayTransform({});
     const Context context = Context::adoptCurrent();
     Renderer renderer(context);
-    const GpuScene scene(context, made.scene);
-    renderer.render(scene, smallFrame(made, Technique::fullscreen, 40, 30));
+    GpuScene scene(context, made.scene);
+    const Frame frame = render(renderer, scene, smallFrame(made, Technique::fullscreen, 40, 30));
     const HostTarget target;
-    renderer.display(transform, {target.framebuffer(), -20, HostTarget::height - 10});
+    frame.display(transform, {target.framebuffer(), -20, HostTarget::height - 10});
     const std::vector<std::uint8_t> seen = target.pixels();
     EXPECT_TRUE(std::equal(HostTarget::filling.begin(), HostTarget::filling.end(), seen.begin()));
     EXPECT_EQ(seen[std::size_t(4 * (HostTarget::height - 1) * HostTarget::width) + 3], 255);

@@ -73,9 +73,9 @@ TEST_F(WindowTest, showsThePictureInItsFramebuffer) {
     for (const Technique technique : techniques) {
         glClearColor(1.0f, 0.0f, 1.0f, 1.0f);
         glClear(GL_COLOR_BUFFER_BIT);
-        renderer.render(scene, smallFrame(made, technique, width, height));
-        renderer.display(transform, {});
-        std::vector<std::uint8_t> seen = backBuffer(), expected = renderer.displayPicture(transform);
+        const Frame frame = render(renderer, scene, smallFrame(made, technique, width, height));
+        frame.display(transform, {});
+        std::vector<std::uint8_t> seen = backBuffer(), expected = frame.displayPicture(transform);
         // A window may have no alpha.
         for (std::size_t i = 3; i < seen.size(); i += 4) seen[i] = expected[i] = 0;
         EXPECT_EQ(seen, expected);
@@ -89,24 +89,25 @@ TEST_F(WindowTest, standsBesideAHeadlessContext) {
     const LitScene made = smallScene();
     const Context adopted = Context::adoptCurrent();
     Renderer windowRenderer(adopted);
-    const GpuScene windowScene(adopted, made.scene);
-    windowRenderer.render(windowScene, smallFrame(made, Technique::volumes));
-    const std::vector<float> reference = windowRenderer.radiance().rgba;
+    GpuScene windowScene(adopted, made.scene);
+    const auto drawnInWindow = [&] {
+        return render(windowRenderer, windowScene, smallFrame(made, Technique::volumes)).radiance().rgba;
+    };
+    const std::vector<float> reference = drawnInWindow();
     // A thread has one current context: the window's has to go before EGL takes another.
     glfwMakeContextCurrent(nullptr);
     {
         const Context headless = Context::createHeadless();
         Renderer renderer(headless);
-        const GpuScene scene(headless, made.scene);
-        renderer.render(scene, smallFrame(made, Technique::volumes));
-        const std::vector<float> pixels = renderer.radiance().rgba;
+        GpuScene scene(headless, made.scene);
+        const std::vector<float> pixels =
+            render(renderer, scene, smallFrame(made, Technique::volumes)).radiance().rgba;
         if (adopted.renderer() == headless.renderer()) {
             EXPECT_EQ(pixels, reference);
         }
     }
     glfwMakeContextCurrent(window_);
-    windowRenderer.render(windowScene, smallFrame(made, Technique::volumes));
-    EXPECT_EQ(windowRenderer.radiance().rgba, reference);
+    EXPECT_EQ(drawnInWindow(), reference);
 }
 
 }  // namespace

@@ -38,9 +38,9 @@ LitScene everything() {
     return made;
 }
 
-FrameInputs frameOf(const LitScene& made, DebugView show = DebugView::none) {
-    FrameInputs inputs{width, height, made.view, BrdfModel::course, Technique::tiles};
-    inputs.show = show;
+FrameRequest frameOf(const LitScene& made, DebugView show = DebugView::none) {
+    FrameRequest inputs{width, height, made.view, BrdfModel::course, Technique::tiles};
+    inputs.debugView = show;
     return inputs;
 }
 
@@ -69,7 +69,7 @@ class ShowViewsTest : public DrawingTest {
     void expectView(DebugView show, const std::function<glm::vec3(const AovReader&, int x, int y)>& expected,
                     float tolerance) {
         const HdrImage picture = view(show);
-        const AovReader reader = aovs(scene_, width);
+        const AovReader reader = aovs(width);
         int surfaces = 0;
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
@@ -116,7 +116,7 @@ TEST_F(ShowViewsTest, metallicAndRoughness) {
 
 TEST_F(ShowViewsTest, depthIsBrightWhereItIsNear) {
     view(DebugView::depth);
-    const AovReader reader = aovs(scene_, width);
+    const AovReader reader = aovs(width);
     float nearest = 1e9f;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x)
@@ -138,7 +138,7 @@ TEST_F(ShowViewsTest, emission) {
 
 TEST_F(ShowViewsTest, emissionOfASceneThatEmitsNothingIsBlackAfterALitPicture) {
     const LitScene plaza = plazaLike();
-    const GpuScene scene = upload(plaza.scene, plaza.lights);
+    GpuScene scene = upload(plaza.scene, plaza.lights);
     drawn(scene, frameOf(plaza));
     const HdrImage picture = drawn(scene, frameOf(plaza, DebugView::emission));
     for (int y = 0; y < height; ++y) {
@@ -148,25 +148,25 @@ TEST_F(ShowViewsTest, emissionOfASceneThatEmitsNothingIsBlackAfterALitPicture) {
 
 TEST_F(ShowViewsTest, lightCountIsAHeatMapUpToTheFramesMost) {
     view(DebugView::lightCount);
-    const AovReader reader = aovs(scene_, width);
+    const AovReader reader = aovs(width);
     float most = 0.0f;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) most = std::max(most, reader.scalar("light_count", x, y));
     }
     ASSERT_GT(most, 3.0f);
-    EXPECT_EQ(renderer().maxLightCount(), static_cast<std::uint32_t>(most));
+    EXPECT_EQ(lastFrame().maxLightCount(), static_cast<std::uint32_t>(most));
     expectView(
         DebugView::lightCount,
         [&](const AovReader& r, int x, int y) { return heatColor(r.scalar("light_count", x, y) / most); },
         rounding);
     view(DebugView::depth);
-    EXPECT_EQ(renderer().maxLightCount(), 0u) << "that frame counted no lights";
+    EXPECT_EQ(lastFrame().maxLightCount(), 0u) << "that frame counted no lights";
 }
 
 TEST_F(ShowViewsTest, lightCountWithoutLightsIsBlack) {
-    const GpuScene dark = upload(made_.scene);
+    GpuScene dark = upload(made_.scene);
     const HdrImage picture = drawn(dark, frameOf(made_, DebugView::lightCount));
-    EXPECT_EQ(renderer().maxLightCount(), 0u);
+    EXPECT_EQ(lastFrame().maxLightCount(), 0u);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) ASSERT_EQ(pixelOf(picture, x, y), glm::vec3(0.0f));
     }
@@ -181,10 +181,10 @@ TEST_F(ShowViewsTest, levelOfCagesIsItsColor) {
     Scene made =
         sceneOfCage(makeSharpCubeCage(1.0f), Material{}, glm::translate(glm::mat4(1.0f), {-1.5f, 0, 0}));
     place(made, makeQuad(1.0f), Material{}, glm::translate(glm::mat4(1.0f), {1.5f, 0, 0}));
-    FrameInputs inputs = frameOf(made_, DebugView::level);
+    FrameRequest inputs = frameOf(made_, DebugView::level);
     inputs.view = lookAt({0, 0, 6}, {0, 0, 0}, 0.8f);
     const auto expectColors = [&](const GpuSceneOptions& options, std::uint32_t level) {
-        const GpuScene scene(context(), made, options);
+        GpuScene scene(context(), made, options);
         const HdrImage picture = drawn(scene, inputs);
         EXPECT_EQ(pixelOf(picture, width / 2 - 13, height / 2), levelColor(level));
         EXPECT_EQ(pixelOf(picture, width / 2 + 13, height / 2), glm::vec3(0.5f));
@@ -195,7 +195,7 @@ TEST_F(ShowViewsTest, levelOfCagesIsItsColor) {
 }
 
 TEST_F(ShowViewsTest, emptyScenesAreBlack) {
-    const GpuScene empty = upload(Scene{});
+    GpuScene empty = upload(Scene{});
     for (const DebugView show : views) {
         const HdrImage picture = drawn(empty, frameOf(made_, show));
         for (const float value : picture.rgba) ASSERT_EQ(value, 0.0f) << toString(show);
@@ -205,8 +205,8 @@ TEST_F(ShowViewsTest, emptyScenesAreBlack) {
 TEST_F(ShowViewsTest, displayShowsTheCodesAsTheyAre) {
     for (const DebugView show : views) {
         const HdrImage picture = view(show);
-        const std::vector<std::uint8_t> codes = renderer().displayPicture(transformOf());
-        EXPECT_EQ(renderer().displayPicture(transformOf(3.0)), codes) << "no exposure changes it";
+        const std::vector<std::uint8_t> codes = lastFrame().displayPicture(transformOf());
+        EXPECT_EQ(lastFrame().displayPicture(transformOf(3.0)), codes) << "no exposure changes it";
         for (std::size_t i = 0; i < codes.size(); ++i) {
             if (i % 4 == 3) {
                 ASSERT_EQ(codes[i], 255);
@@ -223,7 +223,7 @@ TEST_F(ShowViewsTest, baseColorsOfTheDisplayAreTheGBuffersCodes) {
     material.baseColor = {0.25f, 0.5f, 0.75f, 1};
     LitScene made{"", sceneOf(makeQuad(9.0f), material), {}, lookAt({0, 0, 3}, {0, 0, 0}, 0.5f)};
     drawn(upload(made.scene), frameOf(made, DebugView::baseColor));
-    const std::vector<std::uint8_t> codes = renderer().displayPicture(transformOf());
+    const std::vector<std::uint8_t> codes = lastFrame().displayPicture(transformOf());
     for (std::size_t c = 0; c < 3; ++c)
         EXPECT_EQ(codes[c], std::lround(255.0f * srgb(material.baseColor[int(c)])));
 }
@@ -231,32 +231,32 @@ TEST_F(ShowViewsTest, baseColorsOfTheDisplayAreTheGBuffersCodes) {
 TEST_F(ShowViewsTest, lightingIsNotRun) {
     for (const DebugView show : views) {
         view(show);
-        renderer().displayPicture(transformOf());
+        lastFrame().displayPicture(transformOf());
         std::vector<std::string> names;
-        for (const PassTime& pass : renderer().passTimes()) names.push_back(pass.name);
+        for (const PassTime& pass : lastFrame().passTimes()) names.push_back(pass.name);
         EXPECT_EQ(names, (std::vector<std::string>{"geometry", "show", "display"})) << toString(show);
-        EXPECT_EQ(renderer().technique(), Technique::tiles);
+        EXPECT_EQ(lastFrame().technique(), Technique::tiles);
     }
 }
 
 TEST_F(ShowViewsTest, aovsAndPairsAreThoseOfThePicture) {
     drawn(scene_, frameOf(made_));
-    const std::vector<Aov> expected = renderer().aovs(scene_, Renderer::aovNames());
-    const PairCounts pairs = renderer().countPairs(scene_);
+    const std::vector<Aov> expected = lastFrame().aovs(Renderer::aovNames());
+    const PairCounts pairs = lastFrame().countPairs();
     EXPECT_GT(pairs.pairsEvaluated, 0u);
     for (const DebugView show : views) {
         view(show);
-        const std::vector<Aov> actual = renderer().aovs(scene_, Renderer::aovNames());
+        const std::vector<Aov> actual = lastFrame().aovs(Renderer::aovNames());
         for (std::size_t i = 0; i < expected.size(); ++i)
             EXPECT_EQ(actual[i].values, expected[i].values) << toString(show) << ": " << expected[i].name;
-        EXPECT_EQ(renderer().countPairs(scene_).pairsLit, pairs.pairsLit);
-        EXPECT_EQ(renderer().countPairs(scene_).pairsEvaluated, 0u) << "no light was evaluated";
+        EXPECT_EQ(lastFrame().countPairs().pairsLit, pairs.pairsLit);
+        EXPECT_EQ(lastFrame().countPairs().pairsEvaluated, 0u) << "no light was evaluated";
     }
 }
 
 TEST_F(ShowViewsTest, pictureIsTheSameAfterADataView) {
     for (const Technique technique : techniques) {
-        FrameInputs inputs = frameOf(made_);
+        FrameRequest inputs = frameOf(made_);
         inputs.technique = technique;
         const std::vector<float> before = drawn(scene_, inputs).rgba;
         for (const DebugView show : views) {
@@ -269,11 +269,11 @@ TEST_F(ShowViewsTest, pictureIsTheSameAfterADataView) {
 TEST_F(ShowViewsTest, sizesMayChangeFromViewToView) {
     for (const auto& [w, h] : {std::pair{7, 5}, {1, 1}, {130, 3}, {7, 5}}) {
         for (const DebugView show : views) {
-            FrameInputs inputs = frameOf(made_, show);
+            FrameRequest inputs = frameOf(made_, show);
             inputs.width = w;
             inputs.height = h;
             EXPECT_TRUE(allFinite(drawn(scene_, inputs))) << toString(show);
-            EXPECT_EQ(renderer().displayPicture(transformOf()).size(), std::size_t(4 * w * h));
+            EXPECT_EQ(lastFrame().displayPicture(transformOf()).size(), std::size_t(4 * w * h));
         }
     }
 }

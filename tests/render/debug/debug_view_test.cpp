@@ -20,7 +20,7 @@ DisplayTransform transformOf(double exposure = 0.0) {
     return ColorConfig::builtIn().displayTransform(choice);
 }
 
-FrameInputs frame(int w = width, int h = height) {
+FrameRequest frame(int w = width, int h = height) {
     return {w, h, lookAt({0, 0, 3}, {0, 0, 0}, 0.5f), BrdfModel::course, Technique::fullscreen};
 }
 
@@ -35,8 +35,8 @@ Scene glowing(const glm::vec3& radiance) {
 class ShowTest : public DrawingTest {
   protected:
     static std::vector<std::uint8_t> shown(const glm::vec3& radiance, double exposure = 0.0) {
-        renderer().render(upload(glowing(radiance)), frame());
-        return renderer().displayPicture(transformOf(exposure));
+        render(upload(glowing(radiance)), frame());
+        return lastFrame().displayPicture(transformOf(exposure));
     }
 };
 
@@ -70,8 +70,8 @@ TEST_F(ShowTest, meanOfADimAreaIsItsValue) {
 }
 
 TEST_F(ShowTest, blackAndWhiteHaveNoNoise) {
-    renderer().render(upload(Scene{}), frame());
-    const std::vector<std::uint8_t> background = renderer().displayPicture(transformOf());
+    render(upload(Scene{}), frame());
+    const std::vector<std::uint8_t> background = lastFrame().displayPicture(transformOf());
     const std::vector<std::uint8_t> black = shown(glm::vec3(0)), white = shown(glm::vec3(1000));
     for (std::size_t i = 0; i < black.size(); ++i) {
         ASSERT_EQ(black[i], i % 4 == 3 ? 255 : 0);
@@ -99,46 +99,46 @@ TEST_F(ShowTest, rowsRunFromTheTop) {
     material.emission = glm::vec3(1000);
     glm::mat4 up(1.0f);
     up[3] = {0, 9, 0, 1};
-    const GpuScene scene = upload(sceneOf(makeQuad(9.0f), material, up));
-    renderer().render(scene, frame());
-    const std::vector<std::uint8_t> codes = renderer().displayPicture(transformOf());
+    GpuScene scene = upload(sceneOf(makeQuad(9.0f), material, up));
+    render(scene, frame());
+    const std::vector<std::uint8_t> codes = lastFrame().displayPicture(transformOf());
     EXPECT_EQ(codes.front(), 255);
     EXPECT_EQ(codes[codes.size() - 4], 0);
-    EXPECT_GT(pixelOf(renderer().radiance(), 3, 0).g, 1.0f);
-    EXPECT_EQ(pixelOf(renderer().radiance(), 3, height - 1).g, 0.0f);
-    EXPECT_GT(aovs(scene, width).scalar("Z", 3, 0), 0.0f);
+    EXPECT_GT(pixelOf(lastFrame().radiance(), 3, 0).g, 1.0f);
+    EXPECT_EQ(pixelOf(lastFrame().radiance(), 3, height - 1).g, 0.0f);
+    EXPECT_GT(aovs(width).scalar("Z", 3, 0), 0.0f);
 }
 
 TEST_F(ShowTest, sizesMayChangeFromFrameToFrame) {
-    const GpuScene scene = upload(glowing({0.3f, 0.3f, 0.3f}));
+    GpuScene scene = upload(glowing({0.3f, 0.3f, 0.3f}));
     for (const auto& [w, h] : {std::pair{7, 5}, {1, 1}, {130, 3}, {7, 5}}) {
-        renderer().render(scene, frame(w, h));
-        EXPECT_EQ(renderer().displayPicture(transformOf()).size(), std::size_t(4 * w * h));
-        EXPECT_EQ(renderer().radiance().rgba.size(), std::size_t(4 * w * h));
-        EXPECT_EQ(renderer().aovs(scene, {"Z"})[0].values[0].size(), std::size_t(w * h));
+        render(scene, frame(w, h));
+        EXPECT_EQ(lastFrame().displayPicture(transformOf()).size(), std::size_t(4 * w * h));
+        EXPECT_EQ(lastFrame().radiance().rgba.size(), std::size_t(4 * w * h));
+        EXPECT_EQ(lastFrame().aovs({"Z"})[0].values[0].size(), std::size_t(w * h));
     }
 }
 
 TEST_F(ShowTest, impossibleSizesAreErrors) {
-    const GpuScene scene = upload(Scene{});
+    GpuScene scene = upload(Scene{});
     for (const auto& [w, h] : {std::pair{0, 5}, {5, 0}, {-3, 4}})
-        EXPECT_THROW(renderer().render(scene, frame(w, h)), Error);
+        EXPECT_THROW(render(scene, frame(w, h)), Error);
     try {
-        renderer().render(scene, frame(1, 1 << 20));
+        render(scene, frame(1, 1 << 20));
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::limit);
         EXPECT_NE(std::string(error.what()).find("1x1048576"), std::string::npos) << error.what();
     }
-    renderer().render(scene, frame());
-    EXPECT_EQ(renderer().radiance().width, width) << "the renderer goes on after an error";
+    render(scene, frame());
+    EXPECT_EQ(lastFrame().radiance().width, width) << "the renderer goes on after an error";
 }
 
 TEST_F(ShowTest, passesAreTimedInTheirOrder) {
-    renderer().render(upload(glowing(glm::vec3(1))), frame());
-    renderer().displayPicture(transformOf());
+    render(upload(glowing(glm::vec3(1))), frame());
+    lastFrame().displayPicture(transformOf());
     std::vector<std::string> names;
-    for (const PassTime& pass : renderer().passTimes()) {
+    for (const PassTime& pass : lastFrame().passTimes()) {
         names.push_back(pass.name);
         EXPECT_GE(pass.milliseconds, 0.0);
     }

@@ -21,8 +21,8 @@ glm::mat4 at(const glm::vec3& position) {
     return glm::translate(glm::mat4(1.0f), position);
 }
 
-FrameInputs frameOf(const CameraView& view, const Overlays& overlays) {
-    FrameInputs inputs{width, height, view, BrdfModel::course, Technique::volumes};
+FrameRequest frameOf(const CameraView& view, const Overlays& overlays) {
+    FrameRequest inputs{width, height, view, BrdfModel::course, Technique::volumes};
     inputs.overlays = overlays;
     return inputs;
 }
@@ -69,16 +69,16 @@ std::vector<Edge> frontEdges(const Mesh& mesh, const glm::vec3& eye) {
 
 class OverlayTest : public DrawingTest {
   protected:
-    static std::vector<std::uint8_t> shown(const GpuScene& scene, const FrameInputs& inputs) {
-        renderer().render(scene, inputs);
-        return renderer().displayPicture(ColorConfig::builtIn().displayTransform({}));
+    static std::vector<std::uint8_t> shown(auto&& scene, const FrameRequest& inputs) {
+        render(scene, inputs);
+        return lastFrame().displayPicture(ColorConfig::builtIn().displayTransform({}));
     }
 
     /// The pixels that overlays change.
-    static Pixels lines(const GpuScene& scene, const CameraView& view, const Overlays& overlays,
+    static Pixels lines(auto&& scene, const CameraView& view, const Overlays& overlays,
                         DebugView show = DebugView::none) {
-        FrameInputs inputs = frameOf(view, overlays);
-        inputs.show = show;
+        FrameRequest inputs = frameOf(view, overlays);
+        inputs.debugView = show;
         const std::vector<std::uint8_t> with = shown(scene, inputs);
         inputs.overlays = {};
         const std::vector<std::uint8_t> without = shown(scene, inputs);
@@ -154,7 +154,7 @@ void expectLines(const Pixels& lines, const CameraView& view, const std::vector<
 
 TEST_F(OverlayTest, cubeHidesItsBackEdges) {
     const Mesh cube = makeCube();
-    const GpuScene scene = upload(sceneOf(cube, Material{}));
+    GpuScene scene = upload(sceneOf(cube, Material{}));
     for (const glm::vec3 eye : {glm::vec3(3, 2.5f, 5), glm::vec3(-4, 1.5f, -4), glm::vec3(0.3f, -5, 2.5f)}) {
         const CameraView view = lookAt(eye, {0, 0, 0}, 0.7f);
         const Pixels seen = lines(scene, view, wireframe);
@@ -168,7 +168,7 @@ TEST_F(OverlayTest, roomShowsItsEdgesFromInside) {
     Mesh room = makeCube();
     for (std::size_t i = 0; i < room.indices.size(); i += 3) std::swap(room.indices[i], room.indices[i + 1]);
     for (glm::vec3& normal : room.normals) normal = -normal;
-    const GpuScene inside = upload(sceneOf(room, Material{}));
+    GpuScene inside = upload(sceneOf(room, Material{}));
     const glm::vec3 eye(0.2f, 0.3f, 0.7f);
     const CameraView view = lookAt(eye, {-0.3f, -0.2f, -1}, 1.4f);
     expectLines(lines(inside, view, wireframe), view, frontEdges(room, eye));
@@ -200,7 +200,7 @@ TEST_F(OverlayTest, linesOnGrazedAndDistantSurfacesAreWhole) {
             grid.indices.insert(grid.indices.end(), {a, b, d, a, d, c});
         }
     }
-    const GpuScene scene = upload(sceneOf(grid, Material{}));
+    GpuScene scene = upload(sceneOf(grid, Material{}));
     for (const float eyeHeight : {0.05f, 0.5f, 10.0f}) {
         const glm::vec3 eye(0.3f, eyeHeight, 3);
         const CameraView view = lookAt(eye, {0, 0, -30}, 0.6f);
@@ -214,12 +214,12 @@ TEST_F(OverlayTest, pictureBorderIsNoEdge) {
     triangle.positions = {{-50, -50, 0}, {50, -50, 0}, {0, 80, 0}};
     triangle.normals.assign(3, {0, 0, 1});
     triangle.indices = {0, 1, 2};
-    const GpuScene scene = upload(sceneOf(triangle, Material{}));
+    GpuScene scene = upload(sceneOf(triangle, Material{}));
     EXPECT_EQ(lines(scene, lookAt({0, 0, 3}, {0, 0, 0}, 0.6f), wireframe), Pixels{});
 }
 
 TEST_F(OverlayTest, liesOverDataViewsToo) {
-    const GpuScene scene = upload(sceneOf(makeCube(), Material{}));
+    GpuScene scene = upload(sceneOf(makeCube(), Material{}));
     const CameraView view = lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f);
     const Pixels over = lines(scene, view, wireframe);
     for (const DebugView show : {DebugView::normals, DebugView::depth, DebugView::lightCount})
@@ -227,23 +227,23 @@ TEST_F(OverlayTest, liesOverDataViewsToo) {
 }
 
 TEST_F(OverlayTest, radianceAndAovsDoNotKnowIt) {
-    const GpuScene scene = upload(sceneOf(makeCube(), Material{}));
+    GpuScene scene = upload(sceneOf(makeCube(), Material{}));
     const CameraView view = lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f);
     const HdrImage without = drawn(scene, frameOf(view, {}));
-    const auto normals = renderer().aovs(scene, {"N"})[0].values;
+    const auto normals = lastFrame().aovs({"N"})[0].values;
     EXPECT_EQ(drawn(scene, frameOf(view, {.wireframe = true, .cage = true})).rgba, without.rgba);
-    EXPECT_EQ(renderer().aovs(scene, {"N"})[0].values, normals);
+    EXPECT_EQ(lastFrame().aovs({"N"})[0].values, normals);
 }
 
 TEST_F(OverlayTest, sceneMayBeGoneWhenTheFrameIsShown) {
     const CameraView view = lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f);
     std::vector<std::uint8_t> expected;
     {
-        const GpuScene scene = upload(sceneOf(makeCube(), Material{}));
+        GpuScene scene = upload(sceneOf(makeCube(), Material{}));
         expected = shown(scene, frameOf(view, wireframe));
-        renderer().render(scene, frameOf(view, wireframe));
+        render(scene, frameOf(view, wireframe));
     }
-    EXPECT_EQ(renderer().displayPicture(ColorConfig::builtIn().displayTransform({})), expected);
+    EXPECT_EQ(lastFrame().displayPicture(ColorConfig::builtIn().displayTransform({})), expected);
 }
 
 /// The lines that part each face of a cage of squares which faces the eye into `cells` × `cells`, with the
@@ -269,7 +269,7 @@ TEST_F(OverlayTest, refinedCagesShowTheEdgesOfTheirFaces) {
     const glm::vec3 eye(3, 2.5f, 5);
     const CameraView view = lookAt(eye, {0, 0, 0}, 0.7f);
     for (const std::uint32_t level : {1u, 2u, 3u}) {
-        const GpuScene scene(context(), made, subdividing(level));
+        GpuScene scene(context(), made, subdividing(level));
         expectLines(lines(scene, view, wireframe), view, frontGrid(cube, 1 << level, eye));
     }
 }
@@ -284,13 +284,13 @@ TEST_F(OverlayTest, controlPolyhedronHidesItsBackEdges) {
         edge.from = glm::vec3(turned * glm::vec4(edge.from, 1));
         edge.to = glm::vec3(turned * glm::vec4(edge.to, 1));
     }
-    const GpuScene scene(context(), sceneOfCage(cube, Material{}, turned), subdividing(2));
+    GpuScene scene(context(), sceneOfCage(cube, Material{}, turned), subdividing(2));
     expectLines(lines(scene, view, {.cage = true}), view, edges);
 }
 
 TEST_F(OverlayTest, controlPolyhedronStandsBeforeASmoothSurface) {
     const Cage cube = makeCubeCage(1.0f);
-    const GpuScene scene(context(), sceneOfCage(cube, Material{}), subdividing(4));
+    GpuScene scene(context(), sceneOfCage(cube, Material{}), subdividing(4));
     const glm::vec3 eye(3, 2.5f, 5);
     const CameraView view = lookAt(eye, {0, 0, 0}, 0.7f);
     const Pixels seen = lines(scene, view, {.cage = true});
@@ -304,19 +304,19 @@ TEST_F(OverlayTest, meshesHaveNoCageAndEmptyScenesNoLines) {
 }
 
 TEST_F(OverlayTest, isAPassOfItsOwn) {
-    const GpuScene scene = upload(sceneOf(makeCube(), Material{}));
-    FrameInputs inputs = frameOf(lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f), wireframe);
+    GpuScene scene = upload(sceneOf(makeCube(), Material{}));
+    FrameRequest inputs = frameOf(lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f), wireframe);
     inputs.technique = Technique::fullscreen;
     shown(scene, inputs);
     std::vector<std::string> names;
-    for (const PassTime& pass : renderer().passTimes()) names.push_back(pass.name);
+    for (const PassTime& pass : lastFrame().passTimes()) names.push_back(pass.name);
     EXPECT_EQ(names, (std::vector<std::string>{"geometry", "lighting", "overlays", "display"}));
 }
 
 TEST_F(OverlayTest, sizesMayChangeFromFrameToFrame) {
-    const GpuScene scene = upload(sceneOf(makeCube(), Material{}));
+    GpuScene scene = upload(sceneOf(makeCube(), Material{}));
     for (const auto& [w, h] : {std::pair{7, 5}, {1, 1}, {130, 3}, {7, 5}}) {
-        FrameInputs inputs = frameOf(lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f), wireframe);
+        FrameRequest inputs = frameOf(lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f), wireframe);
         inputs.width = w;
         inputs.height = h;
         EXPECT_EQ(shown(scene, inputs).size(), std::size_t(4 * w * h));

@@ -15,9 +15,9 @@ namespace {
 
 constexpr int width = 61, height = 44;
 
-FrameInputs frameOf(const CameraView& view, DebugView show = DebugView::none) {
-    FrameInputs inputs{width, height, view, BrdfModel::course, Technique::volumes};
-    inputs.show = show;
+FrameRequest frameOf(const CameraView& view, DebugView show = DebugView::none) {
+    FrameRequest inputs{width, height, view, BrdfModel::course, Technique::volumes};
+    inputs.debugView = show;
     return inputs;
 }
 
@@ -28,13 +28,13 @@ glm::mat4 at(const glm::vec3& position) {
 class ProbeTest : public DrawingTest {
   protected:
     /// Compares the probe with all AOVs at each of `step` pixels. Returns how many had a surface.
-    static int expectAovs(const GpuScene& scene, int step) {
-        const AovReader reader = aovs(scene, width);
-        const HdrImage radiance = renderer().radiance();
+    static int expectAovs(int step) {
+        const AovReader reader = aovs(width);
+        const HdrImage radiance = lastFrame().radiance();
         int surfaces = 0;
         for (int i = 0; i < width * height; i += step) {
             const int x = i % width, y = i / width;
-            const std::optional<PixelProbe> probe = renderer().probe(scene, x, y);
+            const std::optional<PixelProbe> probe = lastFrame().probe(x, y);
             EXPECT_EQ(probe.has_value(), reader.scalar("Z", x, y) > 0.0f) << x << ", " << y;
             if (!probe) continue;
             ++surfaces;
@@ -62,28 +62,28 @@ TEST_F(ProbeTest, equalsTheAovsOfEveryKindOfSurface) {
         unlit.unlit = true;
         unlit.baseColor = {0.2f, 0.5f, 0.7f, 1};
         place(made.scene, makeQuad(0.1f), unlit, made.view.worldFromCamera * at({0.2f, 0.1f, -1}));
-        const GpuScene scene = upload(made.scene, made.lights);
-        renderer().render(scene, frameOf(made.view));
-        EXPECT_GT(expectAovs(scene, 7), 100) << made.name;
+        GpuScene scene = upload(made.scene, made.lights);
+        render(scene, frameOf(made.view));
+        EXPECT_GT(expectAovs(7), 100) << made.name;
     }
 }
 
 TEST_F(ProbeTest, equalsTheAovsOfDataViews) {
     const LitScene made = textured();
-    const GpuScene scene = upload(made.scene, made.lights);
+    GpuScene scene = upload(made.scene, made.lights);
     for (const DebugView show :
          {DebugView::normals, DebugView::emission, DebugView::level, DebugView::lightCount}) {
-        renderer().render(scene, frameOf(made.view, show));
-        EXPECT_GT(expectAovs(scene, 29), 10) << toString(show);
+        render(scene, frameOf(made.view, show));
+        EXPECT_GT(expectAovs(29), 10) << toString(show);
     }
 }
 
 TEST_F(ProbeTest, changesNothingOfTheFrame) {
     const LitScene made = textured();
-    const GpuScene scene = upload(made.scene, made.lights);
+    GpuScene scene = upload(made.scene, made.lights);
     const HdrImage before = drawn(scene, frameOf(made.view));
-    renderer().probe(scene, width / 2, height / 2);
-    EXPECT_EQ(renderer().radiance().rgba, before.rgba);
+    lastFrame().probe(width / 2, height / 2);
+    EXPECT_EQ(lastFrame().radiance().rgba, before.rgba);
     EXPECT_EQ(drawn(scene, frameOf(made.view)).rgba, before.rgba);
 }
 
@@ -129,13 +129,13 @@ Scene overlapping() {
 }
 
 TEST_F(ProbeTest, namesTheNode) {
-    const GpuScene scene = upload(overlapping());
-    renderer().render(scene, frameOf(lookAt({0.1f, 0.3f, 3.0f}, {0, 0, 0}, 0.6f)));
-    const AovReader reader = aovs(scene, width);
+    GpuScene scene = upload(overlapping());
+    render(scene, frameOf(lookAt({0.1f, 0.3f, 3.0f}, {0, 0, 0}, 0.6f)));
+    const AovReader reader = aovs(width);
     std::map<std::uint32_t, int> pixels;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const std::optional<PixelProbe> probe = renderer().probe(scene, x, y);
+            const std::optional<PixelProbe> probe = lastFrame().probe(x, y);
             if (!probe) continue;
             ASSERT_EQ(probe->node, numberOf(reader.vector("base_color", x, y))) << x << ", " << y;
             ++pixels[probe->node];
@@ -154,10 +154,10 @@ TEST_F(ProbeTest, namesTheNodeOfACage) {
     const std::vector<WorldLight> lights{pointLight({0, 1, 3}, 4.0f, {9, 9, 9})};
     scene.setLights(lights);
     const CameraView view = lookAt({0, 0, 5}, {0, 0, 0}, 0.6f);
-    renderer().render(scene, frameOf(view));
-    EXPECT_GT(expectAovs(scene, 11), 30);
-    EXPECT_EQ(renderer().probe(scene, width / 2 - 12, height / 2)->node, cage);
-    EXPECT_EQ(renderer().probe(scene, width / 2 + 12, height / 2)->node, mesh);
+    render(scene, frameOf(view));
+    EXPECT_GT(expectAovs(11), 30);
+    EXPECT_EQ(lastFrame().probe(width / 2 - 12, height / 2)->node, cage);
+    EXPECT_EQ(lastFrame().probe(width / 2 + 12, height / 2)->node, mesh);
 }
 
 TEST_F(ProbeTest, followsNodesThatMove) {
@@ -165,23 +165,23 @@ TEST_F(ProbeTest, followsNodesThatMove) {
     place(made, makeQuad(1.0f), Material{}, at({0, 0, -1}));
     GpuScene scene = upload(made);
     const CameraView view = lookAt({0, 0, 4}, {0, 0, 0}, 0.4f);
-    renderer().render(scene, frameOf(view));
-    EXPECT_EQ(renderer().probe(scene, 30, 20)->node, 0u);
+    render(scene, frameOf(view));
+    EXPECT_EQ(lastFrame().probe(30, 20)->node, 0u);
     scene.setTransform(1, at({0, 0, 1}));
-    renderer().render(scene, frameOf(view));
-    EXPECT_EQ(renderer().probe(scene, 30, 20)->node, 1u);
+    render(scene, frameOf(view));
+    EXPECT_EQ(lastFrame().probe(30, 20)->node, 1u);
     // Distances are near plane / depth, both rounded once.
-    EXPECT_NEAR(renderer().probe(scene, 30, 20)->z, 3.0f, 1e-5f);
+    EXPECT_NEAR(lastFrame().probe(30, 20)->z, 3.0f, 1e-5f);
 }
 
 TEST_F(ProbeTest, pixelsOutsideAreErrors) {
-    const GpuScene scene = upload(sceneOf(makeQuad(1.0f), Material{}));
-    renderer().render(scene, frameOf(lookAt({0, 0, 4}, {0, 0, 0}, 0.4f)));
-    EXPECT_NO_THROW(renderer().probe(scene, 0, 0));
-    EXPECT_NO_THROW(renderer().probe(scene, width - 1, height - 1));
+    GpuScene scene = upload(sceneOf(makeQuad(1.0f), Material{}));
+    render(scene, frameOf(lookAt({0, 0, 4}, {0, 0, 0}, 0.4f)));
+    EXPECT_NO_THROW(lastFrame().probe(0, 0));
+    EXPECT_NO_THROW(lastFrame().probe(width - 1, height - 1));
     for (const auto& [x, y] : {std::pair{-1, 0}, {0, -1}, {width, 0}, {0, height}}) {
         try {
-            renderer().probe(scene, x, y);
+            lastFrame().probe(x, y);
             FAIL() << "no error for " << x << ", " << y;
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::badInput);

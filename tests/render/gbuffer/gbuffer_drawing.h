@@ -19,7 +19,7 @@ inline constexpr float normalError = 1.04e-3f;
 /// Looks along -Z from 3 m at the square of 2 m around the origin, so that it fills the picture.
 inline const CameraView front = lookAt({0, 0, 3}, {0, 0, 0}, 2.0f * std::atan(1.0f / 3.0f));
 
-inline FrameInputs frameOf(const CameraView& view, int width = size, int height = size) {
+inline FrameRequest frameOf(const CameraView& view, int width = size, int height = size) {
     return {width, height, view, BrdfModel::course, Technique::fullscreen};
 }
 
@@ -55,9 +55,9 @@ class GBufferTest : public DrawingTest {
   protected:
     static AovReader surfaces(const Scene& scene, const CameraView& view = front, int width = size,
                               int height = size) {
-        const GpuScene uploaded = upload(scene);
-        renderer().render(uploaded, frameOf(view, width, height));
-        return aovs(uploaded, width);
+        GpuScene uploaded = upload(scene);
+        render(uploaded, frameOf(view, width, height));
+        return aovs(width);
     }
     static bool hasSurface(const AovReader& reader, int x, int y) { return reader.scalar("Z", x, y) > 0.0f; }
 };

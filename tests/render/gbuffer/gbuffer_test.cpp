@@ -200,17 +200,17 @@ TEST_F(GBufferTest, unlitIsItsBaseColourAndNoLightFallsOnIt) {
     material.unlit = true;
     material.baseColor = {0.5f, 0.25f, 1.0f, 1.0f};
     material.emission = {7, 7, 7};
-    const GpuScene scene = upload(
+    GpuScene scene = upload(
         sceneOf(makeQuad(1.0f), material),
         std::vector{pointLight({0, 0, 1}, 9, glm::vec3(100)), directionalLight({0, 0, -1}, glm::vec3(5))});
     for (const Technique technique : techniques) {
-        FrameInputs inputs = frameOf(front);
+        FrameRequest inputs = frameOf(front);
         inputs.technique = technique;
         const HdrImage picture = drawn(scene, inputs);
         EXPECT_EQ(pixelOf(picture, middle, middle), glm::vec3(0.5f, 0.25f, 1.0f));
         EXPECT_EQ(picture.rgba[3], 1.0f);
     }
-    const AovReader reader = aovs(scene, size);
+    const AovReader reader = aovs(size);
     EXPECT_EQ(reader.vector("N", middle, middle), glm::vec3(0));
     EXPECT_EQ(reader.vector("emission", middle, middle), glm::vec3(0.5f, 0.25f, 1.0f));
     EXPECT_GT(reader.scalar("Z", middle, middle), 0.0f);
@@ -224,7 +224,7 @@ TEST_F(GBufferTest, emissionIsFactorTimesDecodedTexture) {
     material.emission = {10.0f, 20.0f, 1.0e20f};
     material.emissionTexture = nearestOf(0);
     place(scene, makeQuad(1.0f), material);
-    const GpuScene uploaded = upload(scene);
+    GpuScene uploaded = upload(scene);
     const glm::vec3 radiance = pixelOf(drawn(uploaded, frameOf(front)), middle, middle);
     const glm::vec3 codes(188, 64, 255), factor(10.0f, 20.0f, 1.0e20f);
     for (int c = 0; c < 3; ++c) {
@@ -232,8 +232,7 @@ TEST_F(GBufferTest, emissionIsFactorTimesDecodedTexture) {
         EXPECT_GT(radiance[c], factor[c] * srgbDecode((codes[c] - 0.25f) / 255.0f));
         EXPECT_LT(radiance[c], factor[c] * srgbDecode((codes[c] + 0.25f) / 255.0f));
     }
-    EXPECT_EQ(aovs(uploaded, size).vector("emission", middle, middle), radiance)
-        << "no light is in the scene";
+    EXPECT_EQ(aovs(size).vector("emission", middle, middle), radiance) << "no light is in the scene";
 }
 
 TEST_F(GBufferTest, emissionIsHiddenByWhatStandsBeforeItAndByNothingElse) {
@@ -273,22 +272,22 @@ TEST_F(GBufferTest, coloursOfTheSceneAreTakenIntoTheWorkingSpace) {
     GpuSceneOptions options;
     options.workingFromRec709 = glm::dmat3(0.5, 0.1, 0.0, 0.25, 0.75, 0.5, 0.0, 0.25, 0.5);
     const glm::vec3 expected(options.workingFromRec709 * glm::dvec3(0.8, 0.4, 0.2));
-    const GpuScene unlit(context(), sceneOf(makeQuad(1.0f), material), options);
+    GpuScene unlit(context(), sceneOf(makeQuad(1.0f), material), options);
     const glm::vec3 radiance = pixelOf(drawn(unlit, frameOf(front)), middle, middle);
     EXPECT_LT(glm::distance(radiance, expected), 1e-6f);
     material.unlit = false;
     material.emission = {0.8f, 0.4f, 0.2f};
     for (const AlphaMode mode : {AlphaMode::opaque, AlphaMode::mask}) {
         material.alphaMode = mode;
-        const GpuScene lit(context(), sceneOf(makeQuad(1.0f), material), options);
-        renderer().render(lit, frameOf(front));
-        const AovReader reader = aovs(lit, size);
+        GpuScene lit(context(), sceneOf(makeQuad(1.0f), material), options);
+        render(lit, frameOf(front));
+        const AovReader reader = aovs(size);
         expectColor(reader.vector("base_color", middle, middle), expected);
         EXPECT_LT(glm::distance(reader.vector("emission", middle, middle), expected), 1e-6f);
         material.emission = glm::vec3(0.0f);
-        const GpuScene plain(context(), sceneOf(makeQuad(1.0f), material), options);
-        renderer().render(plain, frameOf(front));
-        expectColor(aovs(plain, size).vector("base_color", middle, middle), expected);
+        GpuScene plain(context(), sceneOf(makeQuad(1.0f), material), options);
+        render(plain, frameOf(front));
+        expectColor(aovs(size).vector("base_color", middle, middle), expected);
         material.emission = {0.8f, 0.4f, 0.2f};
     }
 }
@@ -306,15 +305,15 @@ TEST_F(GBufferTest, surfaceWithoutMaterialHasTheDefaultOne) {
 TEST_F(GBufferTest, backgroundIsEmpty) {
     const AovReader reader = surfaces(Scene{});
     for (const std::string& name : Renderer::aovNames()) EXPECT_EQ(reader.scalar(name, 3, 4), 0.0f) << name;
-    const HdrImage picture = renderer().radiance();
+    const HdrImage picture = lastFrame().radiance();
     for (const float value : picture.rgba) ASSERT_EQ(value, 0.0f);
 }
 
 TEST_F(GBufferTest, unknownAovIsAnErrorThatNamesThoseThereAre) {
-    const GpuScene scene = upload(Scene{});
-    renderer().render(scene, frameOf(front));
+    GpuScene scene = upload(Scene{});
+    render(scene, frameOf(front));
     try {
-        renderer().aovs(scene, {"N", "albedo"});
+        lastFrame().aovs({"N", "albedo"});
         FAIL() << "no error";
     } catch (const std::exception& error) {
         const std::string text = error.what();

@@ -26,13 +26,13 @@ CameraView forward() {
 
 class CullingTest : public DrawingTest {
   protected:
-    static DrawSelection selectionOf(const GpuScene& scene) {
+    static DrawSelection selectionOf(auto&& scene) {
         DrawSelection selection;
         scene.state().cull(Frustum(forward(), float(width) / float(height)), selection);
         return selection;
     }
-    static std::size_t commandsOf(const GpuScene& scene) {
-        renderer().render(scene, {width, height, forward(), BrdfModel::course, Technique::fullscreen});
+    static std::size_t commandsOf(auto&& scene) {
+        render(scene, {width, height, forward(), BrdfModel::course, Technique::fullscreen});
         return selectionOf(scene).commandCount();
     }
 
@@ -45,7 +45,7 @@ class CullingTest : public DrawingTest {
 
     static int coveredPixels() {
         int covered = 0;
-        const std::vector<float> rgba = renderer().radiance().rgba;
+        const std::vector<float> rgba = lastFrame().radiance().rgba;
         for (std::size_t i = 3; i < rgba.size(); i += 4) covered += rgba[i] > 0.0f;
         return covered;
     }
@@ -131,7 +131,7 @@ TEST_F(CullingTest, drawsOfOneStateGoOutTogether) {
         const glm::mat4 mirrored = glm::scale(there, glm::vec3(-1, 1, 1));
         place(scene, makeSphere(0.1f), i % 2 == 0 ? plain : doubleSided, i % 3 == 0 ? mirrored : there);
     }
-    const GpuScene uploaded = upload(scene);
+    GpuScene uploaded = upload(scene);
     EXPECT_EQ(commandsOf(uploaded), 12u);
     EXPECT_EQ(selectionOf(uploaded).batches().size(), 4u);
 }
@@ -141,7 +141,7 @@ TEST_F(CullingTest, selectionsOfSeveralViewsAreAliveAtOnce) {
     Material glowing;
     glowing.emission = glm::vec3(1.0f);
     place(scene, makeSphere(0.5f), glowing, glm::translate(glm::mat4(1.0f), {0, 0, 5}));
-    const GpuScene uploaded = upload(scene);
+    GpuScene uploaded = upload(scene);
     EXPECT_EQ(commandsOf(uploaded), 1u);
     const DrawSelection ahead = selectionOf(uploaded);
     DrawSelection behind;
@@ -159,9 +159,9 @@ TEST_F(CullingTest, instancesOfOneMeshAreAllDrawn) {
         node.transform = glm::translate(glm::mat4(1.0f), {float(i) - 2, 0, -5});
         scene.nodes.push_back(node);
     }
-    const GpuScene uploaded = upload(scene);
+    GpuScene uploaded = upload(scene);
     EXPECT_EQ(commandsOf(uploaded), 5u);
-    const AovReader reader = aovs(uploaded, width);
+    const AovReader reader = aovs(width);
     for (int i = 0; i < 5; ++i) {
         const int x = int((0.5f + 0.5f * (float(i) - 2.0f) / 5.0f) * width);
         EXPECT_GT(reader.scalar("Z", x, height / 2), 4.0f) << i;

@@ -14,8 +14,8 @@
 namespace candela::test {
 namespace {
 
-const FrameInputs inputs{64, 48, lookAt({0.5f, 1.0f, 5}, {0, 0, 0}, 0.8f), BrdfModel::course,
-                         Technique::fullscreen};
+const FrameRequest inputs{64, 48, lookAt({0.5f, 1.0f, 5}, {0, 0, 0}, 0.8f), BrdfModel::course,
+                          Technique::fullscreen};
 
 Texture textureOf(std::uint32_t image) {
     Texture texture;

@@ -9,8 +9,8 @@
 namespace candela::test {
 namespace {
 
-const FrameInputs inputs{64, 48, lookAt({0, 0.5f, 6}, {0, 0, 0}, 0.8f), BrdfModel::course,
-                         Technique::fullscreen};
+const FrameRequest inputs{64, 48, lookAt({0, 0.5f, 6}, {0, 0, 0}, 0.8f), BrdfModel::course,
+                          Technique::fullscreen};
 
 glm::mat4 at(float x) {
     return glm::translate(glm::mat4(1.0f), {x, 0.0f, 0.0f});
@@ -45,7 +45,7 @@ TEST_F(VisibilityTest, hiddenNodeIsAsIfItShowedNothing) {
         Scene without = scene;
         without.nodes[node].mesh.reset();
         without.nodes[node].cage.reset();
-        const GpuScene fresh = uploadLit(without);
+        GpuScene fresh = uploadLit(without);
         changed.setVisibility(node, GpuScene::Visibility::hidden);
         const HdrImage picture = drawn(changed, inputs);
         EXPECT_EQ(picture.rgba, drawn(fresh, inputs).rgba) << node;
@@ -58,10 +58,10 @@ TEST_F(VisibilityTest, hiddenNodeIsAsIfItShowedNothing) {
 TEST_F(VisibilityTest, hiddenCageIsNotEvaluated) {
     GpuScene scene = uploadLit(threeObjects());
     scene.setVisibility(1, GpuScene::Visibility::hidden);
-    renderer().render(scene, inputs);
+    render(scene, inputs);
     EXPECT_EQ(scene.cageReport().evaluator, "");
     scene.setVisibility(1, GpuScene::Visibility::shown);
-    renderer().render(scene, inputs);
+    render(scene, inputs);
     EXPECT_NE(scene.cageReport().evaluator, "");
 }
 

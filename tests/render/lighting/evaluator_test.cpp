@@ -50,11 +50,11 @@ Worst compare(const HdrImage& picture, const std::vector<ExpectedPixel>& expecte
 class EvaluatorTest : public DrawingTest {
   protected:
     static void expectEvaluatedPixels(const LitScene& made, BrdfModel model) {
-        const GpuScene scene = upload(made.scene, made.lights);
-        FrameInputs inputs{width, height, made.view, model, Technique::fullscreen};
-        renderer().render(scene, inputs);
-        const std::vector<ExpectedPixel> expected = evaluatedPicture(
-            model, aovs(scene, width), width, height, made.view.eye(), withRanges(made.lights));
+        GpuScene scene = upload(made.scene, made.lights);
+        FrameRequest inputs{width, height, made.view, model, Technique::fullscreen};
+        render(scene, inputs);
+        const std::vector<ExpectedPixel> expected =
+            evaluatedPicture(model, aovs(width), width, height, made.view.eye(), withRanges(made.lights));
         for (const Technique technique : techniques) {
             inputs.technique = technique;
             const Worst worst = compare(drawn(scene, inputs), expected);
@@ -77,19 +77,19 @@ TEST_F(EvaluatorTest, everyPixelOfEverySceneAgrees) {
 
 TEST_F(EvaluatorTest, comparisonFindsALightThatIsOnePerMilleTooBright) {
     LitScene made = plazaLike();
-    const GpuScene scene = upload(made.scene, made.lights);
-    renderer().render(scene, {width, height, made.view, BrdfModel::course, Technique::fullscreen});
+    GpuScene scene = upload(made.scene, made.lights);
+    render(scene, {width, height, made.view, BrdfModel::course, Technique::fullscreen});
     for (WorldLight& light : made.lights) light.intensity *= 1.001f;
     const auto expected =
-        evaluatedPicture(BrdfModel::course, aovs(scene, width), width, height, made.view.eye(), made.lights);
-    EXPECT_GT(compare(renderer().radiance(), expected).ofTolerance, 1.0);
+        evaluatedPicture(BrdfModel::course, aovs(width), width, height, made.view.eye(), made.lights);
+    EXPECT_GT(compare(lastFrame().radiance(), expected).ofTolerance, 1.0);
 }
 
 /// Draws with every technique and model, and expects finite, non-negative pixels.
 class FinitePixelsTest : public DrawingTest {
   protected:
     static void expectFinite(const Scene& scene, std::span<const WorldLight> lights, const CameraView& view) {
-        const GpuScene uploaded = upload(scene, lights);
+        GpuScene uploaded = upload(scene, lights);
         for (const BrdfModel model : models) {
             for (const Technique technique : techniques) {
                 const HdrImage picture = drawn(uploaded, {33, 33, view, model, technique});

@@ -105,9 +105,9 @@ TEST_F(LightTest, spotIsAPointLightTimesItsRamp) {
     const WorldLight spot = spotLight(position, target, 5.0f, glm::vec3(4), inner, outer);
     for (const Technique technique : techniques) {
         const HdrImage point = lit(scene, {pointLight(position, 5.0f, glm::vec3(4))}, technique);
-        const GpuScene uploaded = upload(scene, std::vector{spot});
+        GpuScene uploaded = upload(scene, std::vector{spot});
         const HdrImage cone = drawn(uploaded, {size, size, front(), BrdfModel::course, technique});
-        const AovReader reader = aovs(uploaded, size);
+        const AovReader reader = aovs(size);
         int dark = 0, full = 0;
         for (int y = 0; y < size; ++y) {
             for (int x = 0; x < size; ++x) {
@@ -175,7 +175,7 @@ TEST_F(LightTest, coloursAreTakenIntoTheWorkingSpace) {
         uploaded.setLights(std::vector{light});
         const glm::vec3 pixel = pixelOf(
             drawn(uploaded, {size, size, front(), BrdfModel::course, Technique::fullscreen}), middle, middle);
-        const glm::vec3 base = aovs(uploaded, size).vector("base_color", middle, middle);
+        const glm::vec3 base = aovs(size).vector("base_color", middle, middle);
         for (int c = 0; c < 3; ++c) {
             const float f = (0.96f * base[c] + 0.01f) / pi;
             EXPECT_NEAR(pixel[c], f * working[c], 1e-5f) << c;
@@ -235,7 +235,7 @@ TEST_F(LightTest, reportedCutIsABoundOfWhatIsLost) {
             pointLight({0, 0, 1.0f + 60.0f * hashed(97, i)}, 0.0f, glm::vec3(0.1f + 9.0f * hashed(98, i))));
     GpuScene uploaded = upload(scene, lights);
     const double cut = uploaded.lightReport().irradianceCut;
-    const FrameInputs inputs{size, size, front(), BrdfModel::course, Technique::fullscreen};
+    const FrameRequest inputs{size, size, front(), BrdfModel::course, Technique::fullscreen};
     const double kept = middleOf(drawn(uploaded, inputs)) / headOn;
     for (WorldLight& light : lights) light.range = 1e9f;
     const double all = middleOf(drawn(upload(scene, lights), inputs)) / headOn;
@@ -299,7 +299,7 @@ TEST_F(LightTest, badNumbersNameTheLight) {
 TEST_F(LightTest, refusedLightsLeaveTheOldOnes) {
     GpuScene scene =
         upload(sceneOf(makeQuad(1.0f), white()), std::vector{pointLight({0, 0, 1}, 9, glm::vec3(1))});
-    const FrameInputs inputs{size, size, front(), BrdfModel::course, Technique::volumes};
+    const FrameRequest inputs{size, size, front(), BrdfModel::course, Technique::volumes};
     const std::vector<float> before = drawn(scene, inputs).rgba;
     WorldLight bad = pointLight({0, 0, 1}, -3.0f, glm::vec3(1));
     EXPECT_NE(errorOf(scene, bad), "no error");
@@ -330,9 +330,10 @@ class MovingTest : public DrawingTest {
         scene.lights.push_back(light);
         return scene;
     }
-    static std::vector<float> pictureOf(const GpuScene& scene) {
+    static std::vector<float> pictureOf(GpuScene& scene) {
         return drawn(scene, {size, size, front(), BrdfModel::course, Technique::volumes}).rgba;
     }
+    static std::vector<float> pictureOf(GpuScene&& scene) { return pictureOf(scene); }
     static std::vector<float> pictureOf(const Scene& scene) { return pictureOf(GpuScene(context(), scene)); }
 };
 

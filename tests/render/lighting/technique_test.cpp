@@ -40,15 +40,15 @@ class TechniqueTest : public DrawingTest {
     static void expectSamePictures(const Scene& scene, std::span<const WorldLight> lights,
                                    const CameraView& view, const char* what, int width = 96,
                                    int height = 54) {
-        const GpuScene uploaded = upload(scene, lights);
+        GpuScene uploaded = upload(scene, lights);
         for (const BrdfModel model : models) {
-            FrameInputs inputs{width, height, view, model, Technique::fullscreen};
+            FrameRequest inputs{width, height, view, model, Technique::fullscreen};
             const HdrImage reference = drawn(uploaded, inputs);
             ASSERT_TRUE(allFinite(reference)) << what;
             for (const Technique technique : techniques) {
                 inputs.technique = technique;
                 expectSame(drawn(uploaded, inputs), reference, rimError(lights), what);
-                EXPECT_EQ(renderer().technique(), technique);
+                EXPECT_EQ(lastFrame().technique(), technique);
             }
         }
     }
@@ -61,7 +61,7 @@ class TechniqueTest : public DrawingTest {
             const double expected = reference.rgba[i], error = std::abs(double(picture.rgba[i]) - expected);
             if (error > absolute) worst = std::max(worst, (error - absolute) / expected);
         }
-        EXPECT_LE(worst, tolerance) << what << ", " << toString(renderer().technique());
+        EXPECT_LE(worst, tolerance) << what << ", " << toString(lastFrame().technique());
         largest_ = std::max(largest_, worst);
     }
 
@@ -143,8 +143,8 @@ TEST_F(TechniqueTest, lightsBehindTheCameraReachBeforeIt) {
         lights.push_back(pointLight(position, 4.0f + 20.0f * hashed(54, i), glm::vec3(10)));
     }
     expectSamePictures(room(), lights, front, "behind");
-    renderer().render(upload(room(), lights), {96, 54, front, BrdfModel::course, Technique::volumes});
-    const auto rgba = renderer().radiance().rgba;
+    render(upload(room(), lights), {96, 54, front, BrdfModel::course, Technique::volumes});
+    const auto rgba = lastFrame().radiance().rgba;
     EXPECT_GT(*std::ranges::max_element(rgba), 0.01f) << "they have to light something";
 }
 
@@ -204,7 +204,7 @@ TEST_F(TechniqueTest, moreLightsThanOneLoopTurns) {
     const Scene scene = room();
     expectSamePictures(scene, lights, front, "70,000 lights", 24, 14);
     const std::span all(lights);
-    const FrameInputs inputs{24, 14, front, BrdfModel::course, Technique::fullscreen};
+    const FrameRequest inputs{24, 14, front, BrdfModel::course, Technique::fullscreen};
     const HdrImage whole = drawn(upload(scene, all), inputs);
     HdrImage sum = drawn(upload(scene, all.first(35000)), inputs);
     const HdrImage second = drawn(upload(scene, all.last(35000)), inputs);
@@ -224,8 +224,8 @@ TEST_F(TechniqueTest, sceneWithoutSurfaces) {
 }
 
 TEST_F(TechniqueTest, automaticIsOneOfTheOthersAndSaysWhich) {
-    renderer().render(upload(room()), {16, 9, front, BrdfModel::course, Technique::automatic});
-    EXPECT_NE(renderer().technique(), Technique::automatic);
+    render(upload(room()), {16, 9, front, BrdfModel::course, Technique::automatic});
+    EXPECT_NE(lastFrame().technique(), Technique::automatic);
 }
 
 TEST(TechniqueNames, areThoseOfTheCommandLine) {
@@ -262,11 +262,11 @@ class CountTest : public DrawingTest {
 
     static void expectCounts(const Scene& scene, const std::vector<WorldLight>& lights,
                              const CameraView& view) {
-        const GpuScene uploaded = upload(scene, lights);
+        GpuScene uploaded = upload(scene, lights);
         for (const Technique technique : techniques) {
-            renderer().render(uploaded, {width, height, view, BrdfModel::course, technique});
-            const AovReader reader = aovs(uploaded, width);
-            const PairCounts counts = renderer().countPairs(uploaded);
+            render(uploaded, {width, height, view, BrdfModel::course, technique});
+            const AovReader reader = aovs(width);
+            const PairCounts counts = lastFrame().countPairs();
             CountByHand pairs, surfaces;
             expectLightCounts(reader, lights, pairs, surfaces);
             EXPECT_GE(counts.pairsLit, pairs.atLeast);
@@ -344,12 +344,12 @@ TEST_F(CountTest, agreeWithCountingByHandAmongTheLights) {
 TEST_F(CountTest, unlitSurfacesAndBackgroundHaveNoPairs) {
     Material unlit;
     unlit.unlit = true;
-    const GpuScene scene = upload(
+    GpuScene scene = upload(
         sceneOf(makeSphere(1.0f), unlit),
         std::vector{pointLight({0, 0, 2}, 9.0f, glm::vec3(1)), directionalLight({0, 0, -1}, glm::vec3(1))});
     for (const Technique technique : techniques) {
-        renderer().render(scene, {32, 32, lookAt({0, 0, 5}, {0, 0, 0}, 0.8f), BrdfModel::course, technique});
-        const PairCounts counts = renderer().countPairs(scene);
+        render(scene, {32, 32, lookAt({0, 0, 5}, {0, 0, 0}, 0.8f), BrdfModel::course, technique});
+        const PairCounts counts = lastFrame().countPairs();
         EXPECT_EQ(counts.pairsLit, 0u);
         EXPECT_EQ(counts.pairsEvaluated, 0u);
         EXPECT_EQ(counts.lightsVisible, 2u);
@@ -357,11 +357,11 @@ TEST_F(CountTest, unlitSurfacesAndBackgroundHaveNoPairs) {
 }
 
 TEST_F(CountTest, volumesEvaluateFarLessThanEveryPair) {
-    const GpuScene scene = upload(room(), mixedLights(120, 1.5f));
-    renderer().render(scene, {width, height, front, BrdfModel::course, Technique::fullscreen});
-    const std::uint64_t all = renderer().countPairs(scene).pairsEvaluated;
-    renderer().render(scene, {width, height, front, BrdfModel::course, Technique::volumes});
-    const PairCounts counts = renderer().countPairs(scene);
+    GpuScene scene = upload(room(), mixedLights(120, 1.5f));
+    render(scene, {width, height, front, BrdfModel::course, Technique::fullscreen});
+    const std::uint64_t all = lastFrame().countPairs().pairsEvaluated;
+    render(scene, {width, height, front, BrdfModel::course, Technique::volumes});
+    const PairCounts counts = lastFrame().countPairs();
     // The polyhedron around a sphere has 1.4 times its volume; depth tests cut off the rest.
     EXPECT_LT(counts.pairsEvaluated, all / 4);
     EXPECT_LT(counts.pairsEvaluated, 3 * counts.pairsLit);

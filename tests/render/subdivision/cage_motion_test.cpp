@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::uint32_t level = 3;
 
-FrameInputs frameOf(const glm::vec3& eye, const glm::vec3& target = {0, 0, 0}) {
+FrameRequest frameOf(const glm::vec3& eye, const glm::vec3& target = {0, 0, 0}) {
     return {64, 48, lookAt(eye, target, 0.8f), BrdfModel::course, Technique::fullscreen};
 }
 
-const FrameInputs front = frameOf({1.0f, 1.5f, 6.0f});
+const FrameRequest front = frameOf({1.0f, 1.5f, 6.0f});
 
 DrawnVertices limitOf(const Cage& cage, std::span<const glm::vec3> points) {
     const RefinedCage refined = subdivider().refine(cage, level);
@@ -60,20 +60,20 @@ class CageMotionTest : public DrawingTest {
         uploaded.state().cages.evaluator().force(form);
         return uploaded;
     }
-    static std::string evaluatorOf(const GpuScene& scene) { return scene.cageReport().evaluator; }
+    static std::string evaluatorOf(GpuScene& scene) { return scene.cageReport().evaluator; }
 };
 
 TEST_F(CageMotionTest, drawnVerticesAreTheLimitOfTheMovedCage) {
     inBothForms([](LimitForm form) {
         for (const Cage& cage : {makeCubeCage(1.0f), makeSharpCubeCage(1.0f), makeSheetCage(1.5f, 5)}) {
             GpuScene scene = uploadCages(sceneOfCage(cage, Material{}), form);
-            renderer().render(scene, front);
+            render(scene, front);
             EXPECT_EQ(evaluatorOf(scene), toString(form));
             expectSame(drawnVertices(scene), limitOf(cage, cage.positions));
             for (std::uint32_t move = 0; move < 3; ++move) {
                 const std::vector<glm::vec3> points = jittered(cage.positions, 0.4f, 10 * move);
                 scene.setCagePoints(0, points);
-                renderer().render(scene, front);
+                render(scene, front);
                 expectSame(drawnVertices(scene), limitOf(cage, points));
             }
         }
@@ -88,7 +88,7 @@ TEST_F(CageMotionTest, allVerticesOfAPointAgreeBitForBit) {
     inBothForms([&](LimitForm form) {
         GpuScene scene = uploadCages(sceneOfCage(cage, Material{}), form);
         scene.setCagePoints(0, jittered(cage.positions, 0.3f, 3));
-        renderer().render(scene, front);
+        render(scene, front);
         const DrawnVertices drawn = drawnVertices(scene);
         for (std::uint32_t i = refined.pointCount; i < refined.vertexCount(); ++i)
             ASSERT_EQ(drawn.positions[i], drawn.positions[refined.pointOf(i)]) << i;
@@ -148,7 +148,7 @@ TEST_F(CageMotionTest, skinAndMorphTargetsMoveTheSurface) {
         GpuScene uploaded = uploadCages(scene, form);
         for (const double time : {0.0, 0.4, 1.0, 0.0}) {
             uploaded.setTime(time);
-            renderer().render(uploaded, front);
+            render(uploaded, front);
             const PosedCage posed = poseCage(scene, 0, worldTransforms(scene, time), time);
             expectSame(drawnVertices(uploaded), limitOf(scene.cages[0], posed.points));
         }
@@ -157,7 +157,7 @@ TEST_F(CageMotionTest, skinAndMorphTargetsMoveTheSurface) {
 
 TEST_F(CageMotionTest, skinnedCageStandsWhereItsJointsAre) {
     const Scene scene = animatedScene();
-    const GpuScene uploaded = uploadCages(scene, LimitForm::threads);
+    GpuScene uploaded = uploadCages(scene, LimitForm::threads);
     EXPECT_GT(drawn(uploaded, front).rgba[4 * (24 * 64 + 32) + 3], 0.0f) << "its node is 5 m to the side";
 }
 
@@ -168,16 +168,16 @@ TEST_F(CageMotionTest, nodesThatShowOneCageMoveOnTheirOwn) {
     scene.nodes[1].transform = glm::translate(glm::mat4(1.0f), {1.5f, 0, 0});
     inBothForms([&](LimitForm form) {
         GpuScene uploaded = uploadCages(scene, form);
-        renderer().render(uploaded, front);
+        render(uploaded, front);
         EXPECT_EQ(uploaded.cageReport().cages, 2u);
         const std::vector<glm::vec3> points = jittered(cage.positions, 0.4f, 8);
         uploaded.setCagePoints(1, points);
-        renderer().render(uploaded, front);
+        render(uploaded, front);
         expectSame(drawnVertices(uploaded, 0), limitOf(cage, cage.positions));
         expectSame(drawnVertices(uploaded, 1), limitOf(cage, points));
         // The last that shares nothing keeps its surface.
         uploaded.setCagePoints(0, points);
-        renderer().render(uploaded, front);
+        render(uploaded, front);
         expectSame(drawnVertices(uploaded, 0), limitOf(cage, points));
         EXPECT_EQ(uploaded.cageReport().triangles, 2u * 6u * 64u * 2u);
     });
@@ -188,31 +188,31 @@ TEST_F(CageMotionTest, whatIsReadBeforeTheNextFrameDoesNotDrawWhatIsNotThere) {
     scene.nodes.push_back(scene.nodes[0]);
     scene.materials[0].emission = glm::vec3(1.0f);
     GpuScene uploaded = uploadCages(scene, LimitForm::compute);
-    renderer().render(uploaded, front);
+    render(uploaded, front);
     uploaded.setCagePoints(1, jittered(makeCubeCage(1.0f).positions, 0.2f, 4));
-    EXPECT_EQ(aovs(uploaded, 64).vector("emission", 32, 24), glm::vec3(1.0f)) << "the other node's";
+    EXPECT_EQ(aovs(64).vector("emission", 32, 24), glm::vec3(1.0f)) << "the other node's";
 }
 
 TEST_F(CageMotionTest, cageOutOfViewIsRightWhenItComesIntoView) {
     const Cage cage = makeCubeCage(1.0f);
     GpuScene scene = uploadCages(sceneOfCage(cage, Material{}), LimitForm::compute);
-    const FrameInputs away = frameOf({0, 0, 6}, {0, 0, 12});
-    renderer().render(scene, away);
+    const FrameRequest away = frameOf({0, 0, 6}, {0, 0, 12});
+    render(scene, away);
     EXPECT_EQ(evaluatorOf(scene), "") << "nothing has been evaluated";
     const std::vector<glm::vec3> points = jittered(cage.positions, 0.4f, 21);
     scene.setCagePoints(0, points);
-    renderer().render(scene, away);
-    renderer().render(scene, front);
+    render(scene, away);
+    render(scene, front);
     expectSame(drawnVertices(scene), limitOf(cage, points));
 }
 
 TEST_F(CageMotionTest, trialSettlesOnAForm) {
     GpuScene scene(context(), sceneOfCage(makeCubeCage(1.0f), Material{}), subdividing(6));
-    renderer().render(scene, front);
+    render(scene, front);
     const std::string first = evaluatorOf(scene);
     EXPECT_TRUE(first == "compute" || first == "threads") << first;
     scene.setCagePoints(0, jittered(makeCubeCage(1.0f).positions, 0.1f, 1));
-    renderer().render(scene, front);
+    render(scene, front);
     EXPECT_EQ(evaluatorOf(scene), first);
 }
 

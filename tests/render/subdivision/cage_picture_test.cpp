@@ -14,7 +14,7 @@ namespace {
 
 constexpr int side = 96;
 
-FrameInputs inputsOf(const CameraView& view, int pixels = side) {
+FrameRequest inputsOf(const CameraView& view, int pixels = side) {
     return {pixels, pixels, view, BrdfModel::course, Technique::fullscreen};
 }
 
@@ -29,15 +29,14 @@ class CagePictureTest : public DrawingTest {
     static GpuScene uploadCages(const Scene& scene, const GpuSceneOptions& options) {
         return GpuScene(context(), scene, options);
     }
-    static AovReader reader(const GpuScene& scene, const CameraView& view) {
-        renderer().render(scene, inputsOf(view));
-        return aovs(scene, side);
+    static AovReader reader(auto&& scene, const CameraView& view) {
+        render(scene, inputsOf(view));
+        return aovs(side);
     }
 };
 
 TEST_F(CagePictureTest, infiniteCreasesShadeSharp) {
-    const GpuScene scene =
-        uploadCages(sceneOfCage(makeSharpCubeCage(0.6f), Material{}, edgeOn), subdividing(4));
+    GpuScene scene = uploadCages(sceneOfCage(makeSharpCubeCage(0.6f), Material{}, edgeOn), subdividing(4));
     const AovReader picture = reader(scene, far);
     const float slope = std::sqrt(0.5f);
     for (const int y : {side / 3, side / 2, 2 * side / 3}) {
@@ -50,7 +49,7 @@ TEST_F(CagePictureTest, infiniteCreasesShadeSharp) {
 }
 
 TEST_F(CagePictureTest, edgesWithoutCreasesShadeSmooth) {
-    const GpuScene scene = uploadCages(sceneOfCage(makeCubeCage(0.8f), Material{}, edgeOn), subdividing(5));
+    GpuScene scene = uploadCages(sceneOfCage(makeCubeCage(0.8f), Material{}, edgeOn), subdividing(5));
     const AovReader picture = reader(scene, far);
     int compared = 0;
     for (int x = 1; x < side; ++x) {
@@ -71,7 +70,7 @@ TEST_F(CagePictureTest, edgesWithoutCreasesShadeSmooth) {
 
 TEST_F(CagePictureTest, withoutASubdividerThePolygonsAreDrawn) {
     const Scene scene = sceneOfCage(makeCubeCage(0.6f), Material{}, edgeOn);
-    const GpuScene uploaded = uploadCages(scene, {});
+    GpuScene uploaded = uploadCages(scene, {});
     const AovReader picture = reader(uploaded, far);
     const float slope = std::sqrt(0.5f);
     expectNormal(picture.vector("N", side / 2 - 2, side / 2), {-slope, 0, slope});
@@ -90,9 +89,9 @@ TEST_F(CagePictureTest, closedSurfaceHasNoCracks) {
             Cage cage = seed % 2 == 0 ? makeCubeCage(1.0f) : makeSharpCubeCage(0.7f);
             cage.positions = jittered(cage.positions, 0.1f, 100 * seed);
             const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), 1.0f + float(seed), hashedDirection(seed, 5));
-            const GpuScene scene = uploadCages(sceneOfCage(cage, Material{}, turn), subdividing(level));
-            renderer().render(scene, inputsOf(far, 400));
-            const HdrImage picture = renderer().radiance();
+            GpuScene scene = uploadCages(sceneOfCage(cage, Material{}, turn), subdividing(level));
+            render(scene, inputsOf(far, 400));
+            const HdrImage picture = lastFrame().radiance();
             int covered = 0;
             for (int y = 0; y < 400; ++y) {
                 // Nearly convex: each row of it is one run of pixels.
@@ -162,8 +161,8 @@ TEST_F(CagePictureTest, texturesAndNormalMapsAreThoseOfAMesh) {
 /// Draws the cube from `distance` and returns its level.
 class CageSightTest : public CagePictureTest {
   protected:
-    static std::uint32_t levelFrom(const GpuScene& scene, float distance) {
-        renderer().render(scene, inputsOf(lookAt({0, 0, distance}, {0, 0, 0}, 0.8f)));
+    static std::uint32_t levelFrom(GpuScene& scene, float distance) {
+        render(scene, inputsOf(lookAt({0, 0, distance}, {0, 0, 0}, 0.8f)));
         const CageReport report = scene.cageReport();
         EXPECT_EQ(report.minLevel, report.maxLevel);
         return report.maxLevel;
@@ -176,7 +175,7 @@ class CageSightTest : public CagePictureTest {
 };
 
 TEST_F(CageSightTest, levelGrowsAsTheCameraComesNearer) {
-    const GpuScene scene = cube();
+    GpuScene scene = cube();
     EXPECT_EQ(levelFrom(scene, 200.0f), 1u);
     std::uint32_t last = 1;
     for (float distance = 60.0f; distance > 2.0f; distance *= 0.8f) {
@@ -190,7 +189,7 @@ TEST_F(CageSightTest, levelGrowsAsTheCameraComesNearer) {
 }
 
 TEST_F(CageSightTest, dollyingToAndFroDoesNotPop) {
-    const GpuScene scene = cube();
+    GpuScene scene = cube();
     std::uint32_t near = levelFrom(scene, 3.0f);
     float threshold = 3.0f;
     while (levelFrom(scene, threshold) == near) threshold *= 1.01f;
@@ -208,12 +207,12 @@ TEST_F(CageSightTest, capsHoldTheLevelBack) {
     SubdivisionSettings settings;
     settings.edgePixels = 1.0f;
     settings.maxLevel = 3;
-    const GpuScene byLevel = cube(settings);
+    GpuScene byLevel = cube(settings);
     EXPECT_EQ(levelFrom(byLevel, 3.0f), 3u);
     EXPECT_EQ(byLevel.cageReport().lodClamped, 1u);
     settings.maxLevel = 8;
     settings.maxVertices = 98;  // 6 × 16 + 2: level 2.
-    const GpuScene byVertices = cube(settings);
+    GpuScene byVertices = cube(settings);
     EXPECT_EQ(levelFrom(byVertices, 3.0f), 2u);
     EXPECT_EQ(byVertices.cageReport().lodClamped, 1u);
     EXPECT_EQ(levelFrom(byVertices, 500.0f), 1u);
@@ -235,12 +234,12 @@ TEST_F(CageSightTest, levelsCanBeFixed) {
 
     Scene stated = sceneOfCage(makeCubeCage(1.0f), Material{});
     stated.cages[0].level = 4;
-    const GpuScene byCage(context(), stated, subdividing());
+    GpuScene byCage(context(), stated, subdividing());
     EXPECT_EQ(levelFrom(byCage, 500.0f), 4u);
 }
 
 TEST_F(CageSightTest, cameraInsideTheCageIsNoTrouble) {
-    const GpuScene scene = cube();
+    GpuScene scene = cube();
     EXPECT_EQ(levelFrom(scene, 0.1f), 5u);
     EXPECT_EQ(levelFrom(scene, 1.0f), 5u);
 }

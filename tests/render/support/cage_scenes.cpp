@@ -96,7 +96,7 @@ GpuSceneOptions subdividing(std::optional<std::uint32_t> level) {
     return options;
 }
 
-DrawnVertices drawnVertices(const GpuScene& scene, std::uint32_t index) {
+DrawnVertices drawnVertices(GpuScene& scene, std::uint32_t index) {
     const GpuCages& cages = scene.state().cages;
     const CageShape& shape = cages.shape(cages.shown()[index].shape);
     DrawnVertices vertices;

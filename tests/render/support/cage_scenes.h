@@ -44,6 +44,6 @@ GpuSceneOptions subdividing(std::optional<std::uint32_t> level = std::nullopt);
 struct DrawnVertices {
     std::vector<glm::vec3> positions, normals;
 };
-DrawnVertices drawnVertices(const GpuScene& scene, std::uint32_t index = 0);
+DrawnVertices drawnVertices(GpuScene& scene, std::uint32_t index = 0);
 
 }  // namespace candela::test

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "support/frame_request.h"
 #include "support/techniques.h"
 
 #include <candela/context.h>
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -69,20 +71,26 @@ class DrawingTest : public testing::Test {
         return uploaded;
     }
 
-    static HdrImage drawn(const GpuScene& scene, const FrameInputs& inputs) {
-        renderer().render(scene, inputs);
-        return renderer().radiance();
+    /// Draws a frame, which is `lastFrame` until the next one. `scene` may be a temporary.
+    template <typename Uploaded>
+    static const Frame& render(Uploaded&& scene, const FrameRequest& request) {
+        return studio_->frame.emplace(test::render(renderer(), scene, request));
+    }
+    static const Frame& lastFrame() { return *studio_->frame; }
+
+    template <typename Uploaded>
+    static HdrImage drawn(Uploaded&& scene, const FrameRequest& request) {
+        return render(scene, request).radiance();
     }
 
-    /// All AOVs of the frame drawn last.
-    static AovReader aovs(const GpuScene& scene, int width) {
-        return {renderer().aovs(scene, Renderer::aovNames()), width};
-    }
+    /// All AOVs of the frame drawn last, of `width` pixels.
+    static AovReader aovs(int width) { return {lastFrame().aovs(Renderer::aovNames()), width}; }
 
   private:
     struct Studio {
         Context context = Context::createHeadless();
         Renderer renderer{context};
+        std::optional<Frame> frame;
     };
     static inline std::unique_ptr<Studio> studio_;
 };

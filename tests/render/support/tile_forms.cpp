@@ -47,7 +47,7 @@ std::vector<float> radianceOf(const Context& context, const TileForm& form, cons
     context.makeCurrent();
     GpuScene scene(context, picture.scene);
     scene.setLights(picture.lights);
-    const gl::StateGuard guard;
+    const gl::StateGuard guard(*context.state().binding, "a test");
     const GBufferTargets targets(picture.width, picture.height);
     const GeometryPass geometry;
     const gl::Texture albedo = makeAlbedoTexture();
@@ -63,8 +63,7 @@ std::vector<float> radianceOf(const Context& context, const TileForm& form, cons
     buffer.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
     glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, buffer.name());
     gl::PassTimer timer(gl::PassTimer::Clock::wallAroundFinish);
-    const auto start =
-        form.technique->overwritesRadiance() ? GeometryPass::LoadOp::dontCare : GeometryPass::LoadOp::clear;
+    const auto start = form.technique->overwritesRadiance() ? LoadOp::dontCare : LoadOp::clear;
     for (int frame = 0; frame < 2; ++frame) {
         geometry.render({state, draws, targets, start});
         bindForLighting(targets, state.lights, albedo);

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <candela/renderer.h>
+
+namespace candela::test {
+
+/// What a test draws, in one value: the view and the settings.
+struct FrameRequest {
+    int width = 0, height = 0;
+    CameraView view;
+    BrdfModel brdf = BrdfModel::course;
+    Technique technique = Technique::automatic;
+    DebugView debugView = DebugView::none;
+    Overlays overlays = {};
+
+    FrameSettings settings() const { return {width, height, brdf, technique, debugView, overlays}; }
+};
+
+inline Frame render(Renderer& renderer, GpuScene& scene, const FrameRequest& request) {
+    return renderer.render(scene, request.view, request.settings());
+}
+
+}  // namespace candela::test
