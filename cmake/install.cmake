@@ -5,7 +5,11 @@
 target_link_libraries(candela INTERFACE $<INSTALL_INTERFACE:glm::glm>)
 
 install(TARGETS candela EXPORT candelaTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS candela-render candela-view candela-bench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+foreach(program candela-render candela-view candela-bench)
+  if(TARGET ${program})
+    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  endif()
+endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/candela ${PROJECT_BINARY_DIR}/include/candela
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 

@@ -1,11 +1,11 @@
-// Applies a stencil table to the points of a cage: one invocation a vertex of the limit surface. Its other form is evaluateLimit
-// (candela/refined_cage.h). Points and twins go out in dispatches of their own, points first: a twin copies its point's position.
+// Applies a stencil table to the points of a cage: one invocation a vertex of the limit surface. The CPU's counterpart is evaluateLimit
+// (candela/refined_cage.h). Points are dispatched first, then seam vertices, which copy the positions of their points.
 
 #include "shared/bindings.h"
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = LIMIT_ROWS_STORAGE) readonly buffer Rows { uint rows[]; };            // where each row starts and the last ends; points of twins
+layout(std430, binding = LIMIT_ROWS_STORAGE) readonly buffer Rows { uint rows[]; };            // start of each row and end of the last; then the points of seam vertices
 layout(std430, binding = LIMIT_ENTRIES_STORAGE) readonly buffer Entries { uvec4 entries[]; };  // column; weights of value, du, dv
 layout(std430, binding = LIMIT_POINTS_STORAGE) readonly buffer Points { float points[]; };
 layout(std430, binding = LIMIT_SURFACE_STORAGE) buffer Surface { float surface[]; };  // all positions, then all normals
@@ -13,9 +13,9 @@ layout(std430, binding = LIMIT_UVS_STORAGE) readonly buffer Uvs { vec4 uvDerivat
 layout(std430, binding = LIMIT_TANGENTS_STORAGE) writeonly buffer Tangents { vec4 tangents[]; };
 
 layout(location = LIMIT_RANGE_LOCATION) uniform uvec4 range;
-layout(location = LIMIT_TANGENTS_LOCATION) uniform bool wantsTangents;
+layout(location = LIMIT_TANGENTS_LOCATION) uniform bool needsTangents;
 
-// With a largest component of 1, so that products neither overflow nor vanish; (0, 0, 0) where there is nothing to scale.
+// Scaled to a largest component of 1, so that products neither overflow nor vanish; (0, 0, 0) stays.
 vec3 scaledToOne(vec3 v) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     return largest > 0.0 && !isinf(largest) ? v / largest : vec3(0.0);
@@ -37,12 +37,11 @@ vec3 anyPerpendicular(vec3 axis) {
     return normalize(other - axis * dot(axis, other));
 }
 
-// The direction of growing u in the surface, and the sign of the bitangent, which points against growing v. See limitTangent in
-// lib/render/cages/limit_tangent.h.
-vec4 tangentOf(vec3 normal, vec3 du, vec3 dv, vec4 uv) {
+// The CPU's counterpart is limitTangent in lib/render/subdivision/evaluator_backend.cpp.
+vec4 limitTangent(vec3 normal, vec3 du, vec3 dv, vec4 uv) {
     float area = uv.x * uv.w - uv.y * uv.z;
-    vec3 growing = (du * uv.w - dv * uv.y) * (area < 0.0 ? -1.0 : 1.0);
-    vec3 inPlane = unitOrZero(growing - normal * dot(normal, growing));
+    vec3 alongU = (du * uv.w - dv * uv.y) * (area < 0.0 ? -1.0 : 1.0);
+    vec3 inPlane = unitOrZero(alongU - normal * dot(normal, alongU));
     if (area == 0.0 || inPlane == vec3(0.0)) return vec4(anyPerpendicular(normal), 1.0);
     return vec4(inPlane, area < 0.0 ? 1.0 : -1.0);
 }
@@ -73,5 +72,5 @@ void main() {
     vec3 normal = unitOrZero(cross(scaledToOne(du), scaledToOne(dv)));
     writeSurface(3u * vertex, position);
     writeSurface(3u * (vertexCount + vertex), normal);
-    if (wantsTangents) tangents[vertex] = tangentOf(normal, du, dv, uvDerivatives[vertex]);
+    if (needsTangents) tangents[vertex] = limitTangent(normal, du, dv, uvDerivatives[vertex]);
 }

@@ -16,9 +16,9 @@ layout(location = 0) out uint shown;
 void main() {
 #if TEXTURED == 1
     // As in surface_textured.frag.
-    float alpha = materialTexel(material, 0).a * vertexAlpha *
-                  texture(baseColorTexture, textureCoordinate(material, 0, uvs.xy, uvs.zw)).a;
-    if (alpha < materialTexel(material, 1).w) discard;
+    float alpha = materialFactors(material).alpha * vertexAlpha *
+                  texture(baseColorTexture, textureCoordinate(material, BASE_COLOR_SLOT, uvs.xy, uvs.zw)).a;
+    if (alpha < materialState(material).alphaCutoff) discard;
 #endif
     shown = instance + 1u;
 }

@@ -15,6 +15,6 @@ layout(location = 2) flat out float roughness;
 void main() {
     gl_Position = frame.clipFromWorld * vec4(instancePosition(draw.x, position), 1.0);
     worldNormal = unitOrZero(instanceNormal(draw.x, normal));
-    packedBaseColor = materialWords(draw.y, 3).x;
-    roughness = materialTexel(draw.y, 1).y;
+    packedBaseColor = materialWords(draw.y, MATERIAL_PACKED).x;
+    roughness = materialFactors(draw.y).roughness;
 }

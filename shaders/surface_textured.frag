@@ -16,28 +16,33 @@ layout(location = 4) flat in uint material;
 layout(location = 0) out uvec2 surface;
 layout(location = 1) out vec4 radiance;
 
-vec3 shadingNormal(vec4 factors) {
-    vec3 texel = texture(normalTexture, textureCoordinate(material, 2, uvs.xy, uvs.zw)).xyz * 2.0 - 1.0;
+vec4 texel(sampler2D image, int slot) { return texture(image, textureCoordinate(material, slot, uvs.xy, uvs.zw)); }
+
+MaterialLobes texturedLobes() {
+    MaterialLobes lobes = materialFactors(material);
+    vec4 color = vec4(lobes.baseColor, lobes.alpha) * vertexColor * texel(baseColorTexture, BASE_COLOR_SLOT);
+    vec2 metallicRoughness = vec2(lobes.metallic, lobes.roughness) * texel(metallicRoughnessTexture, METALLIC_ROUGHNESS_SLOT).bg;
+    vec3 emission = lobes.emission * texel(emissionTexture, EMISSION_SLOT).rgb;
+    return MaterialLobes(color.rgb, color.a, metallicRoughness.x, metallicRoughness.y, emission);
+}
+
+vec3 shadingNormal(float normalScale) {
+    vec3 mapped = texel(normalTexture, NORMAL_SLOT).xyz * 2.0 - 1.0;
     vec3 bitangent = cross(worldNormal, worldTangent.xyz) * worldTangent.w;
-    vec3 normal = texel.x * factors.z * worldTangent.xyz + texel.y * factors.z * bitangent + texel.z * worldNormal;
+    vec3 normal = mapped.x * normalScale * worldTangent.xyz + mapped.y * normalScale * bitangent + mapped.z * worldNormal;
     bool usable = worldTangent.xyz != vec3(0.0) && dot(normal, normal) > 0.0;
     return usable ? normal : worldNormal;
 }
 
 void main() {
-    vec4 factors = materialTexel(material, 1);
-    vec4 baseColor = materialTexel(material, 0) * vertexColor *
-                     texture(baseColorTexture, textureCoordinate(material, 0, uvs.xy, uvs.zw));
-    vec2 metallicRoughness = factors.xy *
-                             texture(metallicRoughnessTexture, textureCoordinate(material, 1, uvs.xy, uvs.zw)).bg;
-    vec4 emission = materialTexel(material, 2);
-    vec3 emitted = emission.rgb * texture(emissionTexture, textureCoordinate(material, 3, uvs.xy, uvs.zw)).rgb;
-    vec3 normal = shadingNormal(factors);
-    if (baseColor.a < factors.w) discard;
+    MaterialLobes lobes = texturedLobes();
+    MaterialState state = materialState(material);
+    vec3 normal = shadingNormal(state.normalScale);
+    // After all textures have been read: a discarded fragment still gives its neighbours the derivatives.
+    if (lobes.alpha < state.alphaCutoff) discard;
 
-    bool unlit = emission.w > 0.5;
-    vec3 working = workingFromRec709(baseColor.rgb);
-    uint normalRoughness = packNormalRoughness(gl_FrontFacing ? normal : -normal, metallicRoughness.y);
-    surface = uvec2(packBaseColor(working, metallicRoughness.x), unlit ? 0u : normalRoughness);
-    radiance = vec4(unlit ? working : workingFromRec709(emitted), 0.0);
+    vec3 working = workingFromRec709(lobes.baseColor);
+    uint normalRoughness = packNormalRoughness(gl_FrontFacing ? normal : -normal, lobes.roughness);
+    surface = uvec2(packBaseColor(working, lobes.metallic), state.unlit ? 0u : normalRoughness);
+    radiance = vec4(state.unlit ? working : workingFromRec709(lobes.emission), 0.0);
 }

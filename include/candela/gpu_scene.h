@@ -19,15 +19,24 @@ namespace candela {
 
 /// How far cages are refined.
 struct SubdivisionSettings {
-    /// All cages to this level, 1 to `maxSubdivisionLevel`. None: a cage that states a level has that
-    /// one, every other follows its size on the screen.
+    /// The level of all cages, 1 to `maxSubdivisionLevel`. None: a cage that states a level has that one, the
+    /// level of every other follows its size on the screen.
     std::optional<std::uint32_t> level;
-    float edgePixels = 8.0f;     ///< By size: the length that edges on the screen should have, over 0.
-    std::uint32_t maxLevel = 5;  ///< By size: the greatest level, 1 to `maxSubdivisionLevel`.
-    /// By size: the most vertices that a cage may be refined to; its level stays as low as that needs, but is
-    /// at least 1.
+    float edgePixels = 8.0f;     ///< By size: the length of edges on the screen to aim for, pixels, over 0.
+    std::uint32_t maxLevel = 5;  ///< By size: the maximum level, 1 to `maxSubdivisionLevel`.
+    /// By size: the maximum number of vertices of a refined cage, 1 or more. Level 1 may exceed it.
     std::uint64_t maxVertices = 2'000'000;
 };
+
+/// What computes the vertices of refined cages.
+enum class SubdivisionEvaluator {
+    automatic,  ///< `cpu` on a software rasteriser, `compute` on a GPU.
+    cpu,        ///< The threads of the CPU (see candela/threads.h).
+    compute,    ///< A compute shader; the CPU for cages whose tables do not fit the device's storage blocks.
+};
+
+/// The evaluator's name on the command line: "auto", "cpu", "compute".
+CANDELA_API const char* toString(SubdivisionEvaluator evaluator);
 
 struct GpuSceneOptions {
     /// From linear Rec.709, in which scenes give colours, to the working space
@@ -38,35 +47,39 @@ struct GpuSceneOptions {
     /// Refines the cages (`PluginRegistry::subdivider`); none: their polygons are drawn.
     std::optional<Subdivider> subdivider;
     SubdivisionSettings subdivision;
+    SubdivisionEvaluator subdivisionEvaluator = SubdivisionEvaluator::automatic;
 };
 
-/// What the scene's lights amount to after upload.
+/// The lights of a `GpuScene`.
 struct LightReport {
     std::uint64_t lights = 0;
     std::uint64_t rangesAssigned = 0;  ///< Lights without a range of their own.
-    /// The most irradiance, in lux, that assigned ranges can take from any one point: each such light loses
-    /// at most its threshold.
+    /// The maximum irradiance, in lux, that assigned ranges can take from any one point: each such light
+    /// loses at most its threshold.
     double irradianceCut = 0.0;
 };
 
-/// What the scene's cages amount to as of the last frame (or the upload).
+/// The cages of a `GpuScene` as of the last frame (before the first, as of the upload).
 struct CageReport {
-    std::uint64_t cages = 0;       ///< Nodes that show a cage.
-    bool subdivided = false;       ///< False where no subdivider is at hand: polygons are drawn.
-    std::uint64_t triangles = 0;   ///< Drawn for cages, those of a cage times the nodes that show it.
-    std::uint64_t tableBytes = 0;  ///< Memory of all stencil tables made so far.
-    std::uint32_t minLevel = 0, maxLevel = 0;  ///< 0 without a subdivider or a frame.
-    std::uint64_t lodClamped = 0;  ///< Cages whose level `maxLevel` or `maxVertices` keeps below what
-                                   ///< `edgePixels` asks for.
-    std::string evaluator;         ///< What moves the points: "compute" or "threads"; empty before a frame.
+    std::uint64_t cages = 0;                   ///< Nodes that show a cage.
+    bool subdivided = false;                   ///< False without a subdivider: polygons are drawn.
+    std::uint64_t triangles = 0;               ///< Of all nodes that show a cage, together.
+    std::uint64_t tableBytes = 0;              ///< Memory of all stencil tables created so far.
+    std::uint32_t minLevel = 0, maxLevel = 0;  ///< Levels drawn; 0 without a subdivider or a frame.
+    std::uint64_t lodClamped = 0;  ///< Nodes whose cage has a lower level than `edgePixels` requests, because
+                                   ///< of `maxLevel` or `maxVertices`.
+    std::string evaluator;         ///< What has computed the vertices: "cpu" or "compute"; empty before.
 };
 
-/// A `Scene` on the device. The scene given to the constructor is not kept; what `setTime` and
-/// `setTransform` need of it is copied.
+/// A `Scene` on the device. The scene given to the constructor is not kept; what edits need of it is copied.
+///
+/// Edits mark what they change, and the next frame brings the device up to date, at a cost in proportion to
+/// the change. They check their arguments, throw `Error` (badInput) that names the element, and change
+/// nothing then. Every function throws `Error` (badInput) on an object that has been moved from.
 class CANDELA_API GpuScene {
   public:
-    /// Uploads. Throws `Error`: limit that names what does not fit the device, badInput when the subdivider
-    /// rejects a cage.
+    /// Uploads. Throws `Error`: badInput when the scene breaks a rule of `validate`, an option is out of its
+    /// range or the subdivider rejects a cage; limit that names what does not fit the device.
     GpuScene(const Context& context, const Scene& scene, const GpuSceneOptions& options = {});
     GpuScene(GpuScene&&) noexcept;
     GpuScene& operator=(GpuScene&&) noexcept;
@@ -76,31 +89,36 @@ class CANDELA_API GpuScene {
     /// longer. Throws `Error`: badInput naming a light whose numbers break what `WorldLight` states, limit
     /// when the device can not hold as many.
     void setLights(std::span<const WorldLight> lights);
-    /// Sets a node's local matrix, and moves what hangs on it.
+    /// Sets a node's local matrix, which moves the node and all below it. Animations of translation, rotation
+    /// and scale do not move the node any more; those of morph weights go on. Throws `Error` (badInput) when
+    /// there is no such node, a number is not finite or the last row is not 0, 0, 0, 1.
     void setTransform(std::uint32_t node, const glm::mat4& local);
-    /// Poses all animated nodes as at `seconds`, and moves what hangs on them.
+    /// Poses all animated nodes, and what is below them, as at `seconds`, a finite number.
     void setTime(double seconds);
-    /// Moves the points of the cage that `node` shows to `points` (one a vertex of the cage, in the node's
-    /// frame); morph targets and skin move it no longer. Throws `Error` (badInput) when the node shows no
-    /// cage, the number of points differs or one of them is not finite.
+    /// Replaces the points of the cage of a node (one a vertex of the cage, in the node's frame). Morph
+    /// targets and skin do not move it any more. Throws `Error` (badInput) when there is no such node, it
+    /// shows no cage, the number of points differs or one of them is not finite.
     void setCagePoints(std::uint32_t node, std::span<const glm::vec3> points);
-    /// Takes effect with the next frame. Throws `Error` (badInput) when a setting is out of its range.
+    /// Throws `Error` (badInput) when a setting is out of its range.
     void setSubdivision(const SubdivisionSettings& settings);
-    /// Replaces the numbers of a material; its textures and what decides the way it is drawn (textures, alpha
-    /// mode, sides, unlit) are replaced too. Throws `Error` (badInput) when it breaks what `Material` states.
+    /// Replaces a material, textures and pipeline state included. Throws `Error`: badInput when there is no
+    /// such material, the new one breaks what `Material` states or a surface lacks texture coordinates that
+    /// it reads; limit when an image does not fit the device.
     void setMaterial(std::uint32_t index, const Material& material);
     enum class Visibility { shown, hidden };
-    /// Shows or hides what the node itself shows; its children are not touched.
+    /// Shows or hides the mesh and the cage of the node itself; its children are not affected. Throws `Error`
+    /// (badInput) when there is no such node.
     void setVisibility(std::uint32_t node, Visibility visibility);
 
     const LightReport& lightReport() const;
     CageReport cageReport() const;
+    /// Triangles of the meshes, times the nodes that show them; hidden ones included.
     std::uint64_t triangleCount() const;
     std::uint32_t materialCount() const;
 
     struct State;  ///< Private to the library.
-    State& state() { return *state_; }
-    const State& state() const { return *state_; }
+    State& state();
+    const State& state() const;
 
   private:
     friend class Renderer;

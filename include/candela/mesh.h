@@ -27,7 +27,7 @@ struct Mesh {
     std::vector<glm::vec2> uv0, uv1;
     std::vector<glm::vec4> colors;  ///< Linear Rec.709 and alpha: multiplies the base colour.
     std::vector<std::uint32_t> indices;
-    std::vector<Submesh> submeshes;
+    std::vector<Submesh> submeshes;  ///< Empty: all indices are drawn with a default `Material`.
 };
 
 }  // namespace candela

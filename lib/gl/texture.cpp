@@ -31,7 +31,16 @@ GLuint createSampler(const char* label) {
 }
 
 std::size_t bytesPerTexel(GLenum format) {
-    return format == GL_R32UI ? 4 : format == GL_RG32UI ? 8 : 16;
+    switch (format) {
+        case GL_R32F:
+        case GL_R32UI:
+            return 4;
+        case GL_RG32F:
+        case GL_RG32UI:
+            return 8;
+        default:
+            return 16;  // GL_RGBA32F and GL_RGBA32UI.
+    }
 }
 
 }  // namespace

@@ -1,8 +1,4 @@
-// The material records that GpuScene uploads; lib/render/material_records.cpp writes them.
-//   0: base colour factor and alpha     1: metallic, roughness, normal scale, alpha cutoff (negative: no mask)
-//   2: emission factor, 1 when unlit    3: base colour and metallic as the G-buffer packs them (uint), flags (uint)
-//   4 to 11: two texels for each texture, base colour, metallic-roughness, normal, emission: the rows of its coordinate
-//            transform; w of the first is the UV set
+// The material records that GpuScene uploads; lib/render/gpu_scene/gpu_materials.cpp writes them, shared/bindings.h lists their texels.
 
 #include "shared/bindings.h"
 
@@ -12,10 +8,40 @@ uvec4 materialWords(uint material, int texel) { return texelFetch(materialRecord
 
 vec4 materialTexel(uint material, int texel) { return uintBitsToFloat(materialWords(material, texel)); }
 
-// The coordinate that texture `slot` (0 to 3) of the material is read at.
+// The lobes of a material at a point of a surface. Colours are linear Rec.709.
+struct MaterialLobes {
+    vec3 baseColor;
+    float alpha;
+    float metallic;
+    float roughness;  // perceptual
+    vec3 emission;
+};
+
+// What is not a factor of a texture.
+struct MaterialState {
+    float normalScale;  // 0 without a normal texture
+    float alphaCutoff;  // negative without a mask
+    bool unlit;
+};
+
+// The factors, which textures and vertex colours multiply.
+MaterialLobes materialFactors(uint material) {
+    vec4 color = materialTexel(material, MATERIAL_BASE_COLOR);
+    vec4 factors = materialTexel(material, MATERIAL_FACTORS);
+    return MaterialLobes(color.rgb, color.a, factors.x, factors.y, materialTexel(material, MATERIAL_EMISSION).rgb);
+}
+
+MaterialState materialState(uint material) {
+    vec4 factors = materialTexel(material, MATERIAL_FACTORS);
+    return MaterialState(factors.z, factors.w, materialTexel(material, MATERIAL_EMISSION).w > 0.5);
+}
+
+// The coordinate that texture `slot` of the material is read at.
+const int BASE_COLOR_SLOT = 0, METALLIC_ROUGHNESS_SLOT = 1, NORMAL_SLOT = 2, EMISSION_SLOT = 3;
+
 vec2 textureCoordinate(uint material, int slot, vec2 uv0, vec2 uv1) {
-    vec4 rowX = materialTexel(material, 4 + 2 * slot);
-    vec4 rowY = materialTexel(material, 5 + 2 * slot);
+    vec4 rowX = materialTexel(material, MATERIAL_UV_ROWS + 2 * slot);
+    vec4 rowY = materialTexel(material, MATERIAL_UV_ROWS + 2 * slot + 1);
     vec3 uv = vec3(rowX.w > 0.5 ? uv1 : uv0, 1.0);
     return vec2(dot(rowX.xyz, uv), dot(rowY.xyz, uv));
 }

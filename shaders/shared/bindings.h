@@ -54,7 +54,7 @@ const int DIRECTIONALS_LOCATION = 1;
 const int EXPOSURE_LOCATION = 0;        // display: factor before the transform
 const int ORIGIN_LOCATION = 1;          // display: lower left corner of the picture in the target
 const int LIMIT_RANGE_LOCATION = 0;     // cage_limit: first and end of a dispatch's vertices, number of points, number of vertices
-const int LIMIT_TANGENTS_LOCATION = 1;  // cage_limit: are tangents wanted?
+const int LIMIT_TANGENTS_LOCATION = 1;  // cage_limit: are tangents needed?
 const int HEAT_STOPS_LOCATION = 0;      // show: the colours between which the heat map blends
 const int LINE_COLOR_LOCATION = 0;      // overlays: the colour of a line, code values
 const int LINE_INSTANCE_LOCATION = 1;   // overlays: the instance on which lines of a cage lie
@@ -69,10 +69,18 @@ const int UV1_ATTRIBUTE = 5;
 const int COLOR_ATTRIBUTE = 6;
 const int LIGHT_ATTRIBUTE = 1;          // uint an instance of a light volume: light
 
-// Lights that a loop of tile_shade walks at most: llvmpipe ends an invocation's loops after 65,535 turns without a word.
+// Lights that a loop of tile_shade walks at most: llvmpipe silently ends a loop after 65,535 iterations.
 const int LIST_PART = 32768;
 
 // Texels a record.
 const int INSTANCE_TEXELS = 6;          // rows of the world matrix, then of its cofactor matrix with the handedness in w
 const int MATERIAL_TEXELS = 12;
+
+// Texels of a material's record.
+const int MATERIAL_BASE_COLOR = 0;      // base colour factor and alpha
+const int MATERIAL_FACTORS = 1;         // metallic, roughness, normal scale, alpha cutoff (negative: no mask)
+const int MATERIAL_EMISSION = 2;        // emission factor; 1 when unlit
+const int MATERIAL_PACKED = 3;          // x: base colour and metallic as the G-buffer packs them (uint)
+const int MATERIAL_UV_ROWS = 4;         // two rows of the coordinate transform a texture: base colour, metallic-roughness, normal,
+                                        // emission; w of the first is the set of texture coordinates
 const int LIGHT_TEXELS = 2;

@@ -24,7 +24,7 @@ TEST(BenchCages, MovesTenThousandQuadsAtLevelThree) {
     EXPECT_GT(row["entries"], row["vertices"]);
     for (const char* time : {"move_ms", "opensubdiv_move_ms", "refine_ms", "opensubdiv_refine_ms"})
         EXPECT_GT(row[time].get<double>(), 0.0) << time;
-    EXPECT_TRUE(row["evaluator"] == "threads" || row["evaluator"] == "compute");
+    EXPECT_TRUE(row["evaluator"] == "cpu" || row["evaluator"] == "compute");
 }
 
 TEST(BenchCages, MeasuresNoLights) {

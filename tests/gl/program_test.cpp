@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,11 @@ std::vector<Definitions> combinations() {
     std::vector<Definitions> all;
     for (const char* model : {"BRDF BRDF_COURSE", "BRDF BRDF_GLTF"}) {
         for (const char* kind : {"SPOT 0", "SPOT 1"})
-            all.push_back({model, kind, "SHOW 0", "HEAT_STOPS 5", "TEXTURED 0", "CORNERS 2"});
+            all.push_back({model, kind, "SHOW 0", "HEAT_STOPS 5", "TEXTURED 0", "CORNERS 2", "FILL 0"});
     }
     for (int show = 0; show < 8; ++show) {
         all.push_back({"BRDF BRDF_COURSE", "SPOT 0", "SHOW " + std::to_string(show), "HEAT_STOPS 5",
-                       "TEXTURED 1", "CORNERS 3"});
+                       "TEXTURED 1", "CORNERS 3", "FILL 1"});
     }
     return all;
 }
@@ -144,6 +145,36 @@ TEST_F(ProgramTest, everyStageCompilesAlone) {
         }
     }
     EXPECT_GE(stages, 12);
+}
+
+/// What is appended to a stage's file in the table's programs.
+std::string appendedTo(std::string_view stage) {
+    const auto found = std::ranges::find(table, stage, &Linked::fragment);
+    return found == table.end() ? "" : found->appended;
+}
+
+// A second compiler, which keeps to the GLSL specification where drivers are lenient.
+TEST(Shaders, everyStageIsValidForGlslang) {
+    if (std::system("glslangValidator --version > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "glslangValidator is not installed; install glslang-tools";
+    const ShaderFolder folder;
+    std::string command = "cd '" + folder.path().string() + "' && glslangValidator";
+    int count = 0;
+    for (const gl::EmbeddedShader& shader : gl::embeddedShaders()) {
+        if (!isStage(shader.name)) continue;
+        const std::string name(shader.name);
+        for (const Definitions& definitions : combinations()) {
+            const std::string file = "variant" + std::to_string(count++) + "_" + name;
+            folder.write(file, gl::assembleShader(name, definitions) + appendedTo(name));
+            command += " " + file;
+        }
+    }
+    EXPECT_GT(count, 100);
+    const std::string log = (folder.path() / "glslang.log").string();
+    const int status = std::system((command + " > " + log + " 2>&1").c_str());
+    std::ostringstream message;
+    message << std::ifstream(log).rdbuf();
+    EXPECT_EQ(status, 0) << message.str();
 }
 
 TEST_F(ProgramTest, everyStageBelongsToAProgramOfTheTable) {

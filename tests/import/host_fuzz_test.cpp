@@ -4,6 +4,7 @@
 
 #include "import/finish_scene.h"
 #include "import/host.h"
+#include "support/fuzz_iterations.h"
 
 #include <candela/error.h>
 #include <candela/scene.h>
@@ -317,7 +318,7 @@ bool showsCage(const Scene& scene) {
 }
 
 TEST(HostFuzz, RandomNumbersNeverCrash) {
-    constexpr std::uint32_t rounds = 20000;
+    const std::uint32_t rounds = candela_test::fuzzIterations<std::uint32_t>(20000);
     std::uint32_t taken = 0, shown = 0;
     for (std::uint32_t seed = 0; seed < rounds; ++seed) {
         const auto scene = importRandomScene(seed);

@@ -1,6 +1,7 @@
 // Random tables from a subdivider: the host refuses them, or takes them and every index lies in its range.
 // The arrays are as long as the counts say, for a plugin that lies about those can not be helped.
 #include "import/import_refined_cage.h"
+#include "support/fuzz_iterations.h"
 
 #include <candela/error.h>
 
@@ -131,7 +132,7 @@ void expectSound(const RefinedCage& refined, const Cage& cage) {
 }
 
 TEST(DeliveredCageFuzz, WhatIsTakenIsSound) {
-    constexpr std::uint32_t rounds = 20000;
+    const std::uint32_t rounds = candela_test::fuzzIterations<std::uint32_t>(20000);
     std::uint32_t taken = 0;
     for (std::uint32_t seed = 0; seed < rounds; ++seed) {
         TableFuzzer fuzz(seed);

@@ -12,7 +12,7 @@
 struct CageResult {
     std::uint64_t quads = 0, vertices = 0, entries = 0;  ///< Of the cage; of its table.
     std::uint32_t level = 0;
-    std::string evaluator;          ///< "compute" or "threads": what candela took.
+    std::string evaluator;          ///< What candela used: "cpu" or "compute".
     double move = 0.0;              ///< From new points to vertices with normals on the device.
     double opensubdivMove = 0.0;    ///< Osd::OmpEvaluator over the same table.
     double refine = 0.0;            ///< `Subdivider::refine`, with the checks and copies of the host.

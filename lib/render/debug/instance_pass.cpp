@@ -61,8 +61,8 @@ void InstancePass::drawBatches(const Inputs& inputs) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
     inputs.draws.bind();
-    glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instanceRecords.name());
-    glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materialRecordTexture.name());
+    glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instances.records().name());
+    glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materials.records().name());
     for (const DrawBatch& batch : inputs.draws.batches()) draw(inputs.scene, batch);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);

@@ -39,7 +39,7 @@ OverlayPass::OverlayPass()
 
 void OverlayPass::render(const Inputs& inputs) {
     begin(inputs.targets);
-    glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instanceRecords.name());
+    glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instances.records().name());
     glBindTextureUnit(layout::DEPTH_UNIT, inputs.targets.depth.name());
     if (inputs.overlays.wireframe) {
         drawMeshEdges(inputs);

@@ -5,7 +5,6 @@
 #include "gl/texture.h"
 #include "render/gbuffer/gbuffer_targets.h"
 #include "render/gpu_scene/gpu_scene_state.h"
-#include "render/subdivision/cage_lines.h"
 
 #include <candela/renderer.h>
 

@@ -34,8 +34,8 @@ void GeometryPass::render(const Inputs& inputs) const {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
     inputs.draws.bind();
-    glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instanceRecords.name());
-    glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materialRecordTexture.name());
+    glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instances.records().name());
+    glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materials.records().name());
     // Batches come sorted, emissive ones last: what hides emission later would otherwise have to write black
     // over it.
     for (const DrawBatch& batch : inputs.draws.batches()) {

@@ -16,6 +16,15 @@ bool isEmissive(const Material& material) {
     return material.unlit || material.emission != glm::vec3(0.0f);
 }
 
+/// A mesh without submeshes is one submesh with the default material.
+std::span<const Submesh> submeshesOf(const Mesh& mesh, const Submesh& whole) {
+    return mesh.submeshes.empty() ? std::span(&whole, 1) : std::span(mesh.submeshes);
+}
+
+Submesh wholeOf(const Mesh& mesh) {
+    return {0, static_cast<std::uint32_t>(mesh.indices.size()), std::nullopt};
+}
+
 enum class Colors { none, perVertex };
 
 Colors colorsOf(const Mesh& mesh) {
@@ -34,17 +43,18 @@ PipelineKey materialKey(const Material& material, Colors colors, GpuImages& imag
     if (isPlain(material, colors)) return key;
     key.program = PipelineKey::Program::textured;
     key.emissive = isEmissive(material);
-    key.textures = {images.get(material.baseColorTexture, TextureInfo::color),
-                    images.get(material.metallicRoughnessTexture, TextureInfo::data),
-                    images.get(material.normalTexture, TextureInfo::data),
-                    images.get(material.emissionTexture, TextureInfo::color)};
+    key.textures = {images.get(material.baseColorTexture, TexelEncoding::color),
+                    images.get(material.metallicRoughnessTexture, TexelEncoding::data),
+                    images.get(material.normalTexture, TexelEncoding::data),
+                    images.get(material.emissionTexture, TexelEncoding::color)};
     return key;
 }
 
 bool needsDetail(const Scene& scene, const Mesh& mesh) {
     if (!scene.images.empty() && !(mesh.uv0.empty() && mesh.uv1.empty())) return true;
     const auto count = static_cast<std::uint32_t>(scene.materials.size());
-    return std::ranges::any_of(mesh.submeshes, [&](const Submesh& submesh) {
+    const Submesh whole = wholeOf(mesh);
+    return std::ranges::any_of(submeshesOf(mesh, whole), [&](const Submesh& submesh) {
         return !isPlain(materialOf(scene.materials, submesh.material.value_or(count)), colorsOf(mesh));
     });
 }
@@ -66,7 +76,8 @@ void DrawSelection::draw(const DrawBatch& batch) {
 
 void DrawList::addMesh(std::uint32_t instance, const Mesh& mesh, const MeshPlace& place,
                        std::span<const Material> materials, GpuImages& images) {
-    for (const Submesh& submesh : mesh.submeshes) {
+    const Submesh whole = wholeOf(mesh);
+    for (const Submesh& submesh : submeshesOf(mesh, whole)) {
         if (submesh.indexCount == 0) continue;
         Draw draw;
         draw.command = {submesh.indexCount, 1, place.firstIndex + submesh.firstIndex, place.baseVertex, 0};
@@ -132,7 +143,7 @@ void DrawList::mark(Draw& draw) {
 
 void DrawList::setWinding(std::uint32_t instance, Winding winding) {
     for (Draw& draw : drawsOf(instance)) {
-        const bool mirrored = winding == Winding::mirrored;
+        const bool mirrored = winding == Winding::reversed;
         if (draw.mirrored == mirrored) continue;
         draw.mirrored = mirrored;
         mark(draw);

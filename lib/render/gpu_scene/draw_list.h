@@ -44,11 +44,6 @@ struct DrawCommand {
     std::uint32_t baseInstance = 0;  ///< The draw, whose record the vertex array feeds to shaders.
 };
 
-/// A run of indices.
-struct IndexRange {
-    std::uint32_t first = 0, count = 0;
-};
-
 /// What culling has left for one view: the draw commands, and the cages among the instances. A selection is
 /// filled by `GpuScene::State::cull` as often as needed and keeps its storage. It holds for the scene as of
 /// that call: cull again after an update of the scene.
@@ -94,7 +89,6 @@ class DrawList {
     /// Uploads the records. To be called once, after all instances have been added.
     void finish(std::size_t instanceCount);
 
-    enum class Winding { kept, mirrored };
     void setWinding(std::uint32_t instance, Winding winding);
     /// Brings the draws of material `index` to its new pipeline state. Throws `Error` (limit) when a texture
     /// does not fit the device; nothing is changed then.

@@ -1,6 +1,7 @@
 #include "render/gpu_scene/gpu_images.h"
 
 #include "render/gbuffer/srgb.h"
+#include "scene/validate/error_context.h"
 
 #include <candela/error.h>
 
@@ -20,27 +21,60 @@ struct UploadFormat {
     GLenum internal, type;
 };
 
-UploadFormat formatOf(const Image& image, TextureInfo use) {
-    switch (image.format) {
+UploadFormat formatOf(PixelFormat format, TexelEncoding encoding) {
+    const bool color = encoding == TexelEncoding::color;
+    switch (format) {
         case PixelFormat::rgba8:
-            return {use == TextureInfo::color ? GLenum(GL_SRGB8_ALPHA8) : GLenum(GL_RGBA8), GL_UNSIGNED_BYTE};
+            return {color ? GLenum(GL_SRGB8_ALPHA8) : GLenum(GL_RGBA8), GL_UNSIGNED_BYTE};
         case PixelFormat::rgba16:
-            return {GL_RGBA16, GL_UNSIGNED_SHORT};
+            // OpenGL has no sRGB format of 16 bits: such colour is decoded to floats.
+            return color ? UploadFormat{GL_RGBA32F, GL_FLOAT} : UploadFormat{GL_RGBA16, GL_UNSIGNED_SHORT};
         default:
             return {GL_RGBA32F, GL_FLOAT};
     }
 }
 
-/// OpenGL has no sRGB format of 16 bits: such colour is decoded to floats here.
-std::vector<float> decodeColor16(const Image& image) {
-    std::vector<std::uint16_t> codes(image.pixels.size() / sizeof(std::uint16_t));
-    std::memcpy(codes.data(), image.pixels.data(), codes.size() * sizeof(std::uint16_t));
+bool isDecoded(const Image& image, TexelEncoding encoding) {
+    return image.format == PixelFormat::rgba16 && encoding == TexelEncoding::color;
+}
+
+std::vector<float> decodeColor16(std::span<const std::byte> pixels) {
+    std::vector<std::uint16_t> codes(pixels.size() / sizeof(std::uint16_t));
+    std::memcpy(codes.data(), pixels.data(), pixels.size());
     std::vector<float> decoded(codes.size());
     for (std::size_t i = 0; i < codes.size(); ++i) {
         const float value = static_cast<float>(codes[i]) / 65535.0f;
         decoded[i] = i % 4 == 3 ? value : srgbDecode(value);
     }
     return decoded;
+}
+
+void encodeColor16(std::span<const float> decoded, std::span<std::byte> pixels) {
+    std::vector<std::uint16_t> codes(decoded.size());
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        const float value = i % 4 == 3 ? decoded[i] : srgbEncode(decoded[i]);
+        codes[i] = static_cast<std::uint16_t>(std::lround(65535.0f * value));
+    }
+    std::memcpy(pixels.data(), codes.data(), pixels.size());
+}
+
+/// A run of an image's rows.
+struct Rows {
+    GLint first;
+    GLsizei count;
+    std::size_t offset, size;  ///< In the pixels, bytes.
+};
+
+/// Calls `transfer` for runs of rows that together are the image.
+template <typename Transfer>
+void forEachRun(const Image& image, std::size_t maxBytes, const Transfer& transfer) {
+    const std::size_t rowBytes = std::size_t{image.width} * texelSize(image.format);
+    const std::size_t maxRows = std::max<std::size_t>(1, maxBytes / rowBytes);
+    for (std::size_t first = 0; first < image.height; first += maxRows) {
+        const std::size_t count = std::min(maxRows, image.height - first);
+        transfer(
+            Rows{static_cast<GLint>(first), static_cast<GLsizei>(count), first * rowBytes, count * rowBytes});
+    }
 }
 
 GLint wrapMode(Wrap wrap) {
@@ -71,34 +105,30 @@ GLint filterMode(Filter filter) {
     }
 }
 
-/// The pixels of an image from which `texture` was made for `use`.
-std::vector<std::byte> readPixels(GLuint texture, TextureInfo use, const Image& image) {
-    std::vector<std::byte> pixels(std::size_t{image.width} * image.height * texelSize(image.format));
-    if (use == TextureInfo::data || image.format != PixelFormat::rgba16) {
-        glGetTextureImage(texture, 0, GL_RGBA, formatOf(image, use).type, static_cast<GLsizei>(pixels.size()),
-                          pixels.data());
-        return pixels;
-    }
-    std::vector<float> decoded(pixels.size() / sizeof(std::uint16_t));
-    glGetTextureImage(texture, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(decoded.size() * sizeof(float)),
-                      decoded.data());
-    std::vector<std::uint16_t> codes(decoded.size());
-    for (std::size_t i = 0; i < codes.size(); ++i) {
-        const float value = i % 4 == 3 ? decoded[i] : srgbEncode(decoded[i]);
-        codes[i] = static_cast<std::uint16_t>(std::lround(65535.0f * value));
-    }
-    std::memcpy(pixels.data(), codes.data(), pixels.size());
-    return pixels;
+[[noreturn]] void refuse(const Image& image, std::uint32_t index, const std::string& reason) {
+    throw Error(ErrorKind::limit, "",
+                ErrorContext("image", index, image.name).label() + " is " + std::to_string(image.width) +
+                    "x" + std::to_string(image.height) + " pixels, but " + reason);
 }
 
 void requireSize(const Image& image, std::uint32_t index) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (std::max(image.width, image.height) <= static_cast<std::uint32_t>(largest)) return;
-    throw Error(ErrorKind::limit, "",
-                "image " + std::to_string(index) + " '" + image.name + "' is " + std::to_string(image.width) +
-                    "x" + std::to_string(image.height) + " pixels, but this device holds " +
-                    std::to_string(largest) + "x" + std::to_string(largest) + " at most");
+    const auto max = static_cast<std::uint32_t>(largest);
+    if (image.width <= max && image.height <= max) return;
+    refuse(image, index, "this device holds " + std::to_string(max) + "x" + std::to_string(max) + " at most");
+}
+
+/// A texture with storage for the image and its mipmaps.
+gl::Texture allocate(const Image& image, std::uint32_t index, GLenum format) {
+    requireSize(image, index);
+    gl::Texture texture(GL_TEXTURE_2D, image.name.empty() ? "image" : image.name.substr(0, 64).c_str());
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    glTextureStorage2D(texture.name(), std::bit_width(std::max(image.width, image.height)), format,
+                       static_cast<GLsizei>(image.width), static_cast<GLsizei>(image.height));
+    if (glGetError() == GL_OUT_OF_MEMORY) refuse(image, index, "the device has no memory for it");
+    return texture;
 }
 
 gl::Texture whiteTexture() {
@@ -110,55 +140,80 @@ gl::Texture whiteTexture() {
 
 }  // namespace
 
-GpuImages::GpuImages(std::span<const Image> images) : images_(images), white_(whiteTexture()) {}
+GpuImages::GpuImages(std::span<const Image> images, std::size_t maxTransferBytes)
+    : maxTransferBytes_(maxTransferBytes), images_(images), white_(whiteTexture()) {}
 
-SampledTexture GpuImages::get(const std::optional<Texture>& texture, TextureInfo use) {
+SampledTexture GpuImages::get(const std::optional<Texture>& texture, TexelEncoding encoding) {
     if (!texture) return {white_.name(), 0};
-    return {upload(texture->image, use), sampler(*texture)};
+    return {upload(texture->image, encoding), sampler(*texture)};
 }
 
-void GpuImages::forgetSources() {
+void GpuImages::releaseSources() {
     for (std::uint32_t i = 0; i < images_.size(); ++i) {
         const Image& image = images_[i];
         const bool uploaded =
-            textures_.contains({i, TextureInfo::color}) || textures_.contains({i, TextureInfo::data});
+            textures_.contains({i, TexelEncoding::color}) || textures_.contains({i, TexelEncoding::data});
         kept_.push_back({image.name, image.width, image.height, image.format,
                          uploaded ? std::vector<std::byte>{} : image.pixels});
     }
     images_ = kept_;
 }
 
+std::vector<std::byte> GpuImages::readPixels(GLuint texture, TexelEncoding encoding,
+                                             const Image& image) const {
+    std::vector<std::byte> pixels(std::size_t{image.width} * image.height * texelSize(image.format));
+    const GLenum type = formatOf(image.format, encoding).type;
+    const auto read = [&](const Rows& rows, std::size_t bytes, void* to) {
+        glGetTextureSubImage(texture, 0, 0, rows.first, 0, static_cast<GLsizei>(image.width), rows.count, 1,
+                             GL_RGBA, type, static_cast<GLsizei>(bytes), to);
+    };
+    forEachRun(image, maxTransferBytes_, [&](const Rows& rows) {
+        const std::span<std::byte> part = std::span(pixels).subspan(rows.offset, rows.size);
+        if (!isDecoded(image, encoding)) {
+            read(rows, part.size(), part.data());
+            return;
+        }
+        std::vector<float> decoded(part.size() / sizeof(std::uint16_t));
+        read(rows, decoded.size() * sizeof(float), decoded.data());
+        encodeColor16(decoded, part);
+    });
+    return pixels;
+}
+
+void GpuImages::writePixels(GLuint texture, TexelEncoding encoding, const Image& image) const {
+    const GLenum type = formatOf(image.format, encoding).type;
+    const auto write = [&](const Rows& rows, const void* from) {
+        glTextureSubImage2D(texture, 0, 0, rows.first, static_cast<GLsizei>(image.width), rows.count, GL_RGBA,
+                            type, from);
+    };
+    forEachRun(image, maxTransferBytes_, [&](const Rows& rows) {
+        const std::span<const std::byte> part = std::span(image.pixels).subspan(rows.offset, rows.size);
+        if (isDecoded(image, encoding)) {
+            write(rows, decodeColor16(part).data());
+        } else {
+            write(rows, part.data());
+        }
+    });
+}
+
 void GpuImages::restorePixels(std::uint32_t index) {
-    for (const TextureInfo use : {TextureInfo::color, TextureInfo::data}) {
-        const auto texture = textures_.find({index, use});
+    for (const TexelEncoding encoding : {TexelEncoding::color, TexelEncoding::data}) {
+        const auto texture = textures_.find({index, encoding});
         if (texture == textures_.end()) continue;
-        kept_[index].pixels = readPixels(texture->second.name(), use, kept_[index]);
+        kept_[index].pixels = readPixels(texture->second.name(), encoding, kept_[index]);
         return;
     }
 }
 
-GLuint GpuImages::upload(std::uint32_t index, TextureInfo use) {
-    const auto known = textures_.find({index, use});
+GLuint GpuImages::upload(std::uint32_t index, TexelEncoding encoding) {
+    const auto known = textures_.find({index, encoding});
     if (known != textures_.end()) return known->second.name();
-    requireSize(images_[index], index);
+    gl::Texture texture = allocate(images_[index], index, formatOf(images_[index].format, encoding).internal);
     if (images_[index].pixels.empty()) restorePixels(index);
-    const Image& image = images_[index];
-    gl::Texture texture(GL_TEXTURE_2D, image.name.empty() ? "image" : image.name.substr(0, 64).c_str());
-    const auto width = static_cast<GLsizei>(image.width), height = static_cast<GLsizei>(image.height);
-    const auto levels = static_cast<GLsizei>(std::bit_width(std::max(image.width, image.height)));
-    const bool decode = use == TextureInfo::color && image.format == PixelFormat::rgba16;
-    const UploadFormat format = decode ? UploadFormat{GL_RGBA32F, GL_FLOAT} : formatOf(image, use);
-    glTextureStorage2D(texture.name(), levels, format.internal, width, height);
-    if (decode) {
-        glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, format.type,
-                            decodeColor16(image).data());
-    } else {
-        glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, format.type,
-                            image.pixels.data());
-    }
+    writePixels(texture.name(), encoding, images_[index]);
     glGenerateTextureMipmap(texture.name());
     if (!kept_.empty()) kept_[index].pixels.clear();
-    return textures_.emplace(std::pair(index, use), std::move(texture)).first->second.name();
+    return textures_.emplace(Key(index, encoding), std::move(texture)).first->second.name();
 }
 
 GLuint GpuImages::sampler(const Texture& texture) {

@@ -21,33 +21,40 @@ struct SampledTexture {
     auto operator<=>(const SampledTexture&) const = default;
 };
 
-/// What a texture's texels mean, which decides the format an image is uploaded in.
-enum class TextureInfo {
+/// How texels are encoded, which decides the format an image is uploaded in.
+enum class TexelEncoding {
     color,  ///< sRGB-encoded colour (linear when the image is rgba32f).
     data,   ///< Linear numbers.
 };
 
-/// The images of a scene on the GPU, each uploaded once for each use that materials make of it, with mipmaps.
+/// The images of a scene on the device, each uploaded once for each encoding that materials read it in, with
+/// mipmaps.
 class GpuImages {
   public:
-    explicit GpuImages(std::span<const Image> images);
+    /// `maxTransferBytes`: larger images are transferred in several runs of rows.
+    explicit GpuImages(std::span<const Image> images, std::size_t maxTransferBytes = std::size_t{1} << 28);
 
     /// The texture of a material's slot; a white one where the slot is empty. Throws `Error` (limit) naming
-    /// an image that is too large.
-    SampledTexture get(const std::optional<Texture>& texture, TextureInfo use);
+    /// an image that does not fit the device.
+    SampledTexture get(const std::optional<Texture>& texture, TexelEncoding encoding);
 
-    /// From now on the constructor's images are not needed: pixels that no material has asked for yet are
-    /// copied, others can be read back.
-    void forgetSources();
+    /// Ends the use of the constructor's images: pixels that no material has read yet are copied, others can
+    /// be read back.
+    void releaseSources();
 
   private:
+    using Key = std::pair<std::uint32_t, TexelEncoding>;
+
     void restorePixels(std::uint32_t index);
-    GLuint upload(std::uint32_t image, TextureInfo use);
+    std::vector<std::byte> readPixels(GLuint texture, TexelEncoding encoding, const Image& image) const;
+    void writePixels(GLuint texture, TexelEncoding encoding, const Image& image) const;
+    GLuint upload(std::uint32_t image, TexelEncoding encoding);
     GLuint sampler(const Texture& texture);
 
-    std::span<const Image> images_;  ///< The caller's until `forgetSources`, then `kept_`.
+    std::size_t maxTransferBytes_;
+    std::span<const Image> images_;  ///< The caller's until `releaseSources`, then `kept_`.
     std::vector<Image> kept_;        ///< Without pixels where these are in a texture.
-    std::map<std::pair<std::uint32_t, TextureInfo>, gl::Texture> textures_;
+    std::map<Key, gl::Texture> textures_;
     std::map<std::tuple<Wrap, Wrap, Filter, Filter>, gl::Sampler> samplers_;
     gl::Texture white_;
 };

@@ -1,5 +1,7 @@
 #include "render/gpu_scene/gpu_lights.h"
 
+#include "render/layout.h"
+
 #include <candela/brdf.h>
 #include <candela/error.h>
 
@@ -47,21 +49,27 @@ glm::vec4 coneRecord(const WorldLight& light) {
 
 }  // namespace
 
+void LightReaches::reserve(std::size_t size) {
+    for (auto* column : {&x, &y, &z, &range}) column->reserve(size + padding);
+}
+
 void LightReaches::resize(std::size_t size) {
     for (auto* column : {&x, &y, &z, &range}) column->resize(size + padding, 0.0f);
 }
 
 GpuLights::GpuLights(const GpuSceneOptions& options)
-    : options_(options), records_(GL_RGBA32F, "lights"), cones_(GL_RGBA32F, "spot cones") {
+    : options_(options),
+      records_(GL_RGBA32F, layout::LIGHT_TEXELS, "lights"),
+      cones_(GL_RGBA32F, 1, "spot cones") {
     if (!(options.irradianceThreshold > 0.0f) || !std::isfinite(options.irradianceThreshold)) {
-        throw Error(ErrorKind::badInput, "", "the irradiance threshold has to be over 0 lux");
+        throw Error(ErrorKind::badInput, "", "the irradiance threshold has to be a finite number over 0 lux");
     }
 }
 
 float GpuLights::rangeOf(const WorldLight& light, const glm::vec3& intensity) {
     if (light.range > 0.0f) return light.range;
     const float brightest = std::max({intensity.r, intensity.g, intensity.b, 0.0f});
-    // At its range a light would still give the threshold: that is the most the window takes, but no more
+    // At its range a light would still give the threshold: the window takes no more than that, and no more
     // than the light gives at all.
     constexpr float distance = static_cast<float>(minDistance);
     ++report_.rangesAssigned;
@@ -70,17 +78,40 @@ float GpuLights::rangeOf(const WorldLight& light, const glm::vec3& intensity) {
     return std::max(std::sqrt(brightest / options_.irradianceThreshold), 1.0e-3f);
 }
 
-void GpuLights::writeLocal(std::size_t index, const WorldLight& light) {
-    const glm::vec3 intensity(options_.workingFromRec709 * glm::dvec3(light.intensity));
-    const float range = rangeOf(light, intensity);
+glm::vec3 GpuLights::workingIntensity(const WorldLight& light) const {
+    return glm::vec3(options_.workingFromRec709 * glm::dvec3(light.intensity));
+}
+
+void GpuLights::writeLocal(std::uint32_t record, const WorldLight& light) {
+    const glm::vec3 intensity = workingIntensity(light);
     // The shader's inverse square of the range must stay a normal number.
-    const float held = glm::clamp(range, 1.0e-15f, 1.0e15f);
-    reaches_.x[index] = light.position.x;
-    reaches_.y[index] = light.position.y;
-    reaches_.z[index] = light.position.z;
-    reaches_.range[index] = held;
-    recordData_[2 * index] = glm::vec4(light.position, 1.0f / (held * held));
-    recordData_[2 * index + 1] = glm::vec4(intensity, 0.0f);
+    const float range = glm::clamp(rangeOf(light, intensity), 1.0e-15f, 1.0e15f);
+    reaches_.x[record] = light.position.x;
+    reaches_.y[record] = light.position.y;
+    reaches_.z[record] = light.position.z;
+    reaches_.range[record] = range;
+    const std::span<glm::vec4> texels = records_.edit(record);
+    texels[0] = glm::vec4(light.position, 1.0f / (range * range));
+    texels[1] = glm::vec4(intensity, 0.0f);
+}
+
+void GpuLights::writeDirectional(std::uint32_t record, const WorldLight& light) {
+    const std::span<glm::vec4> texels = records_.edit(record);
+    texels[0] = glm::vec4(-light.direction, 0.0f);
+    texels[1] = glm::vec4(workingIntensity(light), 0.0f);
+}
+
+void GpuLights::writeCone(std::uint32_t record, const WorldLight& light) {
+    cones_.edit(record - static_cast<std::uint32_t>(counts_.points))[0] = coneRecord(light);
+}
+
+void GpuLights::reserve(const LightCounts& counts) {
+    const auto local = static_cast<std::size_t>(counts.points) + static_cast<std::size_t>(counts.spots);
+    const std::size_t all = local + static_cast<std::size_t>(counts.directionals);
+    records_.reserve(all);
+    cones_.reserve(static_cast<std::size_t>(counts.spots));
+    reaches_.reserve(local);
+    recordOf_.reserve(all);
 }
 
 void GpuLights::set(std::span<const WorldLight> lights) {
@@ -92,27 +123,50 @@ void GpuLights::set(std::span<const WorldLight> lights) {
         counts.spots += lights[i].type == LightType::spot;
         counts.directionals += lights[i].type == LightType::directional;
     }
+    reserve(counts);
+    // From here on nothing throws.
     counts_ = counts;
     report_ = {.lights = lights.size()};
-    recordData_.resize(2 * lights.size());
+    records_.resize(lights.size());
+    cones_.resize(static_cast<std::size_t>(counts.spots));
     reaches_.resize(static_cast<std::size_t>(counts.points + counts.spots));
-    coneData_.resize(static_cast<std::size_t>(counts.spots));
-    std::size_t point = 0, spot = static_cast<std::size_t>(counts.points), directional = reaches_.size();
+    recordOf_.clear();
+    auto point = 0u, spot = static_cast<std::uint32_t>(counts.points);
+    auto directional = static_cast<std::uint32_t>(counts.points + counts.spots);
     for (const WorldLight& light : lights) {
         if (light.type == LightType::point) {
-            writeLocal(point++, light);
+            writeLocal(point, light);
+            recordOf_.push_back(point++);
         } else if (light.type == LightType::spot) {
-            coneData_[spot - static_cast<std::size_t>(counts.points)] = coneRecord(light);
-            writeLocal(spot++, light);
+            writeCone(spot, light);
+            writeLocal(spot, light);
+            recordOf_.push_back(spot++);
         } else {
-            recordData_[2 * directional] = glm::vec4(-light.direction, 0.0f);
-            recordData_[2 * directional + 1] =
-                glm::vec4(glm::vec3(options_.workingFromRec709 * glm::dvec3(light.intensity)), 0.0f);
-            ++directional;
+            writeDirectional(directional, light);
+            recordOf_.push_back(directional++);
         }
     }
-    records_.upload(std::span<const glm::vec4>(recordData_));
-    cones_.upload(std::span<const glm::vec4>(coneData_));
+    upload();
+}
+
+void GpuLights::move(std::uint32_t index, const WorldLight& light) {
+    if (fault(light) != nullptr) return;
+    const std::uint32_t record = recordOf_[index];
+    if (light.type == LightType::directional) {
+        writeDirectional(record, light);
+        return;
+    }
+    if (light.type == LightType::spot) writeCone(record, light);
+    reaches_.x[record] = light.position.x;
+    reaches_.y[record] = light.position.y;
+    reaches_.z[record] = light.position.z;
+    glm::vec4& texel = records_.edit(record)[0];
+    texel = glm::vec4(light.position, texel.w);
+}
+
+std::size_t GpuLights::upload() {
+    cones_.upload();
+    return records_.upload();
 }
 
 }  // namespace candela

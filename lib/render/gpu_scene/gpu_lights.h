@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gl/texture.h"
 #include "render/frame_uniforms.h"
+#include "render/gpu_scene/record_buffer.h"
 
 #include <candela/gpu_scene.h>
 #include <candela/light.h>
@@ -22,6 +22,7 @@ struct LightReaches {
     std::vector<float> x, y, z, range;
 
     std::size_t size() const { return x.empty() ? 0 : x.size() - padding; }
+    void reserve(std::size_t size);
     void resize(std::size_t size);
     glm::vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
@@ -31,32 +32,40 @@ class GpuLights {
   public:
     explicit GpuLights(const GpuSceneOptions& options);
 
-    /// Replaces all lights: one upload of the records, one of the spots' cones. Throws `Error` (badInput)
-    /// naming a light whose numbers break what `WorldLight` states, and `Error` (limit) when the device can
-    /// not hold as many.
+    /// Replaces all lights and uploads them. Throws `Error`: badInput naming a light whose numbers break what
+    /// `WorldLight` states, limit when the device can not hold as many; nothing is changed then.
     void set(std::span<const WorldLight> lights);
+    /// Moves and rotates one of the lights of the last `set`, whose other values do not change. A light whose
+    /// new position is not finite, because a world matrix overflows, stays where it is.
+    void move(std::uint32_t index, const WorldLight& light);
+    /// Uploads the lights moved since the last call. Returns how many those are.
+    std::size_t upload();
 
     const LightCounts& counts() const { return counts_; }
     /// Where the points and spots reach, in the order of the records.
     const LightReaches& reaches() const { return reaches_; }
-    /// The records as they were uploaded: two vectors a light, and one a spot.
-    std::span<const glm::vec4> recordData() const { return recordData_; }
-    std::span<const glm::vec4> coneData() const { return coneData_; }
+    /// The records as they were uploaded: LIGHT_TEXELS texels a light, and a cone of one texel a spot.
+    std::span<const glm::vec4> recordData() const { return records_.texels(); }
+    std::span<const glm::vec4> coneData() const { return cones_.texels(); }
     const LightReport& report() const { return report_; }
 
-    const gl::BufferTexture& records() const { return records_; }
-    const gl::BufferTexture& cones() const { return cones_; }
+    const gl::BufferTexture& records() const { return records_.texture(); }
+    const gl::BufferTexture& cones() const { return cones_.texture(); }
 
   private:
-    void writeLocal(std::size_t index, const WorldLight& light);
+    void reserve(const LightCounts& counts);
+    void writeLocal(std::uint32_t record, const WorldLight& light);
+    void writeDirectional(std::uint32_t record, const WorldLight& light);
+    void writeCone(std::uint32_t record, const WorldLight& light);
     float rangeOf(const WorldLight& light, const glm::vec3& intensity);
+    glm::vec3 workingIntensity(const WorldLight& light) const;
 
     GpuSceneOptions options_;
     LightCounts counts_;
     LightReport report_;
     LightReaches reaches_;
-    std::vector<glm::vec4> recordData_, coneData_;
-    gl::BufferTexture records_, cones_;
+    std::vector<std::uint32_t> recordOf_;  ///< Of each light of the last `set`.
+    RecordBuffer<glm::vec4> records_, cones_;
 };
 
 }  // namespace candela

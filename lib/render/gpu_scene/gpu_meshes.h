@@ -1,23 +1,47 @@
 #pragma once
 
-#include "render/gpu_scene/vertex_streams.h"
+#include "gl/buffer.h"
+#include "render/gpu_scene/gpu_instances.h"
 
 #include <candela/mesh.h>
 
-#include <glm/vec3.hpp>
-
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace candela {
 
-/// Where a mesh lies in the shared buffers, and the sphere around it.
+/// A run of indices.
+struct IndexRange {
+    std::uint32_t first = 0, count = 0;
+};
+
+/// Feeds the vertex attribute `location` with `components` floats from a vertex buffer binding.
+void feedFloats(const gl::VertexArray& vertexArray, int location, int components, GLuint binding,
+                std::size_t offset);
+
+/// Feeds the draw attribute from `draws` (uvec2 an instance) through `binding`.
+void feedDraws(const gl::VertexArray& vertexArray, GLuint binding, const gl::Buffer& draws);
+
+/// One vertex that stands for all of a surface without tangents, texture coordinates and vertex colours: no
+/// tangent, (0, 0) and white.
+class DefaultDetail {
+  public:
+    DefaultDetail();
+
+    /// Feeds these attributes through `binding`.
+    void describe(const gl::VertexArray& vertexArray, GLuint binding) const;
+
+  private:
+    gl::Buffer vertex_;
+};
+
+/// Where a mesh lies in the shared buffers.
 struct MeshPlace {
     std::uint32_t firstIndex = 0;
     std::int32_t baseVertex = 0;
-    glm::vec3 center{0.0f};
-    float radius = 0.0f;
+    BoundingSphere sphere;
 };
 
 /// All meshes of a scene in one set of vertex and index buffers.

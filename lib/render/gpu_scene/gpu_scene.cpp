@@ -1,7 +1,9 @@
 #include "gl/state_guard.h"
 #include "render/gpu_scene/gpu_scene_state.h"
 
-#include <cassert>
+#include <candela/error.h>
+
+#include <utility>
 
 namespace candela {
 
@@ -9,7 +11,8 @@ GpuScene::GpuScene(const Context& context, const Scene& scene, const GpuSceneOpt
     context.makeCurrent();
     validate(scene);
     const std::shared_ptr<gl::ContextBinding>& binding = context.state().binding;
-    const gl::StateGuard guard(*binding, "a GpuScene");  // Images are uploaded with the pixel storage that it sets.
+    // Images are uploaded with the pixel storage that it sets.
+    const gl::StateGuard guard(*binding, "a GpuScene");
     state_ = std::shared_ptr<State>(new State(context, scene, options),
                                     gl::ContextDeleter<State>{binding, "GpuScene"});
 }
@@ -18,52 +21,57 @@ GpuScene::GpuScene(GpuScene&&) noexcept = default;
 GpuScene& GpuScene::operator=(GpuScene&&) noexcept = default;
 GpuScene::~GpuScene() = default;
 
+GpuScene::State& GpuScene::state() {
+    return const_cast<State&>(std::as_const(*this).state());
+}
+
+const GpuScene::State& GpuScene::state() const {
+    if (!state_) throw Error(ErrorKind::badInput, "", "the GpuScene has been moved from and can not be used");
+    return *state_;
+}
+
 void GpuScene::setLights(std::span<const WorldLight> lights) {
-    state_->lights.set(lights);
-    state_->lightsReplaced = true;
+    state().setLights(lights);
 }
 
 void GpuScene::setTransform(std::uint32_t node, const glm::mat4& local) {
-    assert(node < state_->sceneState.nodes.size());
-    state_->sceneState.nodes[node].transform = local;
-    state_->moved = true;
+    state().setTransform(node, local);
 }
 
 void GpuScene::setTime(double seconds) {
-    if (seconds == state_->time || state_->sceneState.animations.empty()) return;
-    state_->time = seconds;
-    state_->moved = true;
+    state().setTime(seconds);
 }
 
 void GpuScene::setCagePoints(std::uint32_t node, std::span<const glm::vec3> points) {
-    state_->setCagePoints(node, points);
+    state().setCagePoints(node, points);
 }
 
 void GpuScene::setSubdivision(const SubdivisionSettings& settings) {
-    state_->cages.setSettings(settings);
+    state().cages.setSettings(settings);
 }
 
 void GpuScene::setMaterial(std::uint32_t index, const Material& material) {
-    const gl::StateGuard guard(*state_->binding, "a GpuScene");  // As above.
-    state_->setMaterial(index, material);
+    state().setMaterial(index, material);
 }
 
 void GpuScene::setVisibility(std::uint32_t node, Visibility visibility) {
-    state_->setVisibility(node, visibility);
-}
-
-CageReport GpuScene::cageReport() const {
-    return state_->cages.report();
+    state().setVisibility(node, visibility);
 }
 
 const LightReport& GpuScene::lightReport() const {
-    return state_->lights.report();
+    return state().lights.report();
 }
+
+CageReport GpuScene::cageReport() const {
+    return state().cages.report();
+}
+
 std::uint64_t GpuScene::triangleCount() const {
-    return state_->triangles;
+    return state().triangles;
 }
+
 std::uint32_t GpuScene::materialCount() const {
-    return state_->materialCount;
+    return static_cast<std::uint32_t>(state().sceneState.materials.size());
 }
 
 }  // namespace candela

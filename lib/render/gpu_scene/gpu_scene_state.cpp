@@ -1,22 +1,22 @@
 #include "render/gpu_scene/gpu_scene_state.h"
 
-#include "render/gpu_scene/instance_records.h"
-#include "render/gpu_scene/material_records.h"
-#include "render/layout.h"
+#include "gl/state_guard.h"
+#include "scene/model/frame.h"
 #include "scene/validate/finite.h"
 #include "scene/validate/validate_parts.h"
 
 #include <candela/error.h>
 
 #include <algorithm>
-#include <cassert>
+#include <cmath>
 #include <string>
 
 namespace candela {
 
 namespace {
 
-Scene changingParts(const Scene& scene) {
+/// What edits change or need: all but meshes and pixels.
+Scene editableParts(const Scene& scene) {
     Scene parts;
     parts.nodes = scene.nodes;
     parts.lights = scene.lights;
@@ -29,43 +29,49 @@ Scene changingParts(const Scene& scene) {
     return parts;
 }
 
-std::vector<Instance> instancesOf(const Scene& scene) {
-    std::vector<Instance> instances;
-    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
-        if (scene.nodes[i].mesh) instances.push_back({i, *scene.nodes[i].mesh, 0});
-    }
-    std::uint32_t shown = 0;
-    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
-        if (scene.nodes[i].cage) instances.push_back({i, std::nullopt, shown++});
-    }
-    return instances;
+bool hasTextures(const Material& material) {
+    return material.baseColorTexture || material.metallicRoughnessTexture || material.normalTexture ||
+           material.emissionTexture;
+}
+
+void requireIndex(const char* kind, std::uint32_t index, std::size_t count) {
+    if (index < count) return;
+    throw Error(ErrorKind::badInput, "",
+                std::string("there is no ") + kind + " " + std::to_string(index) + ": the scene has " +
+                    std::to_string(count) + " (counted from 0)");
+}
+
+const GpuSceneOptions& checked(const GpuSceneOptions& options) {
+    const glm::dmat3& matrix = options.workingFromRec709;
+    if (allFinite(matrix[0]) && allFinite(matrix[1]) && allFinite(matrix[2])) return options;
+    throw Error(ErrorKind::badInput, "", "the matrix to the working space must be finite numbers");
+}
+
+ErrorContext nodeContext(const Scene& scene, std::uint32_t node) {
+    requireIndex("node", node, scene.nodes.size());
+    return {"node", node, scene.nodes[node].name};
 }
 
 }  // namespace
 
 GpuScene::State::State(const Context& context, const Scene& scene, const GpuSceneOptions& sceneOptions)
     : binding(context.state().binding),
-      options(sceneOptions),
-      sceneState(changingParts(scene)),
+      options(checked(sceneOptions)),
+      sceneState(editableParts(scene)),
       triangles(candela::triangleCount(scene)),
-      materialCount(static_cast<std::uint32_t>(scene.materials.size())),
-      surfaceUvs(scene),
+      transforms(sceneState),
       meshes(scene.meshes, detailOf(scene)),
       images(scene.images),
-      lights(sceneOptions),
+      materials(scene, options.workingFromRec709),
+      lights(options),
       cages(context, sceneState, options),
-      instances(instancesOf(scene)),
-      instanceSpheres(instances.size()),
-      instanceRecords(GL_RGBA32F, "instances"),
-      materialRecordTexture(GL_RGBA32UI, "materials"),
-      vertexArray("scene"),
-      hidden_(instances.size()) {
+      instances(sceneState) {
     addDraws(scene);
-    images.forgetSources();
+    images.releaseSources();
     meshes.describe(vertexArray, draws.records(), defaultDetail_);
-    materialRecordTexture.upload(
-        std::span<const glm::uvec4>(materialRecords(scene.materials, options.workingFromRec709)));
     update();
+    lights.set(worldLights(sceneState, transforms.world()));
+    listNodeLights();
 }
 
 void GpuScene::State::addDraws(const Scene& scene) {
@@ -74,55 +80,122 @@ void GpuScene::State::addDraws(const Scene& scene) {
             draws.addMesh(i, scene.meshes[*mesh], meshes.places()[*mesh], scene.materials, images);
             continue;
         }
-        const std::uint32_t shape = cages.shown()[instances[i].shown].shape;
-        draws.addCage(i, 1 + shape, cages.shape(shape).levels().materials().materials, scene.materials,
+        const std::uint32_t surface = cages.instances()[instances[i].cageInstance].surface;
+        draws.addCage(i, 1 + surface, cages.surface(surface).tables().materials().materials, scene.materials,
                       images);
     }
     draws.finish(instances.size());
 }
 
-void GpuScene::State::update() {
-    if (moved) place();
-    draws.group();
-}
-
-void GpuScene::State::place() {
-    moved = false;
-    const std::vector<glm::mat4> world = worldTransforms(sceneState, time);
-    if (hasCages()) cages.pose(sceneState, world, time);
-    uploadInstances(world);
-    if (!lightsReplaced) lights.set(worldLights(sceneState, world));
-}
-
-void GpuScene::State::uploadInstances(const std::vector<glm::mat4>& world) {
-    records_.clear();
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        const Instance& instance = instances[i];
-        const auto setWinding = [&](bool mirrored) {
-            draws.setWinding(static_cast<std::uint32_t>(i),
-                             mirrored ? DrawList::Winding::mirrored : DrawList::Winding::kept);
-        };
-        if (instance.mesh) {
-            const glm::mat4& m = world[instance.node];
-            const MeshPlace& place = meshes.places()[*instance.mesh];
-            setWinding(appendInstanceRecord(records_, m));
-            instanceSpheres[i] = worldSphere(m, place.center, place.radius);
-        } else {
-            const GpuCages::Shown& shown = cages.shown()[instance.shown];
-            const CageShape& shape = cages.shape(shown.shape);
-            setWinding(appendInstanceRecord(records_, shown.worldFromPoints));
-            instanceSpheres[i] = worldSphere(shown.worldFromPoints, shape.center(), shape.radius());
-        }
+void GpuScene::State::listNodeLights() {
+    lightsFollowNodes_ = true;
+    nodeLights_.resize(sceneState.nodes.size());
+    for (std::uint32_t i = 0; i < sceneState.lights.size(); ++i) {
+        if (const std::optional<std::uint32_t> node = sceneState.lights[i].node)
+            nodeLights_[*node].push_back(i);
     }
-    instanceRecords.upload(std::span<const glm::vec4>(records_));
+}
+
+void GpuScene::State::setTransform(std::uint32_t node, const glm::mat4& local) {
+    const ErrorContext context = nodeContext(sceneState, node);
+    context.require(allFinite(local), "its matrix must be finite numbers");
+    context.require(isAffine(local), "its matrix must be affine: a last row of 0, 0, 0, 1");
+    transforms.setLocal(node, local);
+}
+
+void GpuScene::State::setTime(double seconds) {
+    if (!std::isfinite(seconds)) throw Error(ErrorKind::badInput, "", "the time must be a finite number");
+    if (seconds == transforms.time()) return;
+    transforms.setTime(seconds);
+    timeChanged_ = true;
+}
+
+void GpuScene::State::setLights(std::span<const WorldLight> worldLights) {
+    lights.set(worldLights);
+    lightsFollowNodes_ = false;
+}
+
+void GpuScene::State::setCagePoints(std::uint32_t node, std::span<const glm::vec3> points) {
+    const ErrorContext context = nodeContext(sceneState, node);
+    const std::optional<std::uint32_t> instance = instances.cageOf(node);
+    if (!instance) context.refuse("shows no cage whose points could be moved");
+    const std::size_t count = sceneState.cages[sceneState.nodes[node].cage->cage].positions.size();
+    if (points.size() != count) {
+        context.refuse("its cage has " + std::to_string(count) + " points, but " +
+                       std::to_string(points.size()) + " are given");
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!allFinite(points[i]))
+            context.refuse("point " + std::to_string(i) + " of its cage must be finite numbers");
+    }
+    const std::uint32_t cageInstance = instances[*instance].cageInstance;
+    cages.setPoints(cageInstance, points);
+    draws.setGeometry(*instance, 1 + cages.instances()[cageInstance].surface);
+}
+
+void GpuScene::State::setMaterial(std::uint32_t index, const Material& material) {
+    requireIndex("material", index, sceneState.materials.size());
+    validateMaterial(material, sceneState, ErrorContext("material", index, material.name));
+    materials.requireUvs(index, material);
+    std::optional<gl::StateGuard> pixelStorage;
+    if (hasTextures(material)) pixelStorage.emplace();
+    draws.setMaterial(index, material, images);
+    sceneState.materials[index] = material;
+    materials.set(index, material);
+    cages.setMaterial(index, material);
+}
+
+void GpuScene::State::setVisibility(std::uint32_t node, Visibility visibility) {
+    requireIndex("node", node, sceneState.nodes.size());
+    const bool hidden = visibility == Visibility::hidden;
+    if (const std::optional<std::uint32_t> mesh = instances.meshOf(node)) instances.setHidden(*mesh, hidden);
+    if (const std::optional<std::uint32_t> cage = instances.cageOf(node)) {
+        instances.setHidden(*cage, hidden);
+        cages.setVisibility(instances[*cage].cageInstance, visibility);
+    }
+}
+
+void GpuScene::State::update() {
+    lastUpdate = {};
+    if (timeChanged_) cages.markAnimated();
+    timeChanged_ = false;
+    const std::span<const std::uint32_t> moved = transforms.update();
+    for (const std::uint32_t node : moved) moveNode(node);
+    const std::span<const std::uint32_t> posed = cages.pose(transforms.world(), transforms.time());
+    for (const std::uint32_t cageInstance : posed) placeCage(cageInstance);
+    lastUpdate.nodes = moved.size();
+    lastUpdate.cages = posed.size();
+    lastUpdate.instances = instances.upload();
+    lastUpdate.lights = lights.upload();
+    lastUpdate.materials = materials.upload();
+    lastUpdate.draws = draws.group();
+}
+
+void GpuScene::State::moveNode(std::uint32_t node) {
+    if (const std::optional<std::uint32_t> mesh = instances.meshOf(node))
+        place(*mesh, transforms.world()[node], meshes.places()[*instances[*mesh].mesh].sphere);
+    cages.markNode(node);
+    if (!lightsFollowNodes_) return;
+    for (const std::uint32_t light : nodeLights_[node])
+        lights.move(light, worldLight(sceneState.lights[light], transforms.world()));
+}
+
+void GpuScene::State::placeCage(std::uint32_t cageInstance) {
+    const GpuCages::Instance& cage = cages.instances()[cageInstance];
+    place(*instances.cageOf(cage.node), cage.worldFromPoints, cages.surface(cage.surface).sphere());
+}
+
+void GpuScene::State::place(std::uint32_t instance, const glm::mat4& worldFromLocal,
+                            const BoundingSphere& sphere) {
+    draws.setWinding(instance, instances.place(instance, worldFromLocal, sphere));
 }
 
 void GpuScene::State::updateCages(const CameraView& view, int width, int height) {
     if (!hasCages()) return;
-    for (const std::uint32_t shape : cages.update(view, width, height, draws.records())) {
-        for (std::uint32_t i = 0; i < instances.size(); ++i) {
-            if (!instances[i].mesh && cages.shown()[instances[i].shown].shape == shape)
-                draws.setRanges(i, cages.shape(shape).ranges());
+    for (const std::uint32_t surface : cages.update(view, width, height, draws.records())) {
+        for (const std::uint32_t cageInstance : cages.instancesOf(surface)) {
+            const std::uint32_t node = cages.instances()[cageInstance].node;
+            draws.setRanges(*instances.cageOf(node), cages.surface(surface).ranges());
         }
     }
 }
@@ -131,8 +204,7 @@ void GpuScene::State::cull(const Frustum& frustum, DrawSelection& selection) con
     selection.visible_.resize(instances.size());
     selection.cageInstances_.clear();
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
-        const glm::vec4& sphere = instanceSpheres[i];
-        const bool visible = !hidden_[i] && frustum.meets(glm::vec3(sphere), sphere.w);
+        const bool visible = instances.isVisible(i, frustum);
         selection.visible_[i] = visible ? 1 : 0;
         if (visible && !instances[i].mesh) selection.cageInstances_.push_back(i);
     }
@@ -141,61 +213,18 @@ void GpuScene::State::cull(const Frustum& frustum, DrawSelection& selection) con
 
 GLuint GpuScene::State::vertexArrayOf(const DrawBatch& batch) const {
     const std::uint32_t geometry = batch.key.geometry;
-    return geometry == 0 ? vertexArray.name() : cages.shape(geometry - 1).vertexArray();
+    return geometry == 0 ? vertexArray.name() : cages.surface(geometry - 1).vertexArray();
 }
 
 std::optional<std::uint32_t> GpuScene::State::levelOf(std::uint32_t instance) const {
     if (instances[instance].mesh) return std::nullopt;
-    return cages.shape(cages.shown()[instances[instance].shown].shape).level().value_or(0);
+    return cages.surface(cages.instances()[instances[instance].cageInstance].surface).level().value_or(0);
 }
 
 void GpuScene::State::appendLines(CageLineKind kind, const DrawSelection& selection,
                                   std::vector<CageLines>& lines) {
     for (const std::uint32_t instance : selection.cageInstances())
-        lines.push_back(cages.lines(kind, instances[instance].shown, instance));
-}
-
-void GpuScene::State::setCagePoints(std::uint32_t node, std::span<const glm::vec3> points) {
-    assert(node < sceneState.nodes.size());
-    const ErrorContext element("node", node, sceneState.nodes[node].name);
-    const auto instance =
-        std::ranges::find_if(instances, [&](const Instance& i) { return i.node == node && !i.mesh; });
-    element.require(instance != instances.end(), "shows no cage whose points could be moved");
-    const std::size_t count = sceneState.cages[sceneState.nodes[node].cage->cage].positions.size();
-    if (points.size() != count) {
-        element.refuse("its cage has " + std::to_string(count) + " points, but " +
-                       std::to_string(points.size()) + " are given");
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!allFinite(points[i]))
-            element.refuse("point " + std::to_string(i) + " of its cage must be finite numbers");
-    }
-    cages.setPoints(instance->shown, points);
-    draws.setGeometry(static_cast<std::uint32_t>(instance - instances.begin()),
-                      1 + cages.shown()[instance->shown].shape);
-    moved = true;
-}
-
-void GpuScene::State::setMaterial(std::uint32_t index, const Material& material) {
-    assert(index < sceneState.materials.size());
-    validateMaterial(material, sceneState, ErrorContext("material", index, material.name));
-    surfaceUvs.check(index, material);
-    draws.setMaterial(index, material, images);
-    sceneState.materials[index] = material;
-    cages.setMaterials(sceneState.materials);
-    const std::vector<glm::uvec4> record = materialRecord(material, options.workingFromRec709);
-    const auto bytes = static_cast<GLsizeiptr>(record.size() * sizeof(glm::uvec4));
-    glNamedBufferSubData(materialRecordTexture.buffer(), bytes * static_cast<GLsizeiptr>(index), bytes,
-                         record.data());
-}
-
-void GpuScene::State::setVisibility(std::uint32_t node, Visibility visibility) {
-    assert(node < sceneState.nodes.size());
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        if (instances[i].node != node) continue;
-        hidden_[i] = visibility == Visibility::hidden;
-        if (!instances[i].mesh) cages.setVisibility(instances[i].shown, visibility);
-    }
+        lines.push_back(cages.lines(kind, instances[instance].cageInstance, instance));
 }
 
 }  // namespace candela

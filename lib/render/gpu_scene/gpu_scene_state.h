@@ -2,40 +2,39 @@
 
 #include "gl/buffer.h"
 #include "gl/context_binding.h"
-#include "gl/texture.h"
 #include "render/frustum.h"
 #include "render/gpu_scene/draw_list.h"
 #include "render/gpu_scene/gpu_images.h"
+#include "render/gpu_scene/gpu_instances.h"
 #include "render/gpu_scene/gpu_lights.h"
+#include "render/gpu_scene/gpu_materials.h"
 #include "render/gpu_scene/gpu_meshes.h"
-#include "render/gpu_scene/surface_uvs.h"
-#include "render/subdivision/cage_lines.h"
+#include "render/gpu_scene/node_transforms.h"
 #include "render/subdivision/gpu_cages.h"
 
 #include <candela/gpu_scene.h>
 
-#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace candela {
 
-/// A mesh or a cage as a node shows it.
-struct Instance {
-    std::uint32_t node = 0;
-    std::optional<std::uint32_t> mesh;  ///< Index into `Scene::meshes`; none: it is a cage.
-    std::uint32_t shown = 0;            ///< Index into `GpuCages::shown` for a cage.
-};
-
-/// What a `GpuScene` holds. The only place where the scene layer's types meet OpenGL.
+/// What a `GpuScene` holds. Edits only mark what they change; `update` does the work, in proportion to that.
 struct GpuScene::State {
     State(const Context& context, const Scene& scene, const GpuSceneOptions& options);
 
-    /// Brings the instances and lights to where `setTransform` and `setTime` have put their nodes since the
-    /// last call.
+    void setTransform(std::uint32_t node, const glm::mat4& local);
+    void setTime(double seconds);
+    void setLights(std::span<const WorldLight> lights);
+    void setCagePoints(std::uint32_t node, std::span<const glm::vec3> points);
+    void setMaterial(std::uint32_t index, const Material& material);
+    void setVisibility(std::uint32_t node, Visibility visibility);
+
+    /// Brings the device's records to where the edits since the last call have put them.
     void update();
-    /// Brings the cages to the levels that a frame of `width` × `height` pixels asks for, and to where their
-    /// points are. To be called after `update` and before `cull`; does nothing in a scene without cages.
+    /// Brings the cages to the levels for a frame of `width` × `height` pixels, and their vertices to their
+    /// points. To be called after `update` and before `cull`; does nothing in a scene without cages.
     void updateCages(const CameraView& view, int width, int height);
     bool hasCages() const { return !cages.empty(); }
     /// Selects the draws whose bounding spheres the frustum meets. To be called after `update`.
@@ -43,45 +42,47 @@ struct GpuScene::State {
 
     /// The vertex array from which the commands of a batch draw.
     GLuint vertexArrayOf(const DrawBatch& batch) const;
-    /// The level to which the cage that instance shows is refined, 0 for polygons; none for a mesh.
+    /// The level of the cage of an instance, 0 for polygons; none for a mesh.
     std::optional<std::uint32_t> levelOf(std::uint32_t instance) const;
-    /// Lines of the cages of a selection, made on demand.
+    /// Lines of the cages of a selection.
     void appendLines(CageLineKind kind, const DrawSelection& selection, std::vector<CageLines>& lines);
 
-    void setCagePoints(std::uint32_t node, std::span<const glm::vec3> points);
-    void setMaterial(std::uint32_t index, const Material& material);
-    void setVisibility(std::uint32_t node, Visibility visibility);
+    /// How many elements of each kind an update has recomputed.
+    struct UpdateCounts {
+        std::size_t nodes = 0, instances = 0, lights = 0, materials = 0;
+        std::size_t cages = 0;  ///< Instances of cages posed.
+        std::size_t draws = 0;  ///< Grouped anew.
+    };
+    UpdateCounts lastUpdate;
 
     std::shared_ptr<const gl::ContextBinding> binding;
     GpuSceneOptions options;
-    /// Nodes, animations, lights, cages and skins: what moves; and materials, which can be replaced. Images
-    /// have lost their pixels, and meshes are not kept.
+    /// Nodes, animations, lights, cages, skins and materials as the edits have left them; images without
+    /// pixels; no meshes.
     Scene sceneState;
-    double time = 0.0;
-    bool moved = true;
-    bool lightsReplaced = false;  ///< By `setLights`: nodes move them no longer.
     std::uint64_t triangles = 0;
-    std::uint32_t materialCount = 0;
-    SurfaceUvs surfaceUvs;
 
+    NodeTransforms transforms;
     GpuMeshes meshes;
     GpuImages images;
+    GpuMaterials materials;
     GpuLights lights;
     GpuCages cages;
-    std::vector<Instance> instances;
-    std::vector<glm::vec4> instanceSpheres;  ///< World centre and radius.
-    gl::BufferTexture instanceRecords, materialRecordTexture;
+    GpuInstances instances;
     DrawList draws;
-    gl::VertexArray vertexArray;  ///< Of the meshes.
+    gl::VertexArray vertexArray{"meshes"};
 
   private:
     void addDraws(const Scene& scene);
-    void place();
-    void uploadInstances(const std::vector<glm::mat4>& world);
+    void listNodeLights();
+    void moveNode(std::uint32_t node);
+    void place(std::uint32_t instance, const glm::mat4& worldFromLocal, const BoundingSphere& sphere);
+    void placeCage(std::uint32_t cageInstance);
 
     DefaultDetail defaultDetail_;
-    std::vector<glm::vec4> records_;
-    std::vector<bool> hidden_;  ///< One an instance.
+    bool timeChanged_ = false;
+    bool lightsFollowNodes_ = false;                      ///< Until `setLights`.
+    std::vector<std::vector<std::uint32_t>> nodeLights_;  ///< Lights of each node; empty without any.
 };
 
 }  // namespace candela

@@ -1,8 +1,5 @@
 #include "render/subdivision/gpu_cages.h"
 
-#include "render/gpu_scene/instance_records.h"
-#include "render/subdivision/lod_request.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,190 +12,237 @@ bool sameView(const CameraView& a, const CameraView& b) {
            a.nearPlane == b.nearPlane;
 }
 
-bool movesPoints(const CageInstance& shown, const Cage& cage) {
-    return shown.skin.has_value() || !cage.morphTargets.empty();
-}
-
 }  // namespace
 
 GpuCages::GpuCages(const Context& context, const Scene& scene, const GpuSceneOptions& options)
-    : settings_(options.subdivision), subdivided_(options.subdivider.has_value()), evaluator_(context) {
+    : scene_(scene),
+      settings_(options.subdivision),
+      subdivided_(options.subdivider.has_value()),
+      evaluator_(context, options.subdivisionEvaluator) {
     checkSettings(settings_);
     const auto noMaterial = static_cast<std::uint32_t>(scene.materials.size());
-    levels_.reserve(scene.cages.size());
+    tables_.reserve(scene.cages.size());
     for (const Cage& cage : scene.cages) {
-        CageLevels& levels = levels_.emplace_back(cage, options.subdivider, noMaterial);
-        // What the subdivider rejects has to come to light now.
-        levels.table(firstLevel(levels));
+        CageTables& tables = tables_.emplace_back(cage, options.subdivider, noMaterial);
+        // A cage that the subdivider rejects fails the upload.
+        tables.table(firstLevel(tables));
     }
-    std::vector<std::optional<std::uint32_t>> shared(scene.cages.size());
-    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
-        const std::optional<CageInstance>& shown = scene.nodes[i].cage;
+    for (const Material& material : scene.materials)
+        hasNormalTexture_.push_back(material.normalTexture.has_value());
+    addInstances();
+    if (empty()) return;
+    listJoints();
+    listAnimated();
+    for (const auto& surface : surfaces_) setTangents(*surface);
+}
+
+void GpuCages::addInstances() {
+    std::vector<std::optional<std::uint32_t>> undeformed(scene_.cages.size());
+    for (std::uint32_t i = 0; i < scene_.nodes.size(); ++i) {
+        const std::optional<CageInstance>& shown = scene_.nodes[i].cage;
         if (!shown) continue;
-        std::optional<std::uint32_t>& rigid = shared[shown->cage];
-        const bool moves = movesPoints(*shown, scene.cages[shown->cage]);
-        if (!moves && !rigid) rigid = addShape(shown->cage);
-        shown_.push_back({.node = i, .cage = shown->cage, .shape = moves ? addShape(shown->cage) : *rigid});
+        Instance instance{.node = i, .cage = shown->cage};
+        instance.isDeformed = shown->skin.has_value() || !scene_.cages[shown->cage].morphTargets.empty();
+        std::optional<std::uint32_t>& shared = undeformed[shown->cage];
+        if (!instance.isDeformed && !shared) shared = addSurface(shown->cage);
+        instance.surface = instance.isDeformed ? addSurface(shown->cage) : *shared;
+        users_[instance.surface].push_back(static_cast<std::uint32_t>(instances_.size()));
+        instances_.push_back(instance);
     }
-    setMaterials(scene.materials);
 }
 
-std::uint32_t GpuCages::firstLevel(const CageLevels& levels) const {
-    return levels.fixedLevel(settings_).value_or(1);
+void GpuCages::listJoints() {
+    instancesOfNode_.resize(scene_.nodes.size());
+    for (std::uint32_t i = 0; i < instances_.size(); ++i) {
+        const std::uint32_t node = instances_[i].node;
+        instancesOfNode_[node].push_back(i);
+        const std::optional<std::uint32_t> skin = scene_.nodes[node].cage->skin;
+        if (!skin) continue;
+        for (const std::uint32_t joint : scene_.skins[*skin].joints) instancesOfNode_[joint].push_back(i);
+    }
 }
 
-std::uint32_t GpuCages::addShape(std::uint32_t cage) {
-    CageLevels& levels = levels_[cage];
-    shapes_.push_back(std::make_unique<CageShape>(levels, firstLevel(levels)));
+void GpuCages::listAnimated() {
+    std::vector<bool> isAnimated(scene_.nodes.size());
+    for (const Animation& animation : scene_.animations) {
+        for (const AnimationChannel& channel : animation.channels) {
+            if (channel.path == AnimationPath::morphWeights) isAnimated[channel.node] = true;
+        }
+    }
+    for (std::uint32_t i = 0; i < instances_.size(); ++i) {
+        if (isAnimated[instances_[i].node]) animated_.push_back(i);
+    }
+}
+
+std::uint32_t GpuCages::firstLevel(const CageTables& tables) const {
+    return tables.fixedLevel(settings_).value_or(1);
+}
+
+std::uint32_t GpuCages::addSurface(std::uint32_t cage) {
+    CageTables& tables = tables_[cage];
+    surfaces_.push_back(std::make_unique<LimitSurface>(tables, firstLevel(tables)));
+    users_.emplace_back();
     requests_.emplace_back();
-    return static_cast<std::uint32_t>(shapes_.size() - 1);
+    return static_cast<std::uint32_t>(surfaces_.size() - 1);
 }
 
-void GpuCages::pose(const Scene& scene, const std::vector<glm::mat4>& world, double time) {
-    for (Shown& shown : shown_) {
-        const CageInstance& cage = *scene.nodes[shown.node].cage;
-        if (shown.placed || !movesPoints(cage, scene.cages[cage.cage])) {
-            shown.worldFromPoints = world[shown.node];
+void GpuCages::mark(std::uint32_t instance) {
+    if (instances_[instance].isMarked) return;
+    instances_[instance].isMarked = true;
+    marked_.push_back(instance);
+}
+
+void GpuCages::markNode(std::uint32_t node) {
+    if (instancesOfNode_.empty()) return;
+    for (const std::uint32_t instance : instancesOfNode_[node]) mark(instance);
+}
+
+void GpuCages::markAnimated() {
+    for (const std::uint32_t instance : animated_) mark(instance);
+}
+
+std::span<const std::uint32_t> GpuCages::pose(const std::vector<glm::mat4>& world, double time) {
+    posed_.swap(marked_);
+    marked_.clear();
+    for (const std::uint32_t index : posed_) {
+        Instance& instance = instances_[index];
+        instance.isMarked = false;
+        if (!instance.isDeformed) {
+            instance.worldFromPoints = world[instance.node];
             continue;
         }
-        const PosedCage posed = poseCage(scene, shown.node, world, time);
-        shown.worldFromPoints = posed.worldFromPoints;
-        shapes_[shown.shape]->move(posed.points);
+        const PosedCage posed = poseCage(scene_, instance.node, world, time);
+        instance.worldFromPoints = posed.worldFromPoints;
+        surfaces_[instance.surface]->setPoints(posed.points);
     }
-    picture_.reset();
+    if (!posed_.empty()) view_.reset();
+    return posed_;
 }
 
 void GpuCages::setPoints(std::uint32_t index, std::span<const glm::vec3> points) {
-    Shown& shown = shown_[index];
-    if (std::ranges::count(shown_, shown.shape, &Shown::shape) > 1) {
-        shown.shape = addShape(shown.cage);
-        setTangents(*shapes_.back());
+    Instance& instance = instances_[index];
+    if (users_[instance.surface].size() > 1) {
+        const std::uint32_t own = addSurface(instance.cage);
+        std::erase(users_[instance.surface], index);
+        users_[own].push_back(index);
+        instance.surface = own;
+        setTangents(*surfaces_[own]);
     }
-    shown.placed = true;
-    shapes_[shown.shape]->move(points);
+    instance.isDeformed = false;
+    surfaces_[instance.surface]->setPoints(points);
+    mark(index);
 }
 
-void GpuCages::setVisibility(std::uint32_t index, GpuScene::Visibility visibility) {
-    shown_[index].hidden = visibility == GpuScene::Visibility::hidden;
-    picture_.reset();
+void GpuCages::setVisibility(std::uint32_t instance, GpuScene::Visibility visibility) {
+    instances_[instance].hidden = visibility == GpuScene::Visibility::hidden;
+    view_.reset();
 }
 
 void GpuCages::setSettings(const SubdivisionSettings& settings) {
     checkSettings(settings);
     settings_ = settings;
-    picture_.reset();
+    view_.reset();
 }
 
-void GpuCages::setMaterials(std::span<const Material> materials) {
-    hasNormalTexture_.clear();
-    for (const Material& material : materials)
-        hasNormalTexture_.push_back(material.normalTexture.has_value());
-    for (const auto& shape : shapes_) setTangents(*shape);
+void GpuCages::setMaterial(std::uint32_t index, const Material& material) {
+    if (hasNormalTexture_[index] == material.normalTexture.has_value()) return;
+    hasNormalTexture_[index] = material.normalTexture.has_value();
+    for (const auto& surface : surfaces_) setTangents(*surface);
 }
 
-void GpuCages::setTangents(CageShape& shape) const {
-    const bool wanted = std::ranges::any_of(shape.levels().materials().materials, [&](std::uint32_t i) {
+void GpuCages::setTangents(LimitSurface& surface) const {
+    const bool needed = std::ranges::any_of(surface.tables().materials().materials, [&](std::uint32_t i) {
         return i < hasNormalTexture_.size() && hasNormalTexture_[i];
     });
-    shape.setTangents(wanted ? CageShape::Tangents::wanted : CageShape::Tangents::none);
+    surface.setTangents(needed ? LimitSurface::Tangents::needed : LimitSurface::Tangents::none);
 }
 
 std::span<const std::uint32_t> GpuCages::update(const CameraView& view, int width, int height,
                                                 const gl::Buffer& drawRecords) {
     const bool known =
-        picture_ && sameView(picture_->view, view) && picture_->width == width && picture_->height == height;
-    if (!known) look({view, width, height});
-    relevelled_.clear();
-    for (std::uint32_t i = 0; i < shapes_.size(); ++i) {
-        if (requests_[i].inView && shapes_[i]->setLevel(levelFor(i), drawRecords, defaultDetail_))
-            relevelled_.push_back(i);
+        view_ && sameView(view_->camera, view) && view_->width == width && view_->height == height;
+    if (!known) requestLevels({view, width, height});
+    releveled_.clear();
+    for (std::uint32_t i = 0; i < surfaces_.size(); ++i) {
+        if (requests_[i].inView && surfaces_[i]->setLevel(levelFor(i), drawRecords, defaultDetail_))
+            releveled_.push_back(i);
     }
     evaluateStale();
-    return relevelled_;
+    return releveled_;
 }
 
-void GpuCages::look(const Picture& picture) {
-    const Sight sight = sightOf(picture.view, picture.width, picture.height);
+void GpuCages::requestLevels(const View& view) {
+    const LodView lod = lodView(view.camera, view.width, view.height);
     std::ranges::fill(requests_, LodRequest{});
-    for (const Shown& shown : shown_) {
-        if (!shown.hidden) lookAtShown(sight, shown);
+    for (const Instance& instance : instances_) {
+        if (!instance.hidden) requestLevel(lod, instance);
     }
-    picture_ = picture;
+    view_ = view;
 }
 
-void GpuCages::lookAtShown(const Sight& sight, const Shown& shown) {
-    const CageShape& shape = *shapes_[shown.shape];
-    const glm::mat4& m = shown.worldFromPoints;
-    const glm::vec4 sphere = worldSphere(m, shape.center(), shape.radius());
-    const glm::vec3 center(sphere);
-    const float radius = sphere.w;
-    if (!sight.frustum.meets(center, radius)) return;
-    LodRequest& request = requests_[shown.shape];
+void GpuCages::requestLevel(const LodView& view, const Instance& instance) {
+    const LimitSurface& surface = *surfaces_[instance.surface];
+    const glm::mat4& m = instance.worldFromPoints;
+    const auto [center, radius] = worldSphere(m, surface.sphere());
+    if (!view.frustum.meets(center, radius)) return;
+    LodRequest& request = requests_[instance.surface];
     request.inView = true;
-    if (shape.levels().fixedLevel(settings_)) return;
+    if (surface.tables().fixedLevel(settings_)) return;
     // No edge is longer than the sphere is wide, nor nearer than its surface.
-    const float nearest = std::max(glm::distance(center, sight.eye) - radius, sight.nearPlane);
-    if (request.longestEdge && 2.0f * radius * sight.pixelsAtOneMetre / nearest <= *request.longestEdge)
+    const float nearest = std::max(glm::distance(center, view.eye) - radius, view.nearPlane);
+    if (request.longestEdge && 2.0f * radius * view.pixelsAtOneMetre / nearest <= *request.longestEdge)
         return;
     worldPoints_.clear();
-    for (const glm::vec3& point : shape.points()) worldPoints_.emplace_back(m * glm::vec4(point, 1.0f));
-    const std::optional<float> longest = longestEdge(sight, worldPoints_, shape.levels().edges());
+    for (const glm::vec3& point : surface.points()) worldPoints_.emplace_back(m * glm::vec4(point, 1.0f));
+    const std::optional<float> longest = longestEdge(view, worldPoints_, surface.tables().edges());
     if (longest) request.longestEdge = std::max(*longest, request.longestEdge.value_or(0.0f));
 }
 
 std::uint32_t GpuCages::levelFor(std::uint32_t index) const {
-    const CageShape& shape = *shapes_[index];
-    if (const std::optional<std::uint32_t> fixed = shape.levels().fixedLevel(settings_)) return *fixed;
-    const std::uint32_t greatest = shape.levels().greatest(settings_);
+    const LimitSurface& surface = *surfaces_[index];
+    if (const std::optional<std::uint32_t> fixed = surface.tables().fixedLevel(settings_)) return *fixed;
+    const std::uint32_t maxLevel = surface.tables().maxLevel(settings_);
     const std::optional<float> longest = requests_[index].longestEdge;
-    // With no edge in view there is nothing to go by.
-    if (!longest) return std::min(shape.level().value_or(1), greatest);
-    return nextLevel(shape.level(), idealLevel(*longest, settings_.edgePixels), greatest);
+    // Without an edge in view the level stays.
+    if (!longest) return std::min(surface.level().value_or(1), maxLevel);
+    return nextLevel(surface.level(), idealLevel(*longest, settings_.edgePixels), maxLevel);
 }
 
 void GpuCages::evaluateStale() {
-    const auto waits = [&](std::size_t i) { return requests_[i].inView && shapes_[i]->isStale(); };
-    CageShape* largest = nullptr;
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-        if (!waits(i)) continue;
-        if (largest == nullptr || shapes_[i]->vertexCount() > largest->vertexCount())
-            largest = shapes_[i].get();
-    }
-    if (largest == nullptr) return;
-    largest->chooseForm(evaluator_);
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-        if (waits(i)) shapes_[i]->evaluate(evaluator_);
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        if (requests_[i].inView && surfaces_[i]->isStale()) surfaces_[i]->evaluate(evaluator_);
     }
 }
 
-CageLines GpuCages::lines(CageLineKind kind, std::uint32_t index, std::uint32_t instance) {
-    return shapes_[shown_[index].shape]->lines(kind, instance);
+CageLines GpuCages::lines(CageLineKind kind, std::uint32_t cageInstance, std::uint32_t instance) {
+    return surfaces_[instances_[cageInstance].surface]->lines(kind, instance);
 }
 
 bool GpuCages::isLodClamped(std::uint32_t index) const {
-    const CageLevels& levels = shapes_[index]->levels();
+    const CageTables& tables = surfaces_[index]->tables();
     const std::optional<float> longest = requests_[index].longestEdge;
-    if (!longest || levels.fixedLevel(settings_)) return false;
-    return idealLevel(*longest, settings_.edgePixels) > static_cast<float>(levels.greatest(settings_));
+    if (!longest || tables.fixedLevel(settings_)) return false;
+    return idealLevel(*longest, settings_.edgePixels) > static_cast<float>(tables.maxLevel(settings_));
 }
 
 CageReport GpuCages::report() const {
     CageReport report;
-    report.cages = shown_.size();
+    report.cages = instances_.size();
     report.subdivided = subdivided_;
-    for (const Shown& shown : shown_) {
-        report.triangles += shapes_[shown.shape]->triangles();
-        report.lodClamped += isLodClamped(shown.shape) ? 1 : 0;
+    for (const Instance& instance : instances_) {
+        report.triangles += surfaces_[instance.surface]->triangles();
+        report.lodClamped += isLodClamped(instance.surface) ? 1 : 0;
     }
-    for (const CageLevels& levels : levels_) report.tableBytes += levels.tableBytes();
+    for (const CageTables& tables : tables_) report.tableBytes += tables.tableBytes();
     bool any = false;
-    for (const auto& shape : shapes_) {
-        if (!shape->level()) continue;
-        report.minLevel = any ? std::min(report.minLevel, *shape->level()) : *shape->level();
-        report.maxLevel = std::max(report.maxLevel, *shape->level());
+    for (const auto& surface : surfaces_) {
+        if (!surface->level()) continue;
+        report.minLevel = any ? std::min(report.minLevel, *surface->level()) : *surface->level();
+        report.maxLevel = std::max(report.maxLevel, *surface->level());
         any = true;
     }
-    if (const std::optional<LimitForm> form = evaluator_.lastForm()) report.evaluator = toString(*form);
+    if (evaluator_.lastUsed() != SubdivisionEvaluator::automatic)
+        report.evaluator = toString(evaluator_.lastUsed());
     return report;
 }
 

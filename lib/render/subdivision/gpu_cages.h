@@ -1,9 +1,7 @@
 #pragma once
 
-#include "render/subdivision/cage_levels.h"
-#include "render/subdivision/cage_shape.h"
-#include "render/subdivision/edge_length.h"
-#include "render/subdivision/evaluator_backend.h"
+#include "render/subdivision/level_of_detail.h"
+#include "render/subdivision/limit_surface.h"
 
 #include <candela/context.h>
 #include <candela/gpu_scene.h>
@@ -18,77 +16,94 @@
 
 namespace candela {
 
-/// All cages of a scene: their tables, their limit surfaces, and the levels of these. A surface that is out
-/// of view keeps its level and its vertices until it comes into view.
+/// All cages of a scene: their stencil tables, their limit surfaces, and the levels of these. A surface that
+/// is out of view keeps its level and its vertices until it comes into view.
 class GpuCages {
   public:
-    /// Makes the first table of each cage. Of `scene` cages and nodes are read; it and `options` have to
-    /// outlive the object.
+    /// Creates the first table of each cage. Of `scene` cages, skins, nodes and animations are read; it and
+    /// `options` have to outlive the object.
     GpuCages(const Context& context, const Scene& scene, const GpuSceneOptions& options);
 
-    bool empty() const { return shown_.empty(); }
+    bool empty() const { return instances_.empty(); }
 
-    /// A node that shows a cage.
-    struct Shown {
+    /// The cage of a node.
+    struct Instance {
         std::uint32_t node = 0, cage = 0;
-        std::uint32_t shape = 0;          ///< Index for `shape`.
+        std::uint32_t surface = 0;        ///< Index for `surface`.
         glm::mat4 worldFromPoints{1.0f};  ///< As of the last `pose`.
-        bool placed = false;              ///< By `setPoints`: morph targets and skin move it no longer.
+        bool isDeformed = false;          ///< By morph targets or a skin.
         bool hidden = false;
+        bool isMarked = false;  ///< To be posed.
     };
-    std::span<const Shown> shown() const { return shown_; }
-    const CageShape& shape(std::uint32_t index) const { return *shapes_[index]; }
+    std::span<const Instance> instances() const { return instances_; }
+    const LimitSurface& surface(std::uint32_t index) const { return *surfaces_[index]; }
+    /// The instances that show a surface.
+    std::span<const std::uint32_t> instancesOf(std::uint32_t surface) const { return users_[surface]; }
 
-    /// Poses the points of all cages that morph targets and skins move. `scene` is that of the constructor.
-    void pose(const Scene& scene, const std::vector<glm::mat4>& world, double time);
-    /// Moves the points of `shown()[index]`, which gets a shape of its own. To be followed by `pose`.
-    void setPoints(std::uint32_t index, std::span<const glm::vec3> points);
-    void setVisibility(std::uint32_t index, GpuScene::Visibility visibility);
+    /// Marks the instances that a node moves: its own, and those for whose skin it is a joint.
+    void markNode(std::uint32_t node);
+    /// Marks the instances whose morph weights are animated.
+    void markAnimated();
+    /// Poses the marked instances and returns them. `world` are the matrices of the nodes at `time`.
+    std::span<const std::uint32_t> pose(const std::vector<glm::mat4>& world, double time);
+
+    /// Replaces the points of an instance, which gets a surface of its own: morph targets and skin do not
+    /// move it any more.
+    void setPoints(std::uint32_t instance, std::span<const glm::vec3> points);
+    void setVisibility(std::uint32_t instance, GpuScene::Visibility visibility);
     void setSettings(const SubdivisionSettings& settings);
-    /// Makes tangents for those cages of which any material has a normal texture.
-    void setMaterials(std::span<const Material> materials);
+    /// Surfaces have tangents where any material of the cage has a normal texture.
+    void setMaterial(std::uint32_t index, const Material& material);
 
     /// Chooses the levels for a picture of `width` × `height` pixels and evaluates the surfaces in view that
-    /// are not up to date. Returns the shapes whose levels have changed. `drawRecords` are those of the draw
-    /// list.
+    /// are not up to date. Returns the surfaces whose levels have changed. `drawRecords` are those of the
+    /// draw list.
     std::span<const std::uint32_t> update(const CameraView& view, int width, int height,
                                           const gl::Buffer& drawRecords);
 
-    /// Lines of the cage that `shown()[index]` shows, for the instance `instance`.
-    CageLines lines(CageLineKind kind, std::uint32_t index, std::uint32_t instance);
+    /// Lines of the cage `instances()[cageInstance]`, for the instance `instance` of the scene.
+    CageLines lines(CageLineKind kind, std::uint32_t cageInstance, std::uint32_t instance);
     CageReport report() const;
-    EvaluatorBackend& evaluator() { return evaluator_; }
 
   private:
-    /// What the level of a shape follows.
+    /// What the level of a surface follows.
     struct LodRequest {
         bool inView = false;
         std::optional<float> longestEdge;  ///< Pixels.
     };
-    struct Picture {
-        CameraView view;
+    struct View {
+        CameraView camera;
         int width = 0, height = 0;
     };
 
-    std::uint32_t firstLevel(const CageLevels& levels) const;
-    std::uint32_t addShape(std::uint32_t cage);
-    void setTangents(CageShape& shape) const;
-    void look(const Picture& picture);
-    void lookAtShown(const Sight& sight, const Shown& shown);
-    std::uint32_t levelFor(std::uint32_t shape) const;
-    bool isLodClamped(std::uint32_t shape) const;
+    void addInstances();
+    void listJoints();
+    void listAnimated();
+    void mark(std::uint32_t instance);
+    std::uint32_t firstLevel(const CageTables& tables) const;
+    std::uint32_t addSurface(std::uint32_t cage);
+    void setTangents(LimitSurface& surface) const;
+    void requestLevels(const View& view);
+    void requestLevel(const LodView& view, const Instance& instance);
+    std::uint32_t levelFor(std::uint32_t surface) const;
+    bool isLodClamped(std::uint32_t surface) const;
     void evaluateStale();
 
-    std::vector<CageLevels> levels_;
-    std::vector<std::unique_ptr<CageShape>> shapes_;
-    std::vector<LodRequest> requests_;  ///< One a shape.
-    std::vector<Shown> shown_;
-    std::vector<bool> hasNormalTexture_;  ///< One a material.
+    const Scene& scene_;
     SubdivisionSettings settings_;
     bool subdivided_;
-    std::optional<Picture> picture_;  ///< For which `requests_` hold.
+    std::vector<CageTables> tables_;  ///< One a cage.
+    std::vector<std::unique_ptr<LimitSurface>> surfaces_;
+    std::vector<std::vector<std::uint32_t>> users_;  ///< Instances, one list a surface.
+    std::vector<LodRequest> requests_;               ///< One a surface.
+    std::vector<Instance> instances_;
+    std::vector<std::vector<std::uint32_t>> instancesOfNode_;  ///< That a node moves; empty without cages.
+    std::vector<std::uint32_t> animated_;  ///< Instances whose morph weights are animated.
+    std::vector<std::uint32_t> marked_, posed_;
+    std::vector<bool> hasNormalTexture_;  ///< One a material.
+    std::optional<View> view_;            ///< For which `requests_` hold.
     std::vector<glm::vec3> worldPoints_;
-    std::vector<std::uint32_t> relevelled_;
+    std::vector<std::uint32_t> releveled_;
     DefaultDetail defaultDetail_;
     EvaluatorBackend evaluator_;
 };

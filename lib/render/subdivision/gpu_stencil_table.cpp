@@ -1,6 +1,6 @@
 #include "render/subdivision/gpu_stencil_table.h"
 
-#include "render/subdivision/cage_edges.h"
+#include "render/subdivision/level_of_detail.h"
 
 #include <candela/error.h>
 
@@ -58,7 +58,7 @@ CageMaterials materialsOf(const Cage& cage, std::uint32_t none) {
 
 GpuStencilTable::GpuStencilTable(const Cage& cage, const CageMaterials& materials, RefinedCage refined)
     : refined_(std::move(refined)), indices_("cage indices") {
-    makeTriangles(materials);
+    createTriangles(materials);
     const std::vector<std::uint32_t>& starts = refined_.positions.rowStarts;
     for (std::size_t i = 1; i < starts.size(); ++i)
         longestRow_ = std::max(longestRow_, starts[i] - starts[i - 1]);
@@ -72,7 +72,7 @@ std::uint64_t GpuStencilTable::bytes() const {
     return bytesOf(refined_.positions) + bytesOf(refined_.uvs) + bytesOf(refined_.seamPoints);
 }
 
-void GpuStencilTable::makeTriangles(const CageMaterials& materials) {
+void GpuStencilTable::createTriangles(const CageMaterials& materials) {
     const std::uint32_t corners = refined_.faceSize;
     const std::size_t faces = refined_.faceVertices.size() / corners;
     triangles_ = std::uint64_t{faces} * (corners - 2);
@@ -111,9 +111,9 @@ std::span<const glm::vec4> GpuStencilTable::uvDerivatives(const Cage& cage) {
     return uvDerivatives_;
 }
 
-const LineIndices& GpuStencilTable::faceLines() {
-    if (!faceLines_) faceLines_.emplace(edgesOf(refined_));
-    return *faceLines_;
+const EdgeIndices& GpuStencilTable::faceEdges() {
+    if (!faceEdges_) faceEdges_.emplace(edgesOf(refined_));
+    return *faceEdges_;
 }
 
 const GpuStencilTable::Storage& GpuStencilTable::storage() {
@@ -135,9 +135,40 @@ const gl::Buffer& GpuStencilTable::uvDerivativeBuffer() {
     return *uvDerivativeBuffer_;
 }
 
-void GpuStencilTable::dropStorage() {
-    storage_.reset();
-    uvDerivativeBuffer_.reset();
+CageTables::CageTables(const Cage& cage, const std::optional<Subdivider>& subdivider,
+                       std::uint32_t noMaterial)
+    : cage_(cage),
+      subdivider_(subdivider),
+      materials_(materialsOf(cage, noMaterial)),
+      edges_(edgesOf(cage)) {}
+
+std::optional<std::uint32_t> CageTables::fixedLevel(const SubdivisionSettings& settings) const {
+    if (!subdivider_) return 0;
+    return settings.level ? settings.level : cage_.level;
+}
+
+std::uint32_t CageTables::maxLevel(const SubdivisionSettings& settings) const {
+    const CageSize size{cage_.positions.size(), edges_.size(), cage_.faceSizes.size(),
+                        cage_.faceVertices.size()};
+    return candela::maxLevel(cage_.scheme, size, settings);
+}
+
+GpuStencilTable& CageTables::table(std::uint32_t level) {
+    const auto known = tables_.find(level);
+    if (known != tables_.end()) return known->second;
+    RefinedCage refined = subdivider_ ? subdivider_->refine(cage_, level) : cagePolygons(cage_);
+    return tables_.try_emplace(level, cage_, materials_, std::move(refined)).first->second;
+}
+
+std::uint64_t CageTables::tableBytes() const {
+    std::uint64_t bytes = 0;
+    for (const auto& [level, table] : tables_) bytes += table.bytes();
+    return bytes;
+}
+
+const EdgeIndices& CageTables::cageEdges() {
+    if (!cageEdges_) cageEdges_.emplace(edges_);
+    return *cageEdges_;
 }
 
 }  // namespace candela

@@ -5,6 +5,7 @@
 #include <glm/vec4.hpp>
 
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 namespace candela {
@@ -26,6 +27,9 @@ struct PosedNode {
 /// The nodes whose transforms are animated, at `time`, in growing order of node; where two animations move
 /// the same property, the later one in the scene holds.
 std::vector<PosedNode> poseAnimatedNodes(const Scene& scene, double time);
+
+/// The local matrix of a node's transform.
+glm::mat4 localMatrix(const std::variant<Transform, glm::mat4>& transform);
 
 /// The weights at `time` of the morph targets of the cage that `node` shows: those of the last channel that
 /// animates them, else the node's own. May be empty: all 0.

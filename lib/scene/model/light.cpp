@@ -47,20 +47,23 @@ float lumenFromWatt(float watt) {
     return watt * 683.0f;
 }
 
+WorldLight worldLight(const Light& light, const std::vector<glm::mat4>& world) {
+    WorldLight placed = withoutPlace(light);
+    glm::dvec3 direction(light.direction);
+    if (light.node) {
+        const glm::mat4& node = world[*light.node];
+        placed.position = glm::vec3(node * glm::vec4(light.position, 1.0f));
+        if (light.type != LightType::point) direction = unscaledFrame(node) * direction;
+    }
+    if (light.type != LightType::point) placed.direction = unitOr(direction, placed.direction);
+    return placed;
+}
+
 std::vector<WorldLight> worldLights(const Scene& scene, const std::vector<glm::mat4>& world) {
     assert(world.size() == scene.nodes.size());
     std::vector<WorldLight> placed;
     placed.reserve(scene.lights.size());
-    for (const Light& light : scene.lights) {
-        WorldLight& one = placed.emplace_back(withoutPlace(light));
-        glm::dvec3 direction(light.direction);
-        if (light.node) {
-            const glm::mat4& node = world[*light.node];
-            one.position = glm::vec3(node * glm::vec4(light.position, 1.0f));
-            if (light.type != LightType::point) direction = unscaledFrame(node) * direction;
-        }
-        if (light.type != LightType::point) one.direction = unitOr(direction, one.direction);
-    }
+    for (const Light& light : scene.lights) placed.push_back(worldLight(light, world));
     return placed;
 }
 

@@ -24,11 +24,6 @@ glm::mat4 matrixOf(const Transform& trs) {
     return matrix;
 }
 
-glm::mat4 localMatrix(const std::variant<Transform, glm::mat4>& transform) {
-    if (const Transform* trs = std::get_if<Transform>(&transform)) return matrixOf(*trs);
-    return std::get<glm::mat4>(transform);
-}
-
 void enclose(const std::vector<glm::vec3>& points, const glm::mat4& worldFromPoints, Bounds& bounds) {
     for (const glm::vec3& point : points) {
         const glm::vec3 placed(worldFromPoints * glm::vec4(point, 1.0f));
@@ -38,6 +33,11 @@ void enclose(const std::vector<glm::vec3>& points, const glm::mat4& worldFromPoi
 }
 
 }  // namespace
+
+glm::mat4 localMatrix(const std::variant<Transform, glm::mat4>& transform) {
+    if (const Transform* trs = std::get_if<Transform>(&transform)) return matrixOf(*trs);
+    return std::get<glm::mat4>(transform);
+}
 
 void Bounds::add(const Bounds& other) {
     min = glm::min(min, other.min);
@@ -80,7 +80,9 @@ Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& world, doub
 std::uint64_t triangleCount(const Scene& scene) {
     std::vector<std::uint64_t> ofMesh(scene.meshes.size());
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-        for (const Submesh& submesh : scene.meshes[i].submeshes) ofMesh[i] += submesh.indexCount / 3;
+        const Mesh& mesh = scene.meshes[i];
+        if (mesh.submeshes.empty()) ofMesh[i] = mesh.indices.size() / 3;
+        for (const Submesh& submesh : mesh.submeshes) ofMesh[i] += submesh.indexCount / 3;
     }
     std::uint64_t count = 0;
     for (const Node& node : scene.nodes) {

@@ -6,6 +6,7 @@
 #include "jpeg_file.h"
 #include "loading.h"
 #include "png_file.h"
+#include "support/fuzz_iterations.h"
 
 namespace candela_test {
 namespace {
@@ -178,7 +179,7 @@ void expectBothOutcomes(const Outcome& outcome, int rounds) {
     EXPECT_GT(outcome.refused, rounds / 50);
 }
 
-constexpr int rounds = 3000;
+const int rounds = fuzzIterations<int>(3000);
 
 Bytes asBytes(const std::string& text) {
     return {text.begin(), text.end()};

@@ -6,6 +6,7 @@
 
 #include "../gltf/png_file.h"
 #include "obj_scene.h"
+#include "support/fuzz_iterations.h"
 
 namespace candela_test {
 namespace {
@@ -133,7 +134,7 @@ enum class Target { scene, materials };
 /// Loads many mutations, of `obj` or of its material file. Whatever comes of them, it is a scene or an
 /// `Error`, in bounded time.
 void fuzz(const std::string& obj, Target target, const std::string& query) {
-    constexpr int rounds = 3000;
+    const int rounds = fuzzIterations<int>(3000);
     const TemporaryFolder folder;
     folder.write("c.png", makePng(2, 2, 1, 2, 3, 4));
     folder.write("a.mtl", mtl);
@@ -186,7 +187,7 @@ TEST(ObjFuzz, materials) {
 TEST(ObjFuzz, queries) {
     const TemporaryFolder folder;
     const std::string path = folder.write("scene.obj", cube());
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < fuzzIterations(300); ++round) {
         Random random(static_cast<Random::result_type>(round));
         std::string query = "subdivide=loop&level=3&subdivide=bilinear";
         mutate(query, random);

@@ -1,5 +1,6 @@
 #include "generated_cages.h"
 #include "plugin_call.h"
+#include "support/fuzz_iterations.h"
 
 #include <gtest/gtest.h>
 
@@ -125,7 +126,7 @@ int refinedOf(std::uint32_t seed, int count) {
 }
 
 TEST(Fuzz, randomCagesEndInResultsOrReasons) {
-    constexpr int count = 4000;
+    const int count = candela_test::fuzzIterations<int>(4000);
     const int refined = refinedOf(31, count);
     // Otherwise the test would prove little.
     EXPECT_GT(refined, count / 10);
@@ -149,7 +150,7 @@ TEST(Fuzz, threadsDoNotDisturbEachOther) {
 TEST(Fuzz, randomBytesEndInResultsOrReasons) {
     Random random(51);
     std::vector<std::uint32_t> bytes(4096);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < candela_test::fuzzIterations(20000); ++i) {
         for (std::uint32_t& number : bytes)
             number = static_cast<std::uint32_t>(random() % (i % 2 == 0 ? 6 : 0xFFFFFFFFu));
         candela_cage cage{};

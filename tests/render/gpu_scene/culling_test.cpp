@@ -1,4 +1,4 @@
-// Which instances are drawn, and with which state.
+// Which instances culling selects, and how their draws are batched.
 
 #include "support/drawing_test.h"
 #include "support/procedural_scene.h"
@@ -56,8 +56,8 @@ TEST_F(CullingTest, objectsJustOutsideAreNotDrawnAndThoseAcrossAre) {
     struct Side {
         glm::vec3 onPlane, outwards;
     };
-    // The sphere that culling knows of is the bounding one, sqrt(3) larger for any matrix: "just outside" is
-    // two radii.
+    // Culling uses the bounding sphere, which is larger by sqrt(3) for any matrix: "just outside" is two
+    // radii.
     const Side sides[] = {
         {{-halfWidth * depth, 0, -depth}, glm::normalize(glm::vec3(-1, 0, halfWidth))},
         {{halfWidth * depth, 0, -depth}, glm::normalize(glm::vec3(1, 0, halfWidth))},
@@ -81,8 +81,7 @@ TEST_F(CullingTest, whatIsBehindIsNotDrawn) {
 }
 
 TEST_F(CullingTest, nothingThatIsSeenIsCulled) {
-    // Random spheres, some mirrored, scaled unevenly and sheared: the picture with the camera's own culling
-    // is that of each object alone, put together by depth.
+    // Random spheres, some mirrored, scaled unevenly and sheared.
     int seen = 0;
     for (std::uint32_t i = 0; i < 60; ++i) {
         const glm::vec3 center(20 * hashed(90, i) - 10, 10 * hashed(91, i) - 5, -9 * hashed(92, i) + 1);
@@ -99,7 +98,7 @@ TEST_F(CullingTest, nothingThatIsSeenIsCulled) {
             EXPECT_EQ(covered, 0);
         }
         seen += covered > 0;
-        // By hand: a vertex that projects into the picture has to have been drawn.
+        // A culled sphere has no vertex that projects into the picture.
         if (drawnAtAll) continue;
         for (const glm::vec3& vertex : makeSphere(1.0f).positions) {
             const glm::vec3 p(transform * glm::vec4(vertex, 1.0f));
@@ -112,7 +111,7 @@ TEST_F(CullingTest, nothingThatIsSeenIsCulled) {
     EXPECT_LT(seen, 60);
 }
 
-TEST_F(CullingTest, movedInstanceIsCulledWhereItStands) {
+TEST_F(CullingTest, movedInstanceIsCulledAtItsNewPlace) {
     GpuScene scene =
         upload(sceneOf(makeSphere(0.5f), Material{}, glm::translate(glm::mat4(1.0f), {0, 0, -5})));
     EXPECT_EQ(commandsOf(scene), 1u);
@@ -122,7 +121,7 @@ TEST_F(CullingTest, movedInstanceIsCulledWhereItStands) {
     EXPECT_EQ(commandsOf(scene), 1u);
 }
 
-TEST_F(CullingTest, drawsOfOneStateGoOutTogether) {
+TEST_F(CullingTest, drawsOfOneStateAreBatched) {
     Scene scene;
     Material plain, doubleSided;
     doubleSided.doubleSided = true;

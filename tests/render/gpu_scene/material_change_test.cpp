@@ -1,4 +1,4 @@
-// A material that is replaced gives the picture of a scene that had the new one from the start.
+// A scene with a replaced material gives the picture of a scene that is uploaded with the new material.
 
 #include "support/cage_scenes.h"
 #include "support/drawing_test.h"
@@ -35,8 +35,7 @@ Image widened(const Image& narrow) {
     return wide;
 }
 
-/// A quad, a cage and a sphere without texture coordinates; the first two wear material 0, the sphere
-/// material 1, and material 2 keeps images in use.
+/// A quad and a cage of material 0, and a sphere of material 1 without texture coordinates.
 Scene scene() {
     Scene scene;
     place(scene, makeQuad(1.0f), Material{}, glm::translate(glm::mat4(1.0f), {-1.2f, 0, 0}));
@@ -100,8 +99,9 @@ std::vector<Change> changes() {
 class MaterialChangeTest : public DrawingTest {
   protected:
     static GpuScene uploadLit(const Scene& scene) {
-        GpuScene uploaded(context(), scene, subdividing(2));
-        uploaded.state().cages.evaluator().force(LimitForm::compute);
+        GpuSceneOptions options = subdividing(2);
+        options.subdivisionEvaluator = SubdivisionEvaluator::compute;
+        GpuScene uploaded(context(), scene, options);
         uploaded.setLights({&light, 1});
         return uploaded;
     }
@@ -140,7 +140,7 @@ TEST_F(MaterialChangeTest, surfaceWithoutCoordinatesCanGlow) {
 }
 
 TEST_F(MaterialChangeTest, emissionIsDrawnLastAfterAChange) {
-    // What stands before a glow has to hide it, whichever of the two came to glow later.
+    // A surface in front hides an emissive one, whichever of the two has been made emissive.
     Material white;
     Scene twoQuads = sceneOf(makeQuad(1.0f), white);
     place(twoQuads, makeQuad(1.0f), white, glm::translate(glm::mat4(1.0f), {0, 0, 1}));

@@ -1,4 +1,4 @@
-// A node that is hidden leaves the picture as if it showed nothing.
+// A hidden node gives the picture of a scene whose node shows nothing.
 
 #include "support/cage_scenes.h"
 #include "support/drawing_test.h"

@@ -1,7 +1,6 @@
 // How the level follows the size on the screen: pure functions.
 
-#include "render/subdivision/edge_length.h"
-#include "render/subdivision/lod_request.h"
+#include "render/subdivision/level_of_detail.h"
 
 #include <candela/error.h>
 
@@ -16,7 +15,7 @@ namespace {
 
 constexpr float edgePixels = 8.0f;
 
-TEST(CageLevelTest, edgesOfTheFirstChoiceAreNoLongerThanAsked) {
+TEST(CageLevelTest, edgesOfTheFirstLevelAreNoLongerThanRequested) {
     for (float longest = 0.5f; longest < 4000.0f; longest *= 1.07f) {
         const std::uint32_t level = nextLevel(std::nullopt, idealLevel(longest, edgePixels), 8);
         const float refined = longest / std::exp2(static_cast<float>(level));
@@ -25,23 +24,22 @@ TEST(CageLevelTest, edgesOfTheFirstChoiceAreNoLongerThanAsked) {
         }
         if (level > 1) {
             EXPECT_GT(2.0f * refined, edgePixels * 0.99999f)
-                << "a level less would have done for " << longest;
+                << "one level less would have been enough for " << longest;
         }
     }
 }
 
-TEST(CageLevelTest, staysBetweenOneAndTheGreatest) {
+TEST(CageLevelTest, staysBetweenOneAndTheMaximum) {
     const float huge = std::numeric_limits<float>::max(), none = 0.0f;
     EXPECT_EQ(nextLevel(std::nullopt, idealLevel(none, edgePixels), 5), 1u);
     EXPECT_EQ(nextLevel(3, idealLevel(none, edgePixels), 5), 1u);
     EXPECT_EQ(nextLevel(std::nullopt, idealLevel(huge, edgePixels), 5), 5u);
     EXPECT_EQ(nextLevel(5, idealLevel(huge, edgePixels), 5), 5u);
-    EXPECT_EQ(nextLevel(5, 4.5f, 3), 3u) << "the greatest has been lowered";
+    EXPECT_EQ(nextLevel(5, 4.5f, 3), 3u) << "the maximum has been lowered";
 }
 
-TEST(CageLevelTest, smallMotionToAndFroChangesTheLevelOnceAtMost) {
-    // A tenth nearer and farther is 0.14 levels each, little more than the quarter that is needed to come
-    // back.
+TEST(CageLevelTest, smallOscillationChangesTheLevelOnceAtMost) {
+    // A tenth nearer and farther is 0.14 levels each, 0.28 in all, which is little more than the hysteresis.
     for (float start = 10.0f; start < 900.0f; start *= 1.01f) {
         std::uint32_t level = nextLevel(std::nullopt, idealLevel(start, edgePixels), 8);
         int changes = 0;
@@ -55,12 +53,12 @@ TEST(CageLevelTest, smallMotionToAndFroChangesTheLevelOnceAtMost) {
     }
 }
 
-TEST(CageLevelTest, levelIsLeftOnlyAQuarterBeyondWhatItServes) {
+TEST(CageLevelTest, levelIsLeftOnlyAQuarterBeyondTheLevelsItServes) {
     EXPECT_EQ(nextLevel(3, 3.24f, 8), 3u);
     EXPECT_EQ(nextLevel(3, 3.26f, 8), 4u);
     EXPECT_EQ(nextLevel(3, 1.76f, 8), 3u);
     EXPECT_EQ(nextLevel(3, 1.74f, 8), 2u);
-    EXPECT_EQ(nextLevel(3, 6.5f, 8), 7u) << "a leap takes no detour";
+    EXPECT_EQ(nextLevel(3, 6.5f, 8), 7u) << "several levels at once";
 }
 
 TEST(CageLevelTest, countsRefinedPoints) {
@@ -99,12 +97,15 @@ TEST(CageLevelTest, settingsOutOfRangeAreRefused) {
     };
     EXPECT_FALSE(isRefused({}));
     for (const std::uint32_t level : {0u, 9u}) {
-        SubdivisionSettings fixed, greatest;
+        SubdivisionSettings fixed, max;
         fixed.level = level;
-        greatest.maxLevel = level;
+        max.maxLevel = level;
         EXPECT_TRUE(isRefused(fixed));
-        EXPECT_TRUE(isRefused(greatest));
+        EXPECT_TRUE(isRefused(max));
     }
+    SubdivisionSettings noVertices;
+    noVertices.maxVertices = 0;
+    EXPECT_TRUE(isRefused(noVertices));
     for (const float pixels : {0.0f, -1.0f, std::numeric_limits<float>::infinity(), std::nanf("")}) {
         SubdivisionSettings settings;
         settings.edgePixels = pixels;
@@ -113,11 +114,11 @@ TEST(CageLevelTest, settingsOutOfRangeAreRefused) {
 }
 
 /// From the origin along -Z, one pixel a metre at 100 m.
-Sight hundredPixels() {
+LodView hundredPixels() {
     CameraView view;
     view.verticalFov = 2.0f * std::atan(0.5f);
     view.nearPlane = 0.5f;
-    return sightOf(view, 100, 100);
+    return lodView(view, 100, 100);
 }
 
 TEST(EdgeLengthTest, isThatOnTheScreenAtTheNearerEnd) {

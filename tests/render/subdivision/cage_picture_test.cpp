@@ -36,11 +36,12 @@ class CagePictureTest : public DrawingTest {
 };
 
 TEST_F(CagePictureTest, infiniteCreasesShadeSharp) {
-    GpuScene scene = uploadCages(sceneOfCage(makeSharpCubeCage(0.6f), Material{}, edgeOn), subdividing(4));
+    GpuScene scene =
+        uploadCages(sceneOfCage(makeSharpCubeCage(0.6f), Material{}, edgeOn), subdividing(4));
     const AovReader picture = reader(scene, far);
     const float slope = std::sqrt(0.5f);
     for (const int y : {side / 3, side / 2, 2 * side / 3}) {
-        // The edge stands between the two middle columns; faces are flat up to it.
+        // The edge lies between the two middle columns; faces are flat up to it.
         for (const int distance : {1, 2, 10, 30}) {
             expectNormal(picture.vector("N", side / 2 - distance, y), {-slope, 0, slope});
             expectNormal(picture.vector("N", side / 2 + distance - 1, y), {slope, 0, slope});
@@ -63,7 +64,7 @@ TEST_F(CagePictureTest, edgesWithoutCreasesShadeSmooth) {
         ++compared;
     }
     EXPECT_GT(compared, 20);
-    // The row stands half a pixel off the middle.
+    // The row lies half a pixel off the middle.
     const glm::vec3 left = picture.vector("N", side / 2 - 1, side / 2);
     expectNormal(0.5f * (left + picture.vector("N", side / 2, side / 2)), {0, 0, 1}, 1.0f / 40.0f);
 }
@@ -85,7 +86,7 @@ TEST_F(CagePictureTest, withoutASubdividerThePolygonsAreDrawn) {
 TEST_F(CagePictureTest, closedSurfaceHasNoCracks) {
     for (const std::uint32_t level : {1u, 2u, 4u}) {
         for (std::uint32_t seed = 0; seed < 6; ++seed) {
-            // Seams and creases, so that vertices have twins.
+            // Seams and creases, so that there are seam vertices.
             Cage cage = seed % 2 == 0 ? makeCubeCage(1.0f) : makeSharpCubeCage(0.7f);
             cage.positions = jittered(cage.positions, 0.1f, 100 * seed);
             const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), 1.0f + float(seed), hashedDirection(seed, 5));
@@ -110,7 +111,7 @@ TEST_F(CagePictureTest, closedSurfaceHasNoCracks) {
     }
 }
 
-TEST_F(CagePictureTest, facesWearTheirMaterials) {
+TEST_F(CagePictureTest, facesHaveTheirMaterials) {
     Scene scene = sceneOfCage(makeSharpCubeCage(0.6f), Material{}, edgeOn);
     const glm::vec3 colors[] = {{0.8f, 0.1f, 0.2f}, {0.1f, 0.7f, 0.3f}};
     for (const glm::vec3& color : colors) {
@@ -140,10 +141,11 @@ TEST_F(CagePictureTest, texturesAndNormalMapsAreThoseOfAMesh) {
         const glm::mat4 transform = glm::scale(turn, {mirror, 1.0f, 1.0f});
         const AovReader expected =
             reader(upload(withImages(sceneOf(makeQuad(0.7f), material, transform))), far);
-        for (const LimitForm form : {LimitForm::compute, LimitForm::threads}) {
-            GpuScene cage = uploadCages(withImages(sceneOfCage(makeSheetCage(0.7f, 3), material, transform)),
-                                        subdividing(3));
-            cage.state().cages.evaluator().force(form);
+        for (const auto evaluator : {SubdivisionEvaluator::compute, SubdivisionEvaluator::cpu}) {
+            GpuSceneOptions options = subdividing(3);
+            options.subdivisionEvaluator = evaluator;
+            GpuScene cage =
+                uploadCages(withImages(sceneOfCage(makeSheetCage(0.7f, 3), material, transform)), options);
             const AovReader actual = reader(cage, far);
             for (int y = 20; y < 80; y += 7) {
                 for (int x = 20; x < 80; x += 7) {
@@ -159,7 +161,7 @@ TEST_F(CagePictureTest, texturesAndNormalMapsAreThoseOfAMesh) {
 }
 
 /// Draws the cube from `distance` and returns its level.
-class CageSightTest : public CagePictureTest {
+class CageLodTest : public CagePictureTest {
   protected:
     static std::uint32_t levelFrom(GpuScene& scene, float distance) {
         render(scene, inputsOf(lookAt({0, 0, distance}, {0, 0, 0}, 0.8f)));
@@ -174,7 +176,7 @@ class CageSightTest : public CagePictureTest {
     }
 };
 
-TEST_F(CageSightTest, levelGrowsAsTheCameraComesNearer) {
+TEST_F(CageLodTest, levelGrowsAsTheCameraComesNearer) {
     GpuScene scene = cube();
     EXPECT_EQ(levelFrom(scene, 200.0f), 1u);
     std::uint32_t last = 1;
@@ -188,7 +190,7 @@ TEST_F(CageSightTest, levelGrowsAsTheCameraComesNearer) {
     EXPECT_GT(scene.cageReport().tableBytes, 0u);
 }
 
-TEST_F(CageSightTest, dollyingToAndFroDoesNotPop) {
+TEST_F(CageLodTest, oscillatingCameraDoesNotPop) {
     GpuScene scene = cube();
     std::uint32_t near = levelFrom(scene, 3.0f);
     float threshold = 3.0f;
@@ -203,7 +205,7 @@ TEST_F(CageSightTest, dollyingToAndFroDoesNotPop) {
     EXPECT_LE(changes, 1);
 }
 
-TEST_F(CageSightTest, capsHoldTheLevelBack) {
+TEST_F(CageLodTest, limitsClampTheLevel) {
     SubdivisionSettings settings;
     settings.edgePixels = 1.0f;
     settings.maxLevel = 3;
@@ -219,7 +221,7 @@ TEST_F(CageSightTest, capsHoldTheLevelBack) {
     EXPECT_EQ(byVertices.cageReport().lodClamped, 0u);
 }
 
-TEST_F(CageSightTest, levelsCanBeFixed) {
+TEST_F(CageLodTest, levelsCanBeFixed) {
     SubdivisionSettings settings;
     settings.level = 2;
     GpuScene scene = cube(settings);
@@ -238,7 +240,7 @@ TEST_F(CageSightTest, levelsCanBeFixed) {
     EXPECT_EQ(levelFrom(byCage, 500.0f), 4u);
 }
 
-TEST_F(CageSightTest, cameraInsideTheCageIsNoTrouble) {
+TEST_F(CageLodTest, cameraInsideTheCageGetsTheMaximumLevel) {
     GpuScene scene = cube();
     EXPECT_EQ(levelFrom(scene, 0.1f), 5u);
     EXPECT_EQ(levelFrom(scene, 1.0f), 5u);

@@ -98,12 +98,12 @@ GpuSceneOptions subdividing(std::optional<std::uint32_t> level) {
 
 DrawnVertices drawnVertices(GpuScene& scene, std::uint32_t index) {
     const GpuCages& cages = scene.state().cages;
-    const CageShape& shape = cages.shape(cages.shown()[index].shape);
+    const LimitSurface& limit = cages.surface(cages.instances()[index].surface);
     DrawnVertices vertices;
-    vertices.positions.resize(shape.vertexCount());
-    vertices.normals.resize(shape.vertexCount());
-    const auto bytes = static_cast<GLsizeiptr>(shape.vertexCount() * sizeof(glm::vec3));
-    const GLuint surface = shape.streams().surface.name();
+    vertices.positions.resize(limit.vertexCount());
+    vertices.normals.resize(limit.vertexCount());
+    const auto bytes = static_cast<GLsizeiptr>(limit.vertexCount() * sizeof(glm::vec3));
+    const GLuint surface = limit.buffers().surface.name();
     glGetNamedBufferSubData(surface, 0, bytes, vertices.positions.data());
     glGetNamedBufferSubData(surface, bytes, bytes, vertices.normals.data());
     return vertices;

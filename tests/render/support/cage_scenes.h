@@ -31,7 +31,7 @@ Cage makeSheetCage(float halfSize, std::uint32_t cells);
 /// Moves each point by up to `distance` along each axis, differently for each `seed`.
 std::vector<glm::vec3> jittered(const std::vector<glm::vec3>& points, float distance, std::uint32_t seed);
 
-/// Adds a cage that wears `material` all over, and a node that shows it. Returns the node's index.
+/// Adds a cage of `material`, and a node that shows it. Returns the node's index.
 std::uint32_t placeCage(Scene& scene, Cage cage, const Material& material,
                         const glm::mat4& transform = glm::mat4(1.0f));
 
@@ -40,7 +40,7 @@ Scene sceneOfCage(Cage cage, const Material& material, const glm::mat4& transfor
 /// With the plugins' subdivider; all cages at `level`, if there is one.
 GpuSceneOptions subdividing(std::optional<std::uint32_t> level = std::nullopt);
 
-/// The vertices that were drawn last for `GpuCages::shown()[index]`.
+/// The vertices that were drawn last for `GpuCages::instances()[index]`.
 struct DrawnVertices {
     std::vector<glm::vec3> positions, normals;
 };

@@ -5,6 +5,7 @@
 #include "dice.h"
 #include "sample_cage_scene.h"
 #include "scene/validate/finite.h"
+#include "support/fuzz_iterations.h"
 
 #include <gtest/gtest.h>
 
@@ -195,8 +196,8 @@ void expectSoundPolygons(const Cage& cage) {
 
 // What validation lets through can be posed at any time and drawn as polygons, and never crashes.
 TEST(CageFuzz, ValidCagesAreUsableAndOthersAreRefused) {
-    int valid = 0;
-    constexpr int rounds = 20'000;
+    std::uint32_t valid = 0;
+    const std::uint32_t rounds = candela_test::fuzzIterations<std::uint32_t>(20'000);
     for (std::uint32_t seed = 0; seed < rounds; ++seed) {
         Dice dice(seed);
         const Scene scene = oddScene(dice);

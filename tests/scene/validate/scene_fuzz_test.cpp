@@ -6,6 +6,7 @@
 #include "scene/geometry/normals.h"
 #include "scene/geometry/tangents.h"
 #include "scene/validate/finite.h"
+#include "support/fuzz_iterations.h"
 
 #include <gtest/gtest.h>
 
@@ -198,8 +199,8 @@ void expectUsable(const Scene& scene) {
 }
 
 TEST(SceneFuzz, ValidScenesAreUsableAndOthersAreRefused) {
-    int valid = 0;
-    constexpr int rounds = 20'000;
+    std::uint32_t valid = 0;
+    const std::uint32_t rounds = candela_test::fuzzIterations<std::uint32_t>(20'000);
     for (std::uint32_t seed = 0; seed < rounds; ++seed) {
         Dice dice(seed);
         const Scene scene = oddScene(dice);

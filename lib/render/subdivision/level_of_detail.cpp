@@ -1,6 +1,8 @@
-#include "render/subdivision/lod_request.h"
+#include "render/subdivision/level_of_detail.h"
 
 #include <candela/error.h>
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +12,7 @@ namespace candela {
 
 namespace {
 
-constexpr float hysteresis = 0.25f;
+constexpr float hysteresis = 0.25f;  // Levels.
 
 void checkLevel(std::uint32_t level, const char* name) {
     if (level >= 1 && level <= maxSubdivisionLevel) return;
@@ -44,26 +46,48 @@ std::uint32_t maxLevel(SubdivisionScheme scheme, const CageSize& size, const Sub
 
 float idealLevel(float longestEdge, float edgePixels) {
     // Within this range the logarithm of any ratio of floats is finite.
-    constexpr float least = 1e-18f, most = 1e18f;
-    return std::log2(std::clamp(longestEdge, least, most)) - std::log2(std::clamp(edgePixels, least, most));
+    constexpr float min = 1e-18f, max = 1e18f;
+    return std::log2(std::clamp(longestEdge, min, max)) - std::log2(std::clamp(edgePixels, min, max));
 }
 
-std::uint32_t nextLevel(std::optional<std::uint32_t> current, float ideal, std::uint32_t greatest) {
-    const auto asked =
-        static_cast<std::uint32_t>(std::clamp(std::ceil(ideal), 1.0f, static_cast<float>(greatest)));
-    if (!current || *current > greatest) return asked;
+std::uint32_t nextLevel(std::optional<std::uint32_t> current, float ideal, std::uint32_t maxLevel) {
+    const auto requested =
+        static_cast<std::uint32_t>(std::clamp(std::ceil(ideal), 1.0f, static_cast<float>(maxLevel)));
+    if (!current || *current > maxLevel) return requested;
     const auto level = static_cast<float>(*current);
-    const bool served = ideal <= level + hysteresis && ideal >= level - 1.0f - hysteresis;
-    return served ? *current : asked;
+    const bool isServed = ideal <= level + hysteresis && ideal >= level - 1.0f - hysteresis;
+    return isServed ? *current : requested;
 }
 
 void checkSettings(const SubdivisionSettings& settings) {
     if (settings.level) checkLevel(*settings.level, "the subdivision level");
-    checkLevel(settings.maxLevel, "the greatest subdivision level");
+    checkLevel(settings.maxLevel, "the maximum subdivision level");
+    if (settings.maxVertices == 0)
+        throw Error(ErrorKind::badInput, "", "the maximum number of refined vertices has to be over 0");
     if (settings.edgePixels > 0.0f && std::isfinite(settings.edgePixels)) return;
     throw Error(ErrorKind::badInput, "",
                 "the length of subdivided edges is " + std::to_string(settings.edgePixels) +
                     " pixels; it has to be a finite number over 0");
+}
+
+LodView lodView(const CameraView& view, int width, int height) {
+    const auto pixels = static_cast<float>(height);
+    return {Frustum(view, static_cast<float>(width) / pixels), view.eye(), view.nearPlane,
+            0.5f * pixels / std::tan(0.5f * view.verticalFov)};
+}
+
+std::optional<float> longestEdge(const LodView& view, std::span<const glm::vec3> points,
+                                 std::span<const CageEdge> edges) {
+    std::optional<float> longest;
+    for (const auto& [first, second] : edges) {
+        const glm::vec3 &a = points[first], &b = points[second];
+        const float length = glm::distance(a, b);
+        const float nearest = std::min(glm::distance(a, view.eye), glm::distance(b, view.eye));
+        const float pixels = length * view.pixelsAtOneMetre / std::max(nearest, view.nearPlane);
+        if (longest && pixels <= *longest) continue;
+        if (view.frustum.meets(0.5f * (a + b), 0.5f * length)) longest = pixels;
+    }
+    return longest;
 }
 
 }  // namespace candela

@@ -1,0 +1,102 @@
+#include "render/gpu_scene/gpu_instances.h"
+
+#include "render/layout.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace candela {
+
+namespace {
+
+struct NormalMatrix {
+    glm::mat3 matrix;
+    bool mirrored;  ///< The instance's matrix reverses the winding.
+};
+
+/// The matrix that takes normals to the world: the cofactors of the linear part, which are det(M) times the
+/// inverse transpose and defined for singular matrices too. The sign is that of the inverse transpose, so
+/// that normals of mirrored instances point outwards. The largest element is scaled to 1, so that the length
+/// of a normal neither overflows nor vanishes at any size of the instance.
+NormalMatrix normalMatrix(const glm::mat4& m) {
+    const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+    const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+    const bool mirrored = glm::dot(x, cofactors[0]) < 0.0;
+    double largest = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(cofactors[column][row]));
+    }
+    if (largest == 0.0) return {glm::mat3(0.0f), mirrored};
+    return {glm::mat3(cofactors * ((mirrored ? -1.0 : 1.0) / largest)), mirrored};
+}
+
+/// An upper bound of how far the matrix stretches any direction: the Frobenius norm bounds the largest
+/// singular value, sheared matrices included.
+float maxScale(const glm::mat4& m) {
+    const glm::vec3 x(m[0]), y(m[1]), z(m[2]);
+    return std::sqrt(glm::dot(x, x) + glm::dot(y, y) + glm::dot(z, z));
+}
+
+}  // namespace
+
+BoundingSphere boundingSphere(std::span<const glm::vec3> points) {
+    if (points.empty()) return {};
+    glm::vec3 low(std::numeric_limits<float>::max()), high(-std::numeric_limits<float>::max());
+    for (const glm::vec3& point : points) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    BoundingSphere sphere{0.5f * low + 0.5f * high};
+    for (const glm::vec3& point : points)
+        sphere.radius = std::max(sphere.radius, glm::distance(point, sphere.center));
+    return sphere;
+}
+
+BoundingSphere worldSphere(const glm::mat4& worldFromLocal, const BoundingSphere& local) {
+    return {glm::vec3(worldFromLocal * glm::vec4(local.center, 1.0f)),
+            local.radius * maxScale(worldFromLocal)};
+}
+
+GpuInstances::GpuInstances(const Scene& scene)
+    : meshOfNode_(scene.nodes.size(), none),
+      cageOfNode_(scene.nodes.size(), none),
+      records_(GL_RGBA32F, layout::INSTANCE_TEXELS, "instances") {
+    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
+        if (!scene.nodes[i].mesh) continue;
+        meshOfNode_[i] = static_cast<std::uint32_t>(instances_.size());
+        instances_.push_back({i, scene.nodes[i].mesh, 0});
+    }
+    std::uint32_t cageInstances = 0;
+    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
+        if (!scene.nodes[i].cage) continue;
+        cageOfNode_[i] = static_cast<std::uint32_t>(instances_.size());
+        instances_.push_back({i, std::nullopt, cageInstances++});
+    }
+    spheres_.resize(instances_.size());
+    hidden_.resize(instances_.size());
+    records_.reserve(instances_.size());
+    records_.resize(instances_.size());
+}
+
+Winding GpuInstances::place(std::uint32_t index, const glm::mat4& worldFromLocal,
+                            const BoundingSphere& local) {
+    spheres_[index] = worldSphere(worldFromLocal, local);
+    const std::span<glm::vec4> record = records_.edit(index);
+    const glm::mat4 rows = glm::transpose(worldFromLocal);
+    const NormalMatrix normals = normalMatrix(worldFromLocal);
+    const glm::mat3 normalRows = glm::transpose(normals.matrix);
+    const float handedness = normals.mirrored ? -1.0f : 1.0f;
+    for (int row = 0; row < 3; ++row) {
+        record[static_cast<std::size_t>(row)] = rows[row];
+        record[static_cast<std::size_t>(3 + row)] = glm::vec4(normalRows[row], handedness);
+    }
+    return normals.mirrored ? Winding::reversed : Winding::kept;
+}
+
+}  // namespace candela

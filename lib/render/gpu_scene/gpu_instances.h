@@ -1,0 +1,76 @@
+#pragma once
+
+#include "render/frustum.h"
+#include "render/gpu_scene/record_buffer.h"
+
+#include <candela/scene.h>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace candela {
+
+/// A sphere that holds what is drawn.
+struct BoundingSphere {
+    glm::vec3 center{0.0f};
+    float radius = 0.0f;
+};
+
+BoundingSphere boundingSphere(std::span<const glm::vec3> points);
+/// A world-space sphere that holds the local one.
+BoundingSphere worldSphere(const glm::mat4& worldFromLocal, const BoundingSphere& local);
+
+/// Does an instance's matrix reverse the winding of triangles?
+enum class Winding { kept, reversed };
+
+/// A mesh or a cage of a node.
+struct Instance {
+    std::uint32_t node = 0;
+    std::optional<std::uint32_t> mesh;  ///< Index into `Scene::meshes`; none: it is a cage.
+    std::uint32_t cageInstance = 0;     ///< Index into `GpuCages::instances` for a cage.
+};
+
+/// The meshes and cages of the nodes: first the meshes, then the cages, each in the order of the nodes.
+class GpuInstances {
+  public:
+    explicit GpuInstances(const Scene& scene);
+
+    std::size_t size() const { return instances_.size(); }
+    const Instance& operator[](std::uint32_t index) const { return instances_[index]; }
+
+    /// The instance of a node's mesh, or of its cage; none where the node has none.
+    std::optional<std::uint32_t> meshOf(std::uint32_t node) const { return indexOf(meshOfNode_[node]); }
+    std::optional<std::uint32_t> cageOf(std::uint32_t node) const { return indexOf(cageOfNode_[node]); }
+
+    /// Writes the record of an instance.
+    Winding place(std::uint32_t index, const glm::mat4& worldFromLocal, const BoundingSphere& local);
+    /// Uploads the records written since the last call. Returns how many those are.
+    std::size_t upload() { return records_.upload(); }
+
+    void setHidden(std::uint32_t index, bool hidden) { hidden_[index] = hidden; }
+    bool isVisible(std::uint32_t index, const Frustum& frustum) const {
+        const BoundingSphere& sphere = spheres_[index];
+        return !hidden_[index] && frustum.meets(sphere.center, sphere.radius);
+    }
+
+    const gl::BufferTexture& records() const { return records_.texture(); }
+
+  private:
+    static constexpr std::uint32_t none = 0xffffffffu;
+    static std::optional<std::uint32_t> indexOf(std::uint32_t index) {
+        return index == none ? std::nullopt : std::optional(index);
+    }
+
+    std::vector<Instance> instances_;
+    std::vector<std::uint32_t> meshOfNode_, cageOfNode_;
+    std::vector<BoundingSphere> spheres_;  ///< World.
+    std::vector<bool> hidden_;
+    RecordBuffer<glm::vec4> records_;
+};
+
+}  // namespace candela

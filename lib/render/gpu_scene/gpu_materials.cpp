@@ -1,0 +1,96 @@
+#include "render/gpu_scene/gpu_materials.h"
+
+#include "render/layout.h"
+#include "scene/validate/error_context.h"
+
+#include <candela/gbuffer.h>
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <string>
+
+namespace candela {
+
+namespace {
+
+glm::uvec4 bits(const glm::vec4& v) {
+    return {std::bit_cast<std::uint32_t>(v.x), std::bit_cast<std::uint32_t>(v.y),
+            std::bit_cast<std::uint32_t>(v.z), std::bit_cast<std::uint32_t>(v.w)};
+}
+
+/// The rows of a texture's coordinate transform: offset + rotate × scale. The set is in w of the first.
+std::array<glm::vec4, 2> coordinateRows(const std::optional<Texture>& texture) {
+    if (!texture) return {glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0)};
+    const float c = std::cos(texture->rotation), s = std::sin(texture->rotation);
+    const glm::vec2 scale = texture->scale;
+    return {glm::vec4(c * scale.x, s * scale.y, texture->offset.x, static_cast<float>(texture->uvSet)),
+            glm::vec4(-s * scale.x, c * scale.y, texture->offset.y, 0.0f)};
+}
+
+void writeRecord(std::span<glm::uvec4> record, const Material& material,
+                 const glm::dmat3& workingFromRec709) {
+    const glm::vec3 working(workingFromRec709 * glm::dvec3(material.baseColor));
+    const GBufferTexel packed =
+        packSurface({.baseColor = working, .metallic = material.metallic, .roughness = material.roughness});
+    const float cutoff = material.alphaMode == AlphaMode::mask ? material.alphaCutoff : -1.0f;
+    // Without a normal texture the scale is 0: the default texel can not hold (0, 0, 1) exactly.
+    const float normalScale = material.normalTexture ? material.normalScale : 0.0f;
+    record[layout::MATERIAL_BASE_COLOR] = bits(material.baseColor);
+    record[layout::MATERIAL_FACTORS] = bits({material.metallic, material.roughness, normalScale, cutoff});
+    record[layout::MATERIAL_EMISSION] = bits(glm::vec4(material.emission, material.unlit ? 1.0f : 0.0f));
+    record[layout::MATERIAL_PACKED] = {packed.x, 0, 0, 0};
+    std::size_t row = layout::MATERIAL_UV_ROWS;
+    for (const auto* texture : {&material.baseColorTexture, &material.metallicRoughnessTexture,
+                                &material.normalTexture, &material.emissionTexture}) {
+        for (const glm::vec4& coordinates : coordinateRows(*texture)) record[row++] = bits(coordinates);
+    }
+}
+
+}  // namespace
+
+GpuMaterials::GpuMaterials(const Scene& scene, const glm::dmat3& workingFromRec709)
+    : workingFromRec709_(workingFromRec709),
+      commonUvs_(scene.materials.size()),
+      records_(GL_RGBA32UI, layout::MATERIAL_TEXELS, "materials") {
+    const auto restrict = [&](std::uint32_t material, CommonUvs surface) {
+        commonUvs_[material].uv0 &= surface.uv0;
+        commonUvs_[material].uv1 &= surface.uv1;
+    };
+    for (const Mesh& mesh : scene.meshes) {
+        for (const Submesh& submesh : mesh.submeshes) {
+            if (submesh.material) restrict(*submesh.material, {!mesh.uv0.empty(), !mesh.uv1.empty()});
+        }
+    }
+    for (const Cage& cage : scene.cages) {
+        for (const std::optional<std::uint32_t>& material : cage.faceMaterials) {
+            if (material) restrict(*material, {!cage.uvs.empty(), false});
+        }
+    }
+    const std::size_t count = scene.materials.size();
+    records_.reserve(count + 1);
+    records_.resize(count + 1);
+    for (std::uint32_t i = 0; i < count; ++i) set(i, scene.materials[i]);
+    set(static_cast<std::uint32_t>(count), Material{});
+}
+
+void GpuMaterials::requireUvs(std::uint32_t index, const Material& material) const {
+    for (const auto* texture :
+         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+          &material.occlusionTexture, &material.emissionTexture}) {
+        if (!*texture) continue;
+        const std::uint32_t set = (*texture)->uvSet;
+        if (set == 0 ? commonUvs_[index].uv0 : commonUvs_[index].uv1) continue;
+        ErrorContext("material", index, material.name)
+            .refuse("a texture reads texture coordinates " + std::to_string(set) +
+                    ", which a surface of this material does not have");
+    }
+}
+
+void GpuMaterials::set(std::uint32_t index, const Material& material) {
+    writeRecord(records_.edit(index), material, workingFromRec709_);
+}
+
+}  // namespace candela

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "render/gpu_scene/record_buffer.h"
+
+#include <candela/scene.h>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace candela {
+
+/// The records of shaders/lib/material.glsl for all materials of a scene, and after them one for surfaces
+/// without a material.
+class GpuMaterials {
+  public:
+    GpuMaterials(const Scene& scene, const glm::dmat3& workingFromRec709);
+
+    /// Throws `Error` (badInput) when a surface of material `index` lacks texture coordinates that a texture
+    /// of `material` reads.
+    void requireUvs(std::uint32_t index, const Material& material) const;
+    void set(std::uint32_t index, const Material& material);
+    /// Uploads the records set since the last call. Returns how many those are.
+    std::size_t upload() { return records_.upload(); }
+
+    const gl::BufferTexture& records() const { return records_.texture(); }
+
+  private:
+    /// Which texture coordinates all surfaces of a material have.
+    struct CommonUvs {
+        bool uv0 = true, uv1 = true;
+    };
+
+    glm::dmat3 workingFromRec709_;
+    std::vector<CommonUvs> commonUvs_;  ///< One a material.
+    RecordBuffer<glm::uvec4> records_;
+};
+
+}  // namespace candela

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <candela/scene.h>
+
+#include <glm/mat4x4.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace candela {
+
+/// The world matrices of a scene's nodes. Edits mark nodes; an update recomputes those below marked ones, and
+/// no other.
+class NodeTransforms {
+  public:
+    /// The scene has to outlive the object. Its nodes stand as at time 0 after the first update, which
+    /// recomputes all.
+    explicit NodeTransforms(Scene& scene);
+
+    /// Replaces the node's local transform. Animations of translation, rotation and scale that move the node
+    /// are removed from the scene.
+    void setLocal(std::uint32_t node, const glm::mat4& local);
+    /// Poses animated nodes as at `seconds`.
+    void setTime(double seconds);
+    double time() const { return time_; }
+
+    /// Recomputes world matrices. Returns the nodes whose matrices that were, parents before children.
+    std::span<const std::uint32_t> update();
+
+    /// One a node, as of the last update.
+    const std::vector<glm::mat4>& world() const { return world_; }
+
+  private:
+    void listChildren();
+    void listAnimated();
+    void pose();
+    void mark(std::uint32_t node);
+    void updateSubtree(std::uint32_t root);
+    std::span<const std::uint32_t> childrenOf(std::uint32_t node) const;
+
+    Scene& scene_;
+    double time_ = 0.0;
+    bool timeChanged_ = true;
+    std::vector<std::uint32_t> firstChild_, children_;  ///< Children of node i from firstChild_[i] on.
+    std::vector<bool> animated_;                        ///< In translation, rotation or scale.
+    std::vector<glm::mat4> local_, world_;
+    std::vector<bool> isMarked_;
+    std::vector<std::uint32_t> marked_, updated_, stack_;
+};
+
+}  // namespace candela

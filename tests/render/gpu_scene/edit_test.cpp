@@ -1,0 +1,260 @@
+// Edits of an uploaded scene: what they cost, what they refuse, and that the picture is that of a fresh
+// scene.
+
+#include "support/cage_scenes.h"
+#include "support/drawing_test.h"
+#include "support/procedural_scene.h"
+
+#include "gl/state_guard.h"
+
+#include <candela/error.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace candela::test {
+namespace {
+
+const FrameRequest inputs{64, 48, lookAt({0.5f, 1.0f, 6}, {0, 0, 0}, 0.8f), BrdfModel::course,
+                         Technique::fullscreen};
+
+glm::mat4 at(float x, float y = 0.0f) {
+    return glm::translate(glm::mat4(1.0f), {x, y, 0.0f});
+}
+
+constexpr std::uint32_t families = 100, children = 9, nodesOfFamily = 1 + children;
+
+/// Families of a parent and its children, which show the same mesh. Family i has material i, and every
+/// child at an odd place has a light.
+Scene sceneOfFamilies() {
+    Scene scene;
+    for (std::uint32_t family = 0; family < families; ++family) {
+        const std::uint32_t parent = place(scene, makeQuad(0.05f), Material{},
+                                           at(0.1f * float(family % 10), 0.1f * float(family / 10)));
+        for (std::uint32_t child = 0; child < children; ++child) {
+            Node node;
+            node.parent = parent;
+            node.mesh = scene.nodes[parent].mesh;
+            node.transform = at(0.01f * float(child));
+            scene.nodes.push_back(node);
+            if (child % 2 == 0) continue;
+            Light light;
+            light.node = static_cast<std::uint32_t>(scene.nodes.size() - 1);
+            scene.lights.push_back(light);
+        }
+    }
+    return scene;
+}
+
+class EditTest : public DrawingTest {
+  protected:
+    static GpuScene::State::UpdateCounts updated(GpuScene& scene) {
+        const gl::StateGuard guard;
+        scene.state().update();
+        return scene.state().lastUpdate;
+    }
+    /// The text of the error that `edit` has to throw.
+    static std::string refusal(const std::function<void()>& edit) {
+        try {
+            edit();
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::badInput);
+            return error.what();
+        }
+        ADD_FAILURE() << "is not refused";
+        return "";
+    }
+};
+
+TEST_F(EditTest, uploadLeavesNothingToUpdate) {
+    GpuScene scene(context(), sceneOfFamilies());
+    GpuScene::State::UpdateCounts counts = updated(scene);
+    EXPECT_EQ(counts.nodes + counts.instances + counts.lights + counts.materials + counts.draws, 0u);
+}
+
+TEST_F(EditTest, movedNodeCostsItsSubtree) {
+    GpuScene scene(context(), sceneOfFamilies());
+    scene.setTransform(1, at(0.3f));
+    GpuScene::State::UpdateCounts counts = updated(scene);
+    EXPECT_EQ(counts.nodes, 1u);
+    EXPECT_EQ(counts.instances, 1u);
+    EXPECT_EQ(counts.lights, 0u);
+    EXPECT_EQ(counts.draws, 0u);
+    scene.setTransform(nodesOfFamily, at(0.3f));
+    scene.setTransform(nodesOfFamily + 3, at(0.3f));  // Below the other: counts once.
+    counts = updated(scene);
+    EXPECT_EQ(counts.nodes, std::size_t{nodesOfFamily});
+    EXPECT_EQ(counts.instances, std::size_t{nodesOfFamily});
+    EXPECT_EQ(counts.lights, std::size_t{children / 2});
+    EXPECT_EQ(counts.draws, 0u);
+}
+
+TEST_F(EditTest, mirroredNodeCostsItsDraws) {
+    GpuScene scene(context(), sceneOfFamilies());
+    scene.setTransform(0, glm::scale(glm::mat4(1.0f), glm::vec3(-1, 1, 1)));
+    EXPECT_EQ(updated(scene).draws, std::size_t{nodesOfFamily});
+}
+
+TEST_F(EditTest, visibilityCostsNothingToUpdate) {
+    GpuScene scene(context(), sceneOfFamilies());
+    for (std::uint32_t node = 0; node < families * nodesOfFamily; node += 2)
+        scene.setVisibility(node, GpuScene::Visibility::hidden);
+    GpuScene::State::UpdateCounts counts = updated(scene);
+    EXPECT_EQ(counts.nodes + counts.instances + counts.lights + counts.draws, 0u);
+}
+
+TEST_F(EditTest, materialCostsItsRecordAndItsDrawsWhereTheirStateChanges) {
+    GpuScene scene(context(), sceneOfFamilies());
+    Material material;
+    material.roughness = 0.3f;
+    scene.setMaterial(5, material);
+    scene.setMaterial(5, material);
+    GpuScene::State::UpdateCounts counts = updated(scene);
+    EXPECT_EQ(counts.materials, 1u);
+    EXPECT_EQ(counts.draws, 0u);
+    material.doubleSided = true;
+    scene.setMaterial(5, material);
+    counts = updated(scene);
+    EXPECT_EQ(counts.materials, 1u);
+    EXPECT_EQ(counts.draws, std::size_t{nodesOfFamily});
+    EXPECT_EQ(counts.instances, 0u);
+}
+
+/// Animates the translation of a node from (0, 0, 0) to (1, 0, 0) in one second.
+void animate(Scene& scene, std::uint32_t node) {
+    scene.nodes[node].transform = Transform{};
+    Animation animation;
+    animation.channels.push_back(
+        {node, AnimationPath::translation, Interpolation::linear, {0.0f, 1.0f}, {0, 0, 0, 1, 0, 0}});
+    scene.animations.push_back(animation);
+}
+
+TEST_F(EditTest, timeCostsTheAnimatedSubtrees) {
+    Scene animated = sceneOfFamilies();
+    animate(animated, 0);
+    animate(animated, nodesOfFamily + 1);
+    GpuScene scene(context(), animated);
+    scene.setTime(0.5);
+    EXPECT_EQ(updated(scene).nodes, std::size_t{nodesOfFamily + 1});
+    scene.setTime(7.0);
+    updated(scene);
+    scene.setTime(9.0);
+    EXPECT_EQ(updated(scene).nodes, 0u) << "both have ended";
+}
+
+TEST_F(EditTest, matrixReplacesTheAnimationOfANode) {
+    Scene animated = sceneOf(makeSphere(0.5f), Material{});
+    place(animated, makeSphere(0.5f), Material{});
+    animate(animated, 0);
+    animate(animated, 1);
+    Scene expected = animated;
+    GpuScene scene(context(), animated);
+    scene.setTransform(0, at(-1.5f));
+    const WorldLight light = pointLight({1, 3, 5}, 30.0f, glm::vec3(30.0f));
+    scene.setLights({&light, 1});
+    expected.animations.clear();
+    expected.nodes[0].transform = at(-1.5f);
+    for (const float seconds : {0.0f, 0.75f}) {
+        scene.setTime(double{seconds});
+        expected.nodes[1].transform = at(seconds);
+        EXPECT_EQ(drawn(scene, inputs).rgba, drawn(upload(expected, {&light, 1}), inputs).rgba) << seconds;
+    }
+}
+
+TEST_F(EditTest, manyEditsGiveThePictureOfAFreshScene) {
+    Scene edited = sceneOfFamilies();
+    GpuScene scene(context(), edited);
+    for (std::uint32_t step = 0; step < 40; ++step) {
+        const auto node = static_cast<std::uint32_t>(hashed(step, 1) * float(edited.nodes.size() - 1));
+        const float mirror = step % 3 == 0 ? -1.0f : 1.0f;
+        const glm::mat4 matrix =
+            glm::scale(at(hashed(step, 2) - 0.5f, hashed(step, 3) - 0.5f), glm::vec3(mirror, 2, 2));
+        edited.nodes[node].transform = matrix;
+        scene.setTransform(node, matrix);
+        const auto index = static_cast<std::uint32_t>(hashed(step, 4) * float(families - 1));
+        Material& material = edited.materials[index];
+        material.baseColor = {hashed(step, 5), hashed(step, 6), 0.5f, 1.0f};
+        material.doubleSided = step % 2 == 0;
+        if (step % 5 == 0) material.emission = glm::vec3(0.1f);
+        scene.setMaterial(index, material);
+        if (step % 8 != 7) continue;
+        EXPECT_EQ(drawn(scene, inputs).rgba, drawn(GpuScene(context(), edited), inputs).rgba) << step;
+    }
+}
+
+TEST_F(EditTest, indicesOutOfRangeAreRefused) {
+    GpuScene scene(context(), sceneOfCage(makeCubeCage(1.0f), Material{}), subdividing(1));
+    const std::vector<glm::vec3> points = makeCubeCage(1.0f).positions;
+    constexpr std::uint32_t last = std::numeric_limits<std::uint32_t>::max();
+    for (const std::uint32_t index : {1u, last}) {
+        EXPECT_NE(refusal([&] { scene.setTransform(index, at(1)); }).find("node " + std::to_string(index)),
+                  std::string::npos);
+        EXPECT_NE(refusal([&] { scene.setVisibility(index, GpuScene::Visibility::hidden); }).find("node"),
+                  std::string::npos);
+        EXPECT_NE(refusal([&] { scene.setCagePoints(index, points); }).find("node"), std::string::npos);
+        EXPECT_NE(refusal([&] { scene.setMaterial(index, {}); }).find("material " + std::to_string(index)),
+                  std::string::npos);
+    }
+}
+
+TEST_F(EditTest, brokenMatricesAndTimesAreRefusedAndChangeNothing) {
+    Scene animated = sceneOf(makeSphere(0.5f), Material{});
+    animated.nodes[0].name = "ball";
+    animate(animated, 0);
+    GpuScene scene(context(), animated);
+    const HdrImage before = drawn(scene, inputs);
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    glm::mat4 projective(1.0f), unknown(1.0f);
+    projective[2][3] = 1.0f;
+    unknown[3][0] = nan;
+    EXPECT_NE(refusal([&] { scene.setTransform(0, unknown); }).find("ball"), std::string::npos);
+    EXPECT_NE(refusal([&] { scene.setTransform(0, projective); }).find("affine"), std::string::npos);
+    refusal([&] { scene.setTime(infinite); });
+    refusal([&] { scene.setTime(double{nan}); });
+    EXPECT_EQ(drawn(scene, inputs).rgba, before.rgba);
+}
+
+TEST_F(EditTest, refusedLightsChangeNothing) {
+    Scene lit = sceneOf(makeSphere(1.0f), Material{});
+    GpuScene scene(context(), lit);
+    const WorldLight good = pointLight({1, 3, 5}, 30.0f, glm::vec3(30.0f));
+    scene.setLights({&good, 1});
+    const HdrImage before = drawn(scene, inputs);
+    std::vector<WorldLight> lights(40, good);
+    lights[39].range = -1.0f;
+    EXPECT_NE(refusal([&] { scene.setLights(lights); }).find("light 39"), std::string::npos);
+    EXPECT_EQ(scene.lightReport().lights, 1u);
+    EXPECT_EQ(drawn(scene, inputs).rgba, before.rgba);
+}
+
+TEST_F(EditTest, movedFromSceneIsRefused) {
+    GpuScene scene(context(), sceneOf(makeSphere(1.0f), Material{}));
+    GpuScene taken = std::move(scene);
+    // NOLINTBEGIN(bugprone-use-after-move): that is what is tested.
+    EXPECT_NE(refusal([&] { scene.setTime(1.0); }).find("moved from"), std::string::npos);
+    refusal([&] { scene.setTransform(0, at(1)); });
+    refusal([&] { scene.setLights({}); });
+    refusal([&] { scene.triangleCount(); });
+    refusal([&] { drawn(scene, inputs); });
+    // NOLINTEND(bugprone-use-after-move)
+    EXPECT_EQ(taken.triangleCount(), candela::triangleCount(sceneOf(makeSphere(1.0f), Material{})));
+}
+
+TEST_F(EditTest, meshWithoutSubmeshesIsDrawnWithTheDefaultMaterial) {
+    Scene whole = sceneOf(makeSphere(1.0f), Material{});
+    whole.meshes[0].submeshes[0].material.reset();
+    Scene bare = whole;
+    bare.meshes[0].submeshes.clear();
+    const WorldLight light = pointLight({1, 3, 5}, 30.0f, glm::vec3(30.0f));
+    const HdrImage expected = drawn(upload(whole, {&light, 1}), inputs);
+    EXPECT_GT(pixelOf(expected, 32, 24).x, 0.0f);
+    EXPECT_EQ(drawn(upload(bare, {&light, 1}), inputs).rgba, expected.rgba);
+    EXPECT_EQ(triangleCount(bare), triangleCount(whole));
+}
+
+}  // namespace
+}  // namespace candela::test

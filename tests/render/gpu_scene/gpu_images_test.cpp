@@ -1,0 +1,83 @@
+// Images on their way to the device and back.
+
+#include "support/drawing_test.h"
+#include "support/procedural_scene.h"
+
+#include "gl/state_guard.h"
+#include "render/gpu_scene/gpu_images.h"
+
+#include <candela/error.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace candela::test {
+namespace {
+
+Image imageOf(PixelFormat format) {
+    Image image{"pattern", 5, 7, format, {}};
+    image.pixels.resize(std::size_t{5} * 7 * texelSize(format));
+    if (format == PixelFormat::rgba32f) {
+        for (std::size_t i = 0; i < image.pixels.size() / sizeof(float); ++i) {
+            const float value = 0.01f * static_cast<float>(i);
+            std::memcpy(image.pixels.data() + i * sizeof value, &value, sizeof value);
+        }
+        return image;
+    }
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = static_cast<std::byte>(37 * i % 251);
+    return image;
+}
+
+std::vector<float> texelsOf(GLuint texture) {
+    std::vector<float> texels(std::size_t{5} * 7 * 4);
+    glGetTextureImage(texture, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(texels.size() * sizeof(float)),
+                      texels.data());
+    return texels;
+}
+
+class GpuImagesTest : public DrawingTest {};
+
+TEST_F(GpuImagesTest, runsOfRowsGiveTheWholeImage) {
+    const gl::StateGuard guard;
+    for (const PixelFormat format : {PixelFormat::rgba8, PixelFormat::rgba16, PixelFormat::rgba32f}) {
+        const std::vector<Image> source{imageOf(format)};
+        for (const TexelEncoding encoding : {TexelEncoding::color, TexelEncoding::data}) {
+            GpuImages atOnce(source);
+            const std::vector<float> expected = texelsOf(atOnce.get(Texture{}, encoding).texture);
+            // Less than a row, two rows, and all but one.
+            for (const std::size_t maxBytes : {std::size_t{1}, std::size_t{2} * 5 * texelSize(format),
+                                               std::size_t{6} * 5 * texelSize(format)}) {
+                GpuImages inRuns(source, maxBytes);
+                EXPECT_EQ(texelsOf(inRuns.get(Texture{}, encoding).texture), expected);
+                // The other encoding is made from what can be read back of this one.
+                inRuns.releaseSources();
+                const auto other =
+                    encoding == TexelEncoding::color ? TexelEncoding::data : TexelEncoding::color;
+                EXPECT_EQ(texelsOf(inRuns.get(Texture{}, other).texture),
+                          texelsOf(atOnce.get(Texture{}, other).texture));
+            }
+        }
+    }
+}
+
+TEST_F(GpuImagesTest, imageThatTheDeviceHasNoMemoryForIsNamed) {
+    if (!context().isSoftware()) GTEST_SKIP() << "the device may have as much";
+    GLint side = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
+    const auto size = static_cast<std::uint32_t>(side);
+    // 16 bytes a texel: 4 GiB where the side is 16384, more than llvmpipe allocates for a texture.
+    const std::vector<Image> source{{"panorama", size, size, PixelFormat::rgba32f, {}}};
+    GpuImages images(source);
+    try {
+        images.get(Texture{}, TexelEncoding::data);
+        FAIL() << "is not refused";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::limit);
+        EXPECT_NE(std::string(error.what()).find("image 0 'panorama'"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+}  // namespace
+}  // namespace candela::test
