@@ -121,7 +121,6 @@ TEST(LifetimeTest, useWithoutTheContextSaysSo) {
         texts.push_back(errorOf([&] { drawing.frame.radiance(); }));
         texts.push_back(errorOf([&] { drawing.frame.passTimes(); }));
         texts.push_back(errorOf([&] { drawing.frame.probe(1, 1); }));
-        texts.push_back(errorOf([&] { drawing.scene.setMaterial(0, Material{}); }));
     }).join();
     for (const std::string& text : texts) EXPECT_NE(text.find(notCurrent), std::string::npos) << text;
     const Context second = Context::createHeadless();

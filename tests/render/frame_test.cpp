@@ -7,6 +7,8 @@
 #include <candela/color.h>
 #include <candela/error.h>
 
+#include <epoxy/gl.h>
+
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -138,7 +138,7 @@ void GpuScene::State::setMaterial(std::uint32_t index, const Material& material)
     validateMaterial(material, sceneState, ErrorContext("material", index, material.name));
     materials.requireUvs(index, material);
     std::optional<gl::StateGuard> pixelStorage;
-    if (hasTextures(material)) pixelStorage.emplace();
+    if (hasTextures(material)) pixelStorage.emplace(*binding, "a GpuScene");
     draws.setMaterial(index, material, images);
     sceneState.materials[index] = material;
     materials.set(index, material);
