@@ -15,8 +15,8 @@ FrameTiming Painter::draw(const candela::CameraView& view) {
     inputs.view = view;
     inputs.brdf = options_.brdf;
     inputs.technique = options_.technique;
-    inputs.show = options_.show.show;
-    inputs.overlays = options_.show.overlays;
+    inputs.show = options_.debug.view;
+    inputs.overlays = options_.debug.overlays;
 
     const auto start = std::chrono::steady_clock::now();
     renderer_.render(scene_, inputs);

@@ -47,8 +47,8 @@ void Viewport::draw(candela::Renderer& renderer, const Inputs& inputs) {
     frame.view = inputs.view;
     frame.brdf = inputs.options.brdf;
     frame.technique = inputs.options.technique;
-    frame.show = inputs.options.show.show;
-    frame.overlays = inputs.options.show.overlays;
+    frame.show = inputs.options.debug.view;
+    frame.overlays = inputs.options.debug.overlays;
     renderer.render(inputs.scene, frame);
     renderer.display(inputs.display, {.framebuffer = framebuffer_, .x = 0, .y = 0});
 }
