@@ -19,13 +19,13 @@ constexpr const char* footer =
     "  candela-bench --json r.json                                  the plaza with 4096 lights\n"
     "  candela-bench --lights 64,1024,16384 --technique all --json r.json --plot r.svg\n"
     "                                                               every technique, as a plot too\n"
-    "  candela-bench --baseline --lights 4096 --json r.json         against textbook programs\n"
+    "  candela-bench --baseline --lights 4096 --json r.json         with textbook baselines\n"
     "\n"
     "The table's columns are explained in docs/benchmarks.md.\n"
     "\n"
     "Exit codes:\n"
     "  0  done\n"
-    "  1  the scene, another file or this machine is at fault, or the pictures do not agree; one line says "
+    "  1  the scene, another file or this machine is at fault, or pictures of candela differ; one line says "
     "which, what and why\n"
     "  2  wrong usage";
 
@@ -48,18 +48,20 @@ void parseTechniques(const std::string& text, BenchOptions& options) {
     for (const std::string& part : splitAtCommas(text)) {
         const candela::Technique technique = parseTechnique(part);
         if (std::ranges::find(options.techniques, technique) != options.techniques.end())
-            throw UsageError("--technique \"" + text + "\": " + part + " stands there twice");
+            throw UsageError("--technique \"" + text + "\": " + part + " is given twice");
         options.techniques.push_back(technique);
     }
 }
 
 void checkTogether(const BenchOptions& options) {
-    if (options.json.empty()) throw UsageError("--json is missing: name the file that the results go to");
+    if (options.json.empty()) throw UsageError("--json is missing: name the file to write the results to");
     if (options.scene.empty()) throw UsageError("--scene \"\": expected a name or a file");
     const bool measuresLights = !options.lights.empty() || options.compares || options.plot || options.view ||
                                 options.baseline == Baseline::with;
     if (options.scene == cageScene && measuresLights)
-        throw UsageError("--scene cages measures no lights: it takes --frames, --json and --device only");
+        throw UsageError(
+            "--scene cages measures no lights: leave --lights, --technique all, --plot, --view and "
+            "--baseline out");
     if (options.baseline == Baseline::with && options.brdf != candela::BrdfModel::course)
         throw UsageError("--baseline draws with the model course only: leave --brdf out");
 }
@@ -87,8 +89,9 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
         ->type_name("WORD");
     app.add_flag_callback(
         "--baseline", [&] { options.baseline = Baseline::with; },
-        "Also the programs a graphics programmer writes in a day: textbook_volumes,\n"
-        "textbook_fullscreen, and bare, which draws the geometry alone");
+        "Also measure textbook deferred renderers (textbook_volumes,\n"
+        "textbook_fullscreen) and bare, which draws the geometry alone. One that cannot\n"
+        "draw the scene is reported as failed");
     app.add_option_function<std::string>(
            "--size",
            [&](const std::string& text) { std::tie(options.width, options.height) = parseSize(text); },
@@ -99,11 +102,11 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
            [&](const std::string& text) {
                options.frames = static_cast<int>(parseInteger("--frames", text, 1, 10'000));
            },
-           "Frames that each median is of; fewer when a frame takes seconds. Default: 20")
+           "Frames that each median is taken over; fewer where a frame takes seconds.\nDefault: 20")
         ->type_name("N");
     app.add_option("--view", options.view, "View of the built-in colour config. Default: the config's")
         ->type_name("NAME");
-    app.add_option("--json", json, "Where the results go. Needed")->type_name("FILE");
+    app.add_option("--json", json, "File to write the results to. Required")->type_name("FILE");
     app.add_option("--plot", options.plot, "Also draw lighting time against the number of lights")
         ->type_name("FILE.svg");
     app.add_option("--plugin-path", options.pluginFolders, "Search this folder for plugins first")

@@ -10,15 +10,15 @@
 #include <string>
 #include <vector>
 
-/// Are the textbook programs and the bare one measured too?
+/// Whether the textbook programs and the bare one are measured too.
 enum class Baseline { without, with };
 
-/// The scene that measures moving a subdivision cage, and no lights.
+/// The scene that measures a moving subdivision cage, and no lights.
 constexpr const char* cageScene = "cages";
 
 struct BenchOptions {
     std::string scene = "plaza";
-    std::vector<std::uint64_t> lights;  ///< Empty: a scale of the scene's own.
+    std::vector<std::uint64_t> lights;  ///< Empty: 4096, or the lights of a file.
     std::vector<candela::Technique> techniques{candela::Technique::automatic};
     bool compares = false;  ///< --technique all: pictures are compared and must agree.
     candela::BrdfModel brdf = candela::BrdfModel::course;
@@ -33,5 +33,5 @@ struct BenchOptions {
     bool quiet = false;
 };
 
-/// None when the user asked for help or the version, which has been printed. Throws `UsageError`.
+/// None after --help or --version, which have been printed. Throws `UsageError`.
 std::optional<BenchOptions> parseBenchOptions(int argc, const char* const* argv);

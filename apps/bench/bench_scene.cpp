@@ -1,6 +1,6 @@
 #include "bench_scene.h"
 
-#include "common/scene_box.h"
+#include "common/scene_setup.h"
 
 #include <candela/import.h>
 
@@ -11,29 +11,29 @@ namespace {
 
 constexpr std::array proceduralScenes{"plaza", "cloud", "rooms"};
 
-candela::CameraView viewOf(const candela::Scene& scene, const BenchOptions& options,
-                           const std::vector<glm::mat4>& world) {
+candela::CameraView defaultView(const candela::Scene& scene, const BenchOptions& options,
+                                const std::vector<glm::mat4>& world) {
     if (!scene.cameras.empty()) return cameraView(scene, 0, world);
     return frameBounds(worldBounds(scene, world),
                        static_cast<float>(options.width) / static_cast<float>(options.height));
 }
 
-BenchScene place(const std::string& name, candela::Scene scene, const BenchOptions& options) {
+BenchScene makeBenchScene(const std::string& name, candela::Scene scene, const BenchOptions& options) {
     const std::vector<glm::mat4> world = worldTransforms(scene);
-    BenchScene made{name, {}, worldLights(scene, world), viewOf(scene, options, world), {}};
-    made.scene = std::move(scene);
-    return made;
+    BenchScene bench{name, {}, worldLights(scene, world), defaultView(scene, options, world), {}};
+    bench.scene = std::move(scene);
+    return bench;
 }
 
-/// The lights of the plaza, turned round the camera to lie behind it.
+/// Point-reflects the lights at the eye, 4 m farther back, so that they lie behind the camera.
 void moveBehind(std::vector<candela::WorldLight>& lights, const candela::CameraView& view) {
     for (candela::WorldLight& light : lights) {
         light.position = 2.0f * view.eye() - light.position + glm::vec3(view.worldFromCamera[2]) * 4.0f;
     }
 }
 
-/// As many lights again, deep enough under the ground that none reaches it: they lie in the frustum, behind
-/// what is seen.
+/// Adds as many lights again under the ground, so deep that none reaches it: in the frustum, but lighting no
+/// visible surface.
 void addHidden(std::vector<candela::WorldLight>& lights) {
     const std::size_t count = lights.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -49,21 +49,23 @@ BenchScene loadBenchScene(const candela::PluginRegistry& plugins, const BenchOpt
                           std::optional<std::uint64_t> lights) {
     const std::string count = std::to_string(lights.value_or(4096));
     if (std::ranges::find(proceduralScenes, options.scene) != proceduralScenes.end()) {
-        return place(options.scene, importScene(plugins, options.scene + ":" + count).scene, options);
+        return makeBenchScene(options.scene, importScene(plugins, options.scene + ":" + count).scene,
+                              options);
     }
     if (options.scene == "outside" || options.scene == "hidden") {
-        BenchScene made = place(options.scene, importScene(plugins, "plaza:" + count).scene, options);
-        made.referenceLights = options.scene == "outside" ? 0 : made.lights.size();
-        if (options.scene == "outside") moveBehind(made.lights, made.view);
-        if (options.scene == "hidden") addHidden(made.lights);
-        return made;
+        BenchScene bench =
+            makeBenchScene(options.scene, importScene(plugins, "plaza:" + count).scene, options);
+        bench.referenceLights = options.scene == "outside" ? 0 : bench.lights.size();
+        if (options.scene == "outside") moveBehind(bench.lights, bench.view);
+        if (options.scene == "hidden") addHidden(bench.lights);
+        return bench;
     }
     candela::Scene scene = importScene(plugins, options.scene).scene;
     if (lights) {
         scene.lights.clear();
-        ScatterOptions choice;
-        choice.count = static_cast<std::uint32_t>(*lights);
-        addScatteredLights(scene, choice, options.scene);
+        ScatterOptions scatter;
+        scatter.count = static_cast<std::uint32_t>(*lights);
+        addScatteredLights(scene, scatter, options.scene);
     }
-    return place(options.scene, std::move(scene), options);
+    return makeBenchScene(options.scene, std::move(scene), options);
 }

@@ -15,10 +15,11 @@ struct BenchScene {
     candela::Scene scene;
     std::vector<candela::WorldLight> lights;
     candela::CameraView view;
-    /// Set where the cost of the lights after the first so many is asked for.
+    /// Where set, the lighting pass with only the first this many lights is measured too.
     std::optional<std::size_t> referenceLights;
 };
 
-/// The scene of the options with `lights` lights; with none given, a file's own. Throws `candela::Error`.
+/// Loads the scene of the options with `lights` lights; without a number with 4096, or with the lights of the
+/// file. Throws `candela::Error`.
 BenchScene loadBenchScene(const candela::PluginRegistry& plugins, const BenchOptions& options,
                           std::optional<std::uint64_t> lights);

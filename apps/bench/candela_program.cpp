@@ -1,9 +1,7 @@
-#include "candela_program.h"
-
-#include "common/median.h"
+#include "common/timing.h"
 #include "gl_drawing.h"
+#include "programs.h"
 
-#include <chrono>
 #include <optional>
 
 namespace {
@@ -61,15 +59,12 @@ class CandelaProgram final : public Program {
   private:
     const candela::Frame& render() { return frame_.emplace(renderer_.render(scene_, view_, settings_)); }
 
-    /// Wall-clock milliseconds of what ends in memory or on the device, of five.
+    /// The median wall time in milliseconds of five runs of `work`, which has to wait for the device.
     template <typename Work>
     static double medianOf(Work&& work) {
         std::vector<double> times;
         for (int i = 0; i < 5; ++i) {
-            const auto start = std::chrono::steady_clock::now();
-            work();
-            times.push_back(
-                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+            times.push_back(measureMilliseconds(work));
         }
         return median(times);
     }

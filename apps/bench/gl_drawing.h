@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// A texture that is drawn into, of one picture's size.
+/// A render target texture.
 class Target {
   public:
     Target(GLenum format, int width, int height);
@@ -23,7 +23,7 @@ class Target {
     GLuint name_ = 0;
 };
 
-/// An RGBA8 picture with its framebuffer: what a finished frame is shown in.
+/// An RGBA8 framebuffer that the finished frame is displayed into.
 class Screen {
   public:
     Screen(int width, int height);
@@ -66,5 +66,5 @@ class SceneGeometry {
     GLuint vertexArray_ = 0, vertices_ = 0, indices_ = 0;
 };
 
-/// An ordinary projection with a far plane, as textbooks have it, times the view.
+/// A projection with near plane 0.1 m and far plane 1000 m, depth from 0 at the near plane, times the view.
 glm::mat4 textbookClipFromWorld(const candela::CameraView& view, int width, int height);

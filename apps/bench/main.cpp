@@ -1,36 +1,33 @@
-/// candela-bench: measures lighting, and compares techniques. See --help and docs/benchmarks.md.
+/// candela-bench: measures the lighting techniques and compares their pictures. See --help and
+/// docs/benchmarks.md.
 
-#include "bare_baseline.h"
 #include "bench_options.h"
 #include "bench_scene.h"
-#include "cages/cage_bench.h"
-#include "candela_program.h"
+#include "cage_bench.h"
 #include "common/output_file.h"
-#include "common/progress.h"
-#include "common/run_program.h"
-#include "comparison.h"
+#include "common/program.h"
 #include "measure.h"
-#include "plot.h"
-#include "setup.h"
-#include "textbook_baseline.h"
+#include "programs.h"
+#include "results.h"
 
 #include <candela/error.h>
 
 #include <algorithm>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
 
 namespace {
 
-/// Beyond so many pairs the reference technique takes minutes: it is left out of --technique all, and the
-/// next one is the reference.
-constexpr double maxReferencePairs = 2.0e10;
+/// With more pairs of pixel and light `fullscreen` takes minutes: --technique all leaves it out, and the next
+/// technique is the reference.
+constexpr double maxFullscreenPairs = 2.0e10;
 
 bool isAffordable(candela::Technique technique, const BenchScene& scene, const BenchOptions& options) {
     const double pairs =
         static_cast<double>(options.width) * options.height * static_cast<double>(scene.lights.size());
-    return technique != candela::Technique::fullscreen || pairs <= maxReferencePairs;
+    return technique != candela::Technique::fullscreen || pairs <= maxFullscreenPairs;
 }
 
 std::vector<candela::Technique> techniquesFor(const BenchScene& scene, const BenchOptions& options) {
@@ -40,11 +37,7 @@ std::vector<candela::Technique> techniquesFor(const BenchScene& scene, const Ben
     return techniques;
 }
 
-/// The pairs that are lit are the scene's, whichever program draws it.
-void copyLitPairs(Result& result, const Result& candelas) {
-    result.pairsLit = candelas.pairsLit;
-    result.lightsVisible = candelas.lightsVisible;
-}
+using ProgramMaker = std::function<std::unique_ptr<Program>()>;
 
 class Bench {
   public:
@@ -56,62 +49,86 @@ class Bench {
     void measureScene(const BenchScene& scene) {
         const std::vector<candela::Technique> techniques = techniquesFor(scene, options_);
         // The last technique is the reference of all: `fullscreen` where it is affordable.
-        std::optional<Reference> reference;
+        reference_.reset();
         const std::size_t first = results_.size();
-        for (auto technique = techniques.rbegin(); technique != techniques.rend(); ++technique) {
-            const auto program = makeCandelaProgram(context_, scene, options_, *technique);
-            const auto baseline = makeBaseline(scene, *technique);
-            add(*program, baseline.get(), scene, toString(*technique), reference);
-        }
+        for (auto technique = techniques.rbegin(); technique != techniques.rend(); ++technique)
+            addCandela(scene, *technique);
         std::reverse(results_.begin() + static_cast<std::ptrdiff_t>(first), results_.end());
-        if (options_.baseline == Baseline::with) measureBaseline(scene, results_[first], reference);
+        if (options_.baseline == Baseline::with) addBaselines(scene, Result(results_[first]));
     }
 
     const std::vector<Result>& results() const { return results_; }
     void clearProgress() { progress_.clear(); }
 
   private:
-    /// The program that draws the scene with its reference lights alone; none where none are named.
-    std::unique_ptr<Program> makeBaseline(const BenchScene& scene, candela::Technique technique) const {
-        if (!scene.referenceLights) return nullptr;
+    void addCandela(const BenchScene& scene, candela::Technique technique) {
+        const ProgramMaker make = [&] { return makeCandelaProgram(context_, scene, options_, technique); };
+        if (!scene.referenceLights) return add(scene, toString(technique), make);
         BenchScene fewer = scene;
         fewer.lights.resize(*scene.referenceLights);
-        return makeCandelaProgram(context_, fewer, options_, technique);
+        add(scene, toString(technique), make,
+            [&] { return makeCandelaProgram(context_, fewer, options_, technique); });
     }
 
-    void add(Program& program, Program* baseline, const BenchScene& scene, const std::string& name,
-             std::optional<Reference>& reference) {
+    void addBaselines(const BenchScene& scene, const Result& own) {
+        const auto addTextbook = [&](TextbookLighting lighting, const char* name) {
+            add(scene, name, [&] { return makeTextbookProgram(context_, scene, options_, lighting); });
+            // Lit pairs are a property of the scene, whichever program draws it.
+            results_.back().pairsLit = own.pairsLit;
+            results_.back().lightsVisible = own.lightsVisible;
+        };
+        addTextbook(TextbookLighting::volumes, "textbook_volumes");
+        if (isAffordable(candela::Technique::fullscreen, scene, options_))
+            addTextbook(TextbookLighting::fullscreen, "textbook_fullscreen");
+        add(scene, "bare", [&] { return makeBareProgram(context_, scene, options_); });
+    }
+
+    /// Measures one program. What it throws becomes the result's error, so that other results are kept.
+    void add(const BenchScene& scene, const std::string& name, const ProgramMaker& make,
+             const ProgramMaker& makeReference = {}) {
         progress_.show("measuring " + scene.name + " with " + std::to_string(scene.lights.size()) +
                        " lights: " + name);
-        Result result = measure(program, baseline, scene, options_, name);
-        std::vector<float> picture = program.picture();
-        if (!picture.empty() && reference)
-            compare(result, picture, *reference, allowedDifference(result.technique, scene));
-        if (!picture.empty() && !reference && (options_.compares || options_.baseline == Baseline::with)) {
-            reference = Reference{result.technique, std::move(picture)};
+        Result result;
+        try {
+            const std::unique_ptr<Program> program = make();
+            const std::unique_ptr<Program> reference = makeReference ? makeReference() : nullptr;
+            result = measure(*program, reference.get(), scene, options_, name);
+            checkPicture(result, program->picture(), scene);
+        } catch (const candela::Error& error) {
+            result.scene = scene.name;
+            result.lights = scene.lights.size();
+            result.technique = name;
+            result.width = options_.width;
+            result.height = options_.height;
+            result.error = error.what();
         }
         results_.push_back(result);
     }
 
-    void measureBaseline(const BenchScene& scene, const Result candelas,
-                         std::optional<Reference>& reference) {
-        const auto textbook = [&](TextbookLighting lighting, const char* name) {
-            const auto program = makeTextbookBaseline(context_, scene, options_, lighting);
-            add(*program, nullptr, scene, name, reference);
-            copyLitPairs(results_.back(), candelas);
-        };
-        textbook(TextbookLighting::volumes, "textbook_volumes");
-        if (fitsTextbookLoop(scene) && isAffordable(candela::Technique::fullscreen, scene, options_))
-            textbook(TextbookLighting::fullscreen, "textbook_fullscreen");
-        const auto bare = makeBareBaseline(context_, scene, options_);
-        add(*bare, nullptr, scene, "bare", reference);
+    void checkPicture(Result& result, std::vector<float> rgb, const BenchScene& scene) {
+        if (rgb.empty()) return;
+        if (reference_)
+            return comparePictures(result, rgb, *reference_, allowedDifference(result.technique, scene));
+        if (options_.compares || options_.baseline == Baseline::with)
+            reference_ = ReferencePicture{result.technique, std::move(rgb)};
     }
 
     const BenchOptions& options_;
     const candela::Context& context_;
     Progress progress_;
+    std::optional<ReferencePicture> reference_;
     std::vector<Result> results_;
 };
+
+/// A baseline that fails is reported in its row only; where candela itself fails, the run fails.
+void requireCandelaResults(const std::vector<Result>& results) {
+    for (const Result& result : results) {
+        if (!result.error || !isCandela(result)) continue;
+        throw candela::Error(
+            candela::ErrorKind::badInput, result.scene,
+            result.technique + " with " + std::to_string(result.lights) + " lights: " + *result.error);
+    }
+}
 
 void runCageBench(const BenchOptions& options, const candela::PluginRegistry& plugins,
                   const candela::Context& context) {
@@ -136,6 +153,7 @@ void runBench(const BenchOptions& options) {
     if (!options.quiet)
         std::cout << context.renderer() << ", " << options.width << "x" << options.height << "\n"
                   << resultsTable(bench.results());
+    requireCandelaResults(bench.results());
 }
 
 }  // namespace

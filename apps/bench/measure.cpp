@@ -1,25 +1,24 @@
 #include "measure.h"
 
-#include "common/median.h"
+#include "common/timing.h"
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <cstring>
 #include <map>
+#include <sstream>
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
 // A frame of the textbook's loop over thousands of lights takes half a minute without a GPU.
-constexpr double maxSeconds = 10.0, maxSecondsAtAll = 60.0;
+constexpr double maxSeconds = 10.0;
+/// Limit where not even `minFrames` frames are drawn in `maxSeconds`.
+constexpr double absoluteMaxSeconds = 60.0;
 constexpr std::size_t minFrames = 3;
 constexpr int copies = 21;
-volatile float lastCopied = 0.0f;
-
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
+volatile float copiedValue = 0.0f;
 
 double lightingOf(const FrameTimes& times) {
     const auto found = std::ranges::find(times.passes, "lighting", &candela::PassTime::name);
@@ -28,11 +27,10 @@ double lightingOf(const FrameTimes& times) {
 
 bool isEnough(std::size_t frames, double seconds, const BenchOptions& options) {
     if (frames == static_cast<std::size_t>(options.frames)) return true;
-    return frames > 0 && (seconds > maxSecondsAtAll || (seconds > maxSeconds && frames >= minFrames));
+    return frames > 0 && (seconds > absoluteMaxSeconds || (seconds > maxSeconds && frames >= minFrames));
 }
 
-}  // namespace
-
+/// Milliseconds of a memcpy of the array of lights.
 double measureCopy(const std::vector<candela::WorldLight>& lights) {
     std::vector<candela::WorldLight> copy(lights.size());
     std::vector<double> times;
@@ -40,24 +38,92 @@ double measureCopy(const std::vector<candela::WorldLight>& lights) {
         const Clock::time_point start = Clock::now();
         std::memcpy(copy.data(), lights.data(), lights.size() * sizeof(candela::WorldLight));
         times.push_back(millisecondsSince(start));
-        // Read by somebody, so that no compiler leaves the copy out.
-        if (!copy.empty()) lastCopied = copy.back().range;
+        // The volatile store keeps the compiler from removing the copy.
+        if (!copy.empty()) copiedValue = copy.back().range;
     }
     return median(times);
 }
 
-Result measure(Program& program, Program* baseline, const BenchScene& scene, const BenchOptions& options,
+/// Half a step of half floats at the farthest light's coordinates, metres.
+double positionRounding(const BenchScene& scene) {
+    float farthest = 1.0f;
+    for (const candela::WorldLight& light : scene.lights)
+        for (int axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(light.position[axis]));
+    return std::exp2(std::floor(std::log2(static_cast<double>(farthest))) - 11.0);
+}
+
+double shortestRange(const BenchScene& scene) {
+    float shortest = 1.0e9f;
+    for (const candela::WorldLight& light : scene.lights)
+        if (light.range > 0.0f) shortest = std::min(shortest, light.range);
+    return static_cast<double>(shortest);
+}
+
+std::size_t nonFiniteCount(const std::vector<float>& values) {
+    return static_cast<std::size_t>(std::ranges::count_if(values, [](float v) { return !std::isfinite(v); }));
+}
+
+}  // namespace
+
+PassClock::PassClock(const candela::Context& context) : software_(context.isSoftware()) {}
+
+PassClock::~PassClock() {
+    glDeleteQueries(static_cast<GLsizei>(queries_.size()), queries_.data());
+}
+
+void PassClock::start() {
+    names_.clear();
+    marks_ = 0;
+    mark();
+}
+
+void PassClock::lap(const std::string& name) {
+    names_.push_back(name);
+    mark();
+}
+
+void PassClock::mark() {
+    const std::size_t index = marks_++;
+    if (software_) {
+        glFinish();
+        wallTimes_.resize(marks_);
+        wallTimes_[index] = std::chrono::steady_clock::now();
+        return;
+    }
+    if (queries_.size() < marks_) {
+        queries_.push_back(0);
+        glCreateQueries(GL_TIMESTAMP, 1, &queries_.back());
+    }
+    glQueryCounter(queries_[index], GL_TIMESTAMP);
+}
+
+double PassClock::at(std::size_t index) {
+    if (software_) return std::chrono::duration<double>(wallTimes_[index].time_since_epoch()).count();
+    GLuint64 nanoseconds = 0;
+    glGetQueryObjectui64v(queries_[index], GL_QUERY_RESULT, &nanoseconds);
+    return static_cast<double>(nanoseconds) * 1.0e-9;
+}
+
+FrameTimes PassClock::times() {
+    FrameTimes times;
+    for (std::size_t i = 0; i < names_.size(); ++i)
+        times.passes.push_back({names_[i], 1000.0 * (at(i + 1) - at(i))});
+    times.frame = 1000.0 * (at(names_.size()) - at(0));
+    return times;
+}
+
+Result measure(Program& program, Program* reference, const BenchScene& scene, const BenchOptions& options,
                const std::string& technique) {
     program.draw();
-    if (baseline != nullptr) baseline->draw();
-    std::vector<double> frames, baselineFrames;
+    if (reference != nullptr) reference->draw();
+    std::vector<double> frames, referenceTimes;
     std::map<std::string, std::vector<double>> passes;
     const Clock::time_point start = Clock::now();
     while (!isEnough(frames.size(), 1.0e-3 * millisecondsSince(start), options)) {
         const FrameTimes times = program.draw();
         frames.push_back(times.frame);
         for (const candela::PassTime& pass : times.passes) passes[pass.name].push_back(pass.milliseconds);
-        if (baseline != nullptr) baselineFrames.push_back(lightingOf(baseline->draw()));
+        if (reference != nullptr) referenceTimes.push_back(lightingOf(reference->draw()));
     }
     Result result;
     result.scene = scene.name;
@@ -73,10 +139,42 @@ Result measure(Program& program, Program* baseline, const BenchScene& scene, con
     result.geometry = pass("geometry");
     result.lighting = pass("lighting");
     result.display = pass("display");
-    if (baseline != nullptr) {
-        result.reference = ReferenceLights{scene.referenceLights.value_or(0), median(baselineFrames)};
+    if (reference != nullptr) {
+        result.reference = ReferenceLights{scene.referenceLights.value_or(0), median(referenceTimes)};
         result.copy = measureCopy(scene.lights);
     }
     program.count(result);
     return result;
+}
+
+double allowedDifference(const std::string& technique, const BenchScene& scene) {
+    if (!technique.starts_with("textbook")) return 1.0e-5;
+    return 0.02 + 4.0 * std::sqrt(3.0) * positionRounding(scene) / shortestRange(scene);
+}
+
+void comparePictures(Result& result, const std::vector<float>& rgb, const ReferencePicture& reference,
+                     double allowed) {
+    double total = 0.0, max = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < rgb.size(); ++i) {
+        const double expected = static_cast<double>(reference.rgb[i]);
+        const double difference = std::abs(static_cast<double>(rgb[i]) - expected);
+        total += difference;
+        max = std::max(max, difference);
+        sum += expected;
+    }
+    std::ostringstream text;
+    if (const std::size_t invalid = nonFiniteCount(rgb); invalid > 0) {
+        text << "its picture has " << invalid << " of " << rgb.size()
+             << " values that are infinite or not a number";
+        result.error = text.str();
+        return;
+    }
+    // A black reference has no mean to divide by: the difference is absolute then.
+    const auto count = static_cast<double>(rgb.size());
+    const double scale = sum > 0.0 ? count / sum : 1.0;
+    result.difference = Difference{reference.technique, scale * max, scale * total / count};
+    if (result.difference->mean <= allowed) return;
+    text << "its picture differs from that of " << reference.technique << " by " << result.difference->mean
+         << " of the mean, " << allowed << " is allowed";
+    result.error = text.str();
 }

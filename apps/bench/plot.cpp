@@ -1,4 +1,4 @@
-#include "plot.h"
+#include "results.h"
 
 #include <algorithm>
 #include <array>
@@ -10,12 +10,12 @@ namespace {
 
 constexpr double width = 760, height = 460, left = 80, right = 180, top = 50, bottom = 60;
 
-/// One axis over whole decades.
+/// A logarithmic axis that spans whole decades.
 class LogAxis {
   public:
-    LogAxis(double least, double most, double from, double to)
-        : first_(std::floor(std::log10(least))),
-          last_(std::max(std::ceil(std::log10(most)), first_ + 1.0)),
+    LogAxis(double min, double max, double from, double to)
+        : first_(std::floor(std::log10(min))),
+          last_(std::max(std::ceil(std::log10(max)), first_ + 1.0)),
           from_(from),
           to_(to) {}
 
@@ -35,7 +35,8 @@ class LogAxis {
 
 struct Line {
     std::string name;
-    std::vector<std::pair<double, double>> points;  ///< Lights and milliseconds, by growing lights.
+    std::vector<std::pair<double, double>>
+        points;  ///< Lights and milliseconds, in ascending order of lights.
 };
 
 std::vector<Line> linesOf(const std::vector<Result>& results) {

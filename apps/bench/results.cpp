@@ -1,14 +1,36 @@
 #include "results.h"
 
+#include <candela/threads.h>
+#include <candela/version.h>
+
+#include <epoxy/gl.h>
+#include <sys/utsname.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <fstream>
 #include <iomanip>
 #include <sstream>
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// The processor's name in /proc/cpuinfo; empty where there is none.
+std::string cpuName() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with("model name") && colon != line.npos) return line.substr(colon + 2);
+    }
+    return "";
+}
+
+std::string systemName() {
+    utsname names{};
+    if (uname(&names) != 0) return "";
+    return std::string(names.sysname) + " " + names.release + " " + names.machine;
+}
 
 template <typename Value>
 void put(Json& row, const char* name, const std::optional<Value>& value) {
@@ -38,8 +60,14 @@ std::string shareText(const Result& result) {
         100.0 * static_cast<double>(*result.pairsLit) / static_cast<double>(*result.pairsEvaluated), 0);
 }
 
-// The first eleven keys are the contract.
+Json failedRow(const Result& result) {
+    return {{"scene", result.scene}, {"lights", result.lights}, {"technique", result.technique},
+            {"width", result.width}, {"height", result.height}, {"error", *result.error}};
+}
+
+// The first eleven keys are a contract: other programs read them.
 Json rowOf(const Result& result) {
+    if (result.error) return failedRow(result);
     Json row{{"scene", result.scene},
              {"lights", result.lights},
              {"technique", result.technique},
@@ -69,7 +97,7 @@ Json rowOf(const Result& result) {
     return row;
 }
 
-/// What the lights beyond the reference's cost, in words.
+/// The cost of the lights beyond those of the reference.
 std::string referenceText(const Result& result) {
     const double more = result.lighting.value_or(0.0) - result.reference->lighting;
     std::string text = result.technique + ", " + std::to_string(result.lights) + " lights against " +
@@ -82,27 +110,41 @@ std::string referenceText(const Result& result) {
     return text + "\n";
 }
 
-bool isCandelas(const Result& result) {
-    return result.technique != "bare" && !result.technique.starts_with("textbook");
-}
-
-/// How many times as long as candela the textbook lights, and candela's frame against the bare one. Empty
-/// when they were not measured with as many lights.
-std::string baselineText(const Result& candelas, const std::vector<Result>& results) {
+/// Lighting time of the textbook programs over candela's, and candela's frame time over the bare one. Empty
+/// where no baseline was measured with this number of lights.
+std::string baselineText(const Result& own, const std::vector<Result>& results) {
     std::string text;
     for (const Result& other : results) {
-        if (other.lights != candelas.lights || isCandelas(other)) continue;
+        if (other.error || other.lights != own.lights || isCandela(other)) continue;
         if (other.technique == "bare")
-            text += ", frame " + fixedText(candelas.frame / other.frame, 2) + " times bare";
-        else if (candelas.lighting.value_or(0.0) > 0.0)
-            text += ", lighting " + fixedText(*other.lighting / *candelas.lighting, 1) +
-                    " times as fast as " + other.technique;
+            text += ", frame " + fixedText(own.frame / other.frame, 2) + " times bare";
+        else if (own.lighting.value_or(0.0) > 0.0)
+            text += ", lighting " + fixedText(*other.lighting / *own.lighting, 1) + " times as fast as " +
+                    other.technique;
     }
     if (text.empty()) return text;
-    return candelas.technique + ", " + std::to_string(candelas.lights) + " lights: " + text.substr(2) + "\n";
+    return own.technique + ", " + std::to_string(own.lights) + " lights: " + text.substr(2) + "\n";
 }
 
 }  // namespace
+
+bool isCandela(const Result& result) {
+    return result.technique != "bare" && !result.technique.starts_with("textbook");
+}
+
+std::string setupJson(const BenchOptions& options) {
+    const Json setup{
+        {"version", CANDELA_VERSION},
+        {"cpu", cpuName()},
+        {"cores", candela::availableThreads()},
+        {"threads", candela::threadCount()},
+        {"system", systemName()},
+        {"opengl", reinterpret_cast<const char*>(glGetString(GL_VERSION))},
+        {"brdf", candela::toString(options.brdf)},
+        {"view", options.view.value_or("")},
+    };
+    return setup.dump();
+}
 
 std::string resultsJson(const std::string& renderer, const std::string& setup,
                         const std::vector<Result>& results) {
@@ -125,14 +167,24 @@ std::string resultsTable(const std::vector<Result>& results) {
     line({"scene", "lights", " technique", "frame ms", "geometry", "lighting", "display", "lit M",
           "evaluated M", "lit %", "M lit/s", "difference"});
     for (const Result& r : results) {
+        if (r.error) {
+            line({r.scene, std::to_string(r.lights), " " + r.technique, "failed", "-", "-", "-", "-", "-",
+                  "-", "-", "-"});
+            continue;
+        }
         line({r.scene, std::to_string(r.lights), " " + r.technique, fixedText(r.frame, 2),
               fixedText(r.geometry, 2), fixedText(r.lighting, 2), fixedText(r.display, 2),
               millionsText(r.pairsLit), millionsText(r.pairsEvaluated), shareText(r), rateText(r),
               r.difference ? fixedText(r.difference->mean, 6) : "-"});
     }
     for (const Result& result : results) {
+        if (result.error) {
+            table << result.technique << ", " << result.lights << " lights: not measured: " << *result.error
+                  << "\n";
+            continue;
+        }
         if (result.reference) table << referenceText(result);
-        if (isCandelas(result)) table << baselineText(result, results);
+        if (isCandela(result)) table << baselineText(result, results);
     }
     return table.str();
 }

@@ -1,46 +1,60 @@
 #pragma once
 
-#include <candela/renderer.h>
+#include "bench_options.h"
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// How far a picture is from the one it is compared with, as shares of the mean of that picture.
+/// The difference of a picture from the reference picture, relative to the mean of the reference.
 struct Difference {
-    std::string from;  ///< The other's technique.
+    std::string from;  ///< The technique of the reference picture.
     double max = 0.0, mean = 0.0;
 };
 
-/// The same scene with only the first of its lights.
+/// The lighting pass of the same scene with the first of its lights only.
 struct ReferenceLights {
     std::uint64_t lights = 0;
     double lighting = 0.0;
 };
 
-/// What was measured of one technique at one scene: a row of the report. Times are medians in milliseconds.
+/// The measurements of one program on one scene: a row of the report. Times are medians in milliseconds.
 struct Result {
     std::string scene;
     std::uint64_t lights = 0;
     std::string technique;  ///< candela's, or "textbook_fullscreen", "textbook_volumes", "bare".
     int width = 0, height = 0;
-    int frames = 0;  ///< How many the medians are of.
+    /// The reason why the program could not draw the scene; all that follows is then unset.
+    std::optional<std::string> error;
+    int frames = 0;  ///< Number of frames that the medians are taken over.
     double frame = 0.0;
     std::optional<double> geometry, lighting, display;
     std::optional<std::uint64_t> pairsLit, pairsEvaluated, lightsVisible, lightsDropped, lightListBytes;
-    std::optional<double> picture;    ///< Wall clock of a frame up to its finished picture in memory.
-    std::optional<double> setLights;  ///< Wall clock of handing over all lights anew.
+    std::optional<double> picture;    ///< Wall clock of a frame, read-back included.
+    std::optional<double> setLights;  ///< Wall clock of one `GpuScene::setLights` with all lights.
     std::optional<Difference> difference;
     std::optional<ReferenceLights> reference;
-    std::optional<double> copy;  ///< A plain copy of the lights' array.
+    std::optional<double> copy;  ///< A memcpy of the array of lights.
 };
 
-/// The contract's JSON: {"renderer", "setup", "results": [...]}. Times and pairs that a program has not are
-/// 0; further keys that were not measured are left out. `setup` is the JSON text of `setupJson`.
+/// The setup of a run as a JSON object: {"version", "cpu", "cores", "threads", "system", "opengl", "brdf",
+/// "view"}. `cores` are those that the process may use, `threads` those that candela uses. Needs a current
+/// context.
+std::string setupJson(const BenchOptions& options);
+
+/// {"renderer", "setup", "results": [...]}. A failed result has "error" in place of measurements. Times and
+/// pairs that a program does not have are 0; further keys that were not measured are left out. `setup` is the
+/// text of `setupJson`.
 std::string resultsJson(const std::string& renderer, const std::string& setup,
                         const std::vector<Result>& results);
 
-/// The results as a table for people, and what follows from them; columns are explained in
-/// docs/benchmarks.md.
+/// The results as a table, and ratios derived from them; docs/benchmarks.md explains the columns.
 std::string resultsTable(const std::vector<Result>& results);
+
+/// Lighting time against the number of lights as an SVG picture, both axes logarithmic, one line a technique.
+/// One number of lights gives points instead of lines.
+std::string plotSvg(const std::string& renderer, const std::vector<Result>& results);
+
+/// Does the row belong to candela itself, not to a baseline?
+bool isCandela(const Result& result);

@@ -33,7 +33,7 @@ void main() {
 }
 )";
 
-/// The reflection model `course`, term by term, and the light of one lamp.
+/// The reflection model `course`, term by term, and the contribution of one light.
 constexpr const char* lightingFunctions = R"(
 layout(binding = 0) uniform sampler2D positions;
 layout(binding = 1) uniform sampler2D normals;
@@ -104,8 +104,8 @@ void main() {
     Surface surface = readSurface();
     vec3 sum = vec3(0.0);
     for (int i = 0; i < lightCount; ++i) {
-        vec4 place = texelFetch(lights, 2 * i);
-        sum += shade(surface, place.xyz, place.w, texelFetch(lights, 2 * i + 1).rgb);
+        vec4 positionRange = texelFetch(lights, 2 * i);
+        sum += shade(surface, positionRange.xyz, positionRange.w, texelFetch(lights, 2 * i + 1).rgb);
     }
     radiance = vec4(sum, 1.0);
 }
@@ -113,24 +113,24 @@ void main() {
 
 constexpr const char* volumeVertex = R"(#version 450 core
 layout(location = 0) in vec3 vertex;
-layout(location = 1) in vec4 place;
-layout(location = 2) in vec4 light;
+layout(location = 1) in vec4 positionRange;
+layout(location = 2) in vec4 intensity;
 layout(location = 3) uniform mat4 clipFromWorld;
-layout(location = 0) flat out vec4 lightPlace;
+layout(location = 0) flat out vec4 lightPositionRange;
 layout(location = 1) flat out vec3 lightIntensity;
 void main() {
-    lightPlace = place;
-    lightIntensity = light.rgb;
-    gl_Position = clipFromWorld * vec4(place.xyz + vertex * place.w, 1.0);
+    lightPositionRange = positionRange;
+    lightIntensity = intensity.rgb;
+    gl_Position = clipFromWorld * vec4(positionRange.xyz + vertex * positionRange.w, 1.0);
 }
 )";
 
 constexpr const char* volumeFragment = R"(
-layout(location = 0) flat in vec4 lightPlace;
+layout(location = 0) flat in vec4 lightPositionRange;
 layout(location = 1) flat in vec3 lightIntensity;
 layout(location = 0) out vec4 radiance;
 void main() {
-    radiance = vec4(shade(readSurface(), lightPlace.xyz, lightPlace.w, lightIntensity), 1.0);
+    radiance = vec4(shade(readSurface(), lightPositionRange.xyz, lightPositionRange.w, lightIntensity), 1.0);
 }
 )";
 

@@ -1,7 +1,5 @@
 #include "parse.h"
 
-#include "usage_error.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -14,7 +12,7 @@ namespace {
     throw UsageError(std::string(option) + " \"" + std::string(text) + "\": expected " + expected);
 }
 
-/// The whole text as a number; none when anything else stands in it.
+/// The whole text as a number; none where anything else is in it.
 template <typename Number>
 std::optional<Number> read(std::string_view text) {
     Number value{};
@@ -28,7 +26,7 @@ std::optional<double> readFinite(std::string_view text) {
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// A bound as a user writes it: without trailing zeros.
+/// A number in its shortest form.
 std::string plain(double value) {
     char text[32];
     const auto [end, error] = std::to_chars(text, text + sizeof text, value);
@@ -47,11 +45,11 @@ std::vector<std::string> splitAtCommas(std::string_view text) {
     return parts;
 }
 
-std::int64_t parseInteger(std::string_view option, std::string_view text, std::int64_t least,
-                          std::int64_t most) {
+std::int64_t parseInteger(std::string_view option, std::string_view text, std::int64_t min,
+                          std::int64_t max) {
     const std::optional<std::int64_t> value = read<std::int64_t>(text);
-    if (!value || *value < least || *value > most)
-        reject(option, text, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    if (!value || *value < min || *value > max)
+        reject(option, text, "a whole number from " + std::to_string(min) + " to " + std::to_string(max));
     return *value;
 }
 
@@ -61,10 +59,10 @@ double parseNumber(std::string_view option, std::string_view text) {
     return *value;
 }
 
-double parseNumberBetween(std::string_view option, std::string_view text, double least, double most) {
+double parseNumberBetween(std::string_view option, std::string_view text, double min, double max) {
     const std::optional<double> value = readFinite(text);
-    if (!value || *value <= least || *value >= most)
-        reject(option, text, "a number between " + plain(least) + " and " + plain(most));
+    if (!value || *value <= min || *value >= max)
+        reject(option, text, "a number between " + plain(min) + " and " + plain(max));
     return *value;
 }
 

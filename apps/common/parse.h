@@ -1,6 +1,6 @@
 #pragma once
 
-#include "usage_error.h"
+#include "program.h"
 
 #include <candela/brdf.h>
 #include <candela/context.h>
@@ -15,21 +15,20 @@
 #include <utility>
 #include <vector>
 
-/// Strict readers of option values: the whole text has to be the value. Each throws `UsageError` that names
-/// `option`, shows `text`, and says what is expected.
+/// Strict parsers of option values: the whole text has to be the value. Each throws `UsageError` that names
+/// `option`, `text`, and what is expected.
 
 /// The parts between commas; empty parts are kept.
 std::vector<std::string> splitAtCommas(std::string_view text);
 
-/// A decimal integer of `least` to `most`.
-std::int64_t parseInteger(std::string_view option, std::string_view text, std::int64_t least,
-                          std::int64_t most);
+/// A decimal integer of `min` to `max`.
+std::int64_t parseInteger(std::string_view option, std::string_view text, std::int64_t min, std::int64_t max);
 
 /// A finite decimal number.
 double parseNumber(std::string_view option, std::string_view text);
 
-/// A finite decimal number that lies between `least` and `most`, both excluded.
-double parseNumberBetween(std::string_view option, std::string_view text, double least, double most);
+/// A finite decimal number that lies between `min` and `max`, both excluded.
+double parseNumberBetween(std::string_view option, std::string_view text, double min, double max);
 
 /// "X,Y,Z", finite numbers.
 glm::vec3 parsePoint(std::string_view option, std::string_view text);
@@ -43,8 +42,8 @@ candela::DeviceOptions parseDevice(const std::string& text);
 candela::Technique parseTechnique(const std::string& text);
 candela::BrdfModel parseBrdf(const std::string& text);
 
-/// The one of `values` that `name` calls `text`. Throws `UsageError` that lists the words there are, after
-/// those of `more`, which the caller takes himself.
+/// The one of `values` whose name is `text`. Throws `UsageError` that lists all names, after those in `more`,
+/// which the caller handles itself.
 template <typename Value, std::size_t Count, typename Name>
 Value parseWord(const std::string& option, const std::string& text, const std::array<Value, Count>& values,
                 Name&& name, std::string more = "") {

@@ -1,8 +1,6 @@
 #include "scene_options.h"
 
 #include "parse.h"
-#include "scene_help.h"
-#include "usage_error.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,15 +11,67 @@
 
 namespace {
 
+namespace help {
+
+constexpr const char* scene =
+    "A file that a plugin reads (.gltf, .glb, .obj), or a procedural scene such as\n"
+    "plaza:4096, the benchmark scene with that many lights";
+constexpr const char* scatterLights =
+    "Scatter N more point lights within the scene's bounds, the same in each run.\n"
+    "RANGE in metres (default: twice the mean spacing), CANDELA each (default:\n"
+    "RANGE x RANGE / 10). SEED selects another distribution (default: 1)";
+constexpr const char* pluginPath = "Search this folder for plugins first. May be given several times";
+constexpr const char* time = "Time of the picture, or of frame 0, in seconds. Default: 0";
+
+constexpr const char* size = "Width and height in pixels, 1 to 16384 each. Default: 1280x720";
+constexpr const char* show =
+    "Show a debug view instead of the lit picture: normals, level (of subdivision),\n"
+    "base_color, metallic, roughness, depth, emission or light_count; and overlays:\n"
+    "wireframe, cage. Separated by commas, such as level,wireframe";
+
+constexpr const char* camera =
+    "A camera of the scene, by name or by number from 0. Default: the first one;\n"
+    "where there is none, one that frames the scene";
+constexpr const char* eye = "Look from here instead, in metres, +Y up. Needs --target";
+constexpr const char* target = "Look at this point. Needs --eye";
+constexpr const char* fov =
+    "Vertical field of view in degrees, between 0 and 180. Default: the camera's,\n"
+    "or 45";
+
+constexpr const char* brdf =
+    "Reflection model: course (GGX with Schlick-Smith), or gltf (height-correlated,\n"
+    "energy-compensated). Default: course";
+constexpr const char* technique =
+    "How lights are applied to pixels: auto, tiles (binned to the screen), volumes\n"
+    "(rasterised), or fullscreen (every light at every pixel, the reference). All\n"
+    "give the same picture. Default: auto";
+
+constexpr const char* subdivisionLevel =
+    "Refine every subdivision cage to this level, 1 to 8. Default: the cage's own\n"
+    "level if it states one, else a level that follows from its screen size";
+constexpr const char* subdivisionEdge = "Target length in pixels of the edges of refined cages. Default: 8";
+constexpr const char* subdivisionMaxLevel =
+    "The highest level that --subdivision-edge selects, 1 to 8. Default: 5";
+
+constexpr const char* ocio = "OpenColorIO config file. Default: that of $OCIO, else a built-in config";
+constexpr const char* display = "Display of the config that a .png is made for. Default: the config's";
+constexpr const char* view = "View of that display. Default: the display's";
+constexpr const char* look = "Look to apply. Default: none";
+constexpr const char* exposure =
+    "Brighten by this many stops (each doubles the light), between -64 and 64.\n"
+    "Default: 0. Like display, view and look it applies to .png only";
+
+}  // namespace help
+
 constexpr double maxStops = 64.0;
-constexpr double longestEdge = 1.0e6;
+constexpr double maxEdgePixels = 1.0e6;
 
 std::uint32_t parseLevel(const std::string& option, const std::string& text) {
     return static_cast<std::uint32_t>(parseInteger(option, text, 1, candela::maxSubdivisionLevel));
 }
 
-/// Takes one word of --show. False when it is none of the overlays.
-bool takeOverlay(const std::string& word, candela::Overlays& overlays) {
+/// Applies one word of --show that names an overlay. Returns false for other words.
+bool parseOverlay(const std::string& word, candela::Overlays& overlays) {
     if (word == "wireframe") overlays.wireframe = true;
     if (word == "cage") overlays.cage = true;
     return word == "wireframe" || word == "cage";
@@ -33,34 +83,35 @@ ScatterOptions parseScatter(const std::string& text) {
     const std::string option = "--scatter-lights";
     const std::vector<std::string> parts = splitAtCommas(text);
     if (parts.size() > 4) throw UsageError(option + " \"" + text + "\": expected N[,RANGE[,CANDELA[,SEED]]]");
-    ScatterOptions choice;
-    choice.count = static_cast<std::uint32_t>(
+    ScatterOptions parsed;
+    parsed.count = static_cast<std::uint32_t>(
         parseInteger(option, parts[0], 0, std::numeric_limits<std::int32_t>::max()));
-    if (parts.size() > 1) choice.range = static_cast<float>(parseNumberBetween(option, parts[1], 0.0, 1.0e9));
+    if (parts.size() > 1) parsed.range = static_cast<float>(parseNumberBetween(option, parts[1], 0.0, 1.0e9));
     if (parts.size() > 2)
-        choice.candela = static_cast<float>(parseNumberBetween(option, parts[2], 0.0, 1.0e9));
+        parsed.candela = static_cast<float>(parseNumberBetween(option, parts[2], 0.0, 1.0e9));
     if (parts.size() > 3)
-        choice.seed = static_cast<std::uint32_t>(
+        parsed.seed = static_cast<std::uint32_t>(
             parseInteger(option, parts[3], 0, std::numeric_limits<std::uint32_t>::max()));
-    return choice;
+    return parsed;
 }
 
 DebugViewOptions parseDebugView(const std::string& text) {
     using enum candela::DebugView;
     constexpr std::array all{none,      normals, level,    baseColor, metallic,
                              roughness, depth,   emission, lightCount};
-    DebugViewOptions choice;
-    bool chosen = false;
+    DebugViewOptions parsed;
+    bool hasView = false;
     for (const std::string& word : splitAtCommas(text)) {
-        if (takeOverlay(word, choice.overlays)) continue;
-        const candela::DebugView show = parseWord(
+        if (parseOverlay(word, parsed.overlays)) continue;
+        const candela::DebugView view = parseWord(
             "--show", word, all, [](candela::DebugView value) { return candela::toString(value); },
             "wireframe, cage");
-        if (chosen) throw UsageError("--show \"" + text + "\": expected one picture, and lines over it");
-        choice.show = show;
-        chosen = true;
+        if (hasView)
+            throw UsageError("--show \"" + text + "\": expected at most one debug view, and overlays");
+        parsed.view = view;
+        hasView = true;
     }
-    return choice;
+    return parsed;
 }
 
 SceneOptionReader::SceneOptionReader(CLI::App& app, SceneOptions& options) : options_(options) {
@@ -98,7 +149,7 @@ void SceneOptionReader::declarePicture(CLI::App& app) {
         ->type_name("WxH")
         ->group("Picture");
     app.add_option_function<std::string>(
-           "--show", [this](const std::string& text) { options_.show = parseDebugView(text); }, help::show)
+           "--show", [this](const std::string& text) { options_.debug = parseDebugView(text); }, help::show)
         ->type_name("LIST")
         ->group("Picture");
 }
@@ -142,7 +193,7 @@ void SceneOptionReader::declareSubdivision(CLI::App& app) {
            "--subdivision-edge",
            [&settings](const std::string& text) {
                settings.edgePixels =
-                   static_cast<float>(parseNumberBetween("--subdivision-edge", text, 0.0, longestEdge));
+                   static_cast<float>(parseNumberBetween("--subdivision-edge", text, 0.0, maxEdgePixels));
            },
            help::subdivisionEdge)
         ->type_name("PIXELS")

@@ -17,12 +17,12 @@ namespace CLI {
 class App;
 }
 
-/// Where the user puts the eye: metres, world space.
+/// A camera position: metres, world space.
 struct EyeOptions {
     glm::vec3 eye{0.0f}, target{0.0f};
 };
 
-/// Lights to scatter over the scene; what is not given follows from their mean spacing.
+/// Lights to scatter over the scene. A range or intensity that is not given follows from the mean spacing.
 struct ScatterOptions {
     std::uint32_t count = 0;
     std::optional<float> range;    ///< Metres, over 0.
@@ -30,14 +30,18 @@ struct ScatterOptions {
     std::uint32_t seed = 1;
 };
 
-/// What to show, and which lines over it.
+/// --show: a debug view, and overlays.
 struct DebugViewOptions {
-    candela::DebugView show = candela::DebugView::none;
+    candela::DebugView view = candela::DebugView::none;
     candela::Overlays overlays;
+
+    bool isDefault() const {
+        return view == candela::DebugView::none && !overlays.wireframe && !overlays.cage;
+    }
 };
 
-/// The options that say which picture is drawn: candela-render and candela-view share them. Checked as far as
-/// they can be without a file or a device.
+/// The options that determine the picture, shared by candela-render and candela-view. Checked as far as
+/// possible without a file or a device.
 struct SceneOptions {
     std::string scene;
     std::optional<ScatterOptions> scatter;
@@ -52,20 +56,20 @@ struct SceneOptions {
     candela::BrdfModel brdf = candela::BrdfModel::course;
     candela::Technique technique = candela::Technique::automatic;
     candela::SubdivisionSettings subdivision;
-    DebugViewOptions show;
+    DebugViewOptions debug;
 
     std::optional<std::string> ocio;
     candela::DisplayOptions display;
 };
 
-/// Declares the options of a `SceneOptions` and writes it while the command line is parsed; what hangs on
-/// two options is settled by `finish`.
+/// Declares the options of a `SceneOptions` and fills it while the command line is parsed; `finish` checks
+/// options that depend on each other.
 class SceneOptionReader {
   public:
     /// `app` and `options` have to outlive it.
     SceneOptionReader(CLI::App& app, SceneOptions& options);
 
-    /// To be called after parsing. Throws `UsageError`.
+    /// Call after parsing. Throws `UsageError`.
     void finish();
 
   private:

@@ -1,6 +1,5 @@
 #pragma once
 
-/// The texts of --help, a constant an option; common/scene_help.h has those of the options that candela-view
 /// shares.
 namespace help {
 

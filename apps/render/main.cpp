@@ -1,6 +1,6 @@
 /// candela-render: draws a scene into a picture file. See --help.
 
-#include "common/run_program.h"
+#include "common/program.h"
 #include "list.h"
 #include "options.h"
 #include "render_command.h"

@@ -1,7 +1,7 @@
 #include "options.h"
 
 #include "common/parse.h"
-#include "common/usage_error.h"
+#include "common/program.h"
 #include "help.h"
 
 #include <candela/version.h>
@@ -57,7 +57,7 @@ std::vector<std::string> parseAovs(const std::string& text) {
         }
         if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
             names.begin() + static_cast<std::ptrdiff_t>(i))
-            throw UsageError("--aov \"" + text + "\": " + names[i] + " stands there twice");
+            throw UsageError("--aov \"" + text + "\": " + names[i] + " is given twice");
     }
     return names;
 }
@@ -92,8 +92,7 @@ void resolve(const std::optional<std::string>& aovs, Options& options) {
     const bool exr = options.format == PictureFormat::exr;
     if (aovs) options.aovs = parseAovs(*aovs);
     if (aovs && !exr) throw UsageError("--aov needs an .exr picture: name one with -o");
-    const DebugViewOptions& show = options.show;
-    if (exr && (show.show != candela::DebugView::none || show.overlays.wireframe || show.overlays.cage))
+    if (exr && !options.debug.isDefault())
         throw UsageError("--show needs a .png picture; --aov puts such channels into an .exr");
 }
 

@@ -14,8 +14,8 @@ FrameTiming Painter::draw(const candela::CameraView& view) {
     settings.height = options_.height;
     settings.brdf = options_.brdf;
     settings.technique = options_.technique;
-    settings.debugView = options_.show.show;
-    settings.overlays = options_.show.overlays;
+    settings.debugView = options_.debug.view;
+    settings.overlays = options_.debug.overlays;
 
     const auto start = std::chrono::steady_clock::now();
     frame_.emplace(renderer_.render(scene_, view, settings));

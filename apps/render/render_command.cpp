@@ -1,9 +1,8 @@
 #include "render_command.h"
 
-#include "common/camera_selection.h"
 #include "common/output_file.h"
-#include "common/progress.h"
-#include "common/scene_box.h"
+#include "common/program.h"
+#include "common/scene_setup.h"
 #include "frame_path.h"
 #include "picture.h"
 #include "stats.h"

@@ -1,6 +1,6 @@
 #include "stats.h"
 
-#include "common/median.h"
+#include "common/timing.h"
 
 #include <candela/version.h>
 

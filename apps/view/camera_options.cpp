@@ -1,6 +1,6 @@
 #include "camera_options.h"
 
-#include "common/camera_selection.h"
+#include "common/scene_setup.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,6 +1,6 @@
 #include "document.h"
 
-#include "common/scene_box.h"
+#include "common/scene_setup.h"
 
 #include <algorithm>
 #include <utility>
@@ -138,7 +138,7 @@ std::vector<std::string> Document::changes() const {
 }
 
 candela::Bounds Document::bounds() const {
-    return sceneBox(scene_, time_);
+    return sceneBounds(scene_, time_);
 }
 
 candela::Bounds Document::bounds(std::uint32_t node) const {

@@ -1,7 +1,7 @@
 /// candela-view: shows a scene in a window. See --help.
 
 #include "application.h"
-#include "common/run_program.h"
+#include "common/program.h"
 #include "view_options.h"
 
 int main(int argc, char** argv) {

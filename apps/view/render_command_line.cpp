@@ -68,8 +68,8 @@ std::string scatterText(const ScatterOptions& choice) {
     return text;
 }
 
-std::string showText(const DebugViewOptions& choice) {
-    std::string text = candela::toString(choice.show);
+std::string debugViewText(const DebugViewOptions& choice) {
+    std::string text = candela::toString(choice.view);
     if (choice.overlays.wireframe) text += ",wireframe";
     if (choice.overlays.cage) text += ",cage";
     return text;
@@ -109,9 +109,7 @@ std::string renderCommandLine(const SceneOptions& options) {
         command.option("--plugin-path", folder.string());
     command.option("--brdf", candela::toString(options.brdf));
     command.option("--technique", candela::toString(options.technique));
-    const DebugViewOptions& show = options.show;
-    if (show.show != candela::DebugView::none || show.overlays.wireframe || show.overlays.cage)
-        command.option("--show", showText(show));
+    if (!options.debug.isDefault()) command.option("--show", debugViewText(options.debug));
     addSubdivision(command, options.subdivision);
     if (options.ocio) command.option("--ocio", *options.ocio);
     command.optionUnlessEmpty("--display", options.display.display);

@@ -1,6 +1,6 @@
 #include "scene_loader.h"
 
-#include "common/scene_box.h"
+#include "common/scene_setup.h"
 
 #include <candela/error.h>
 

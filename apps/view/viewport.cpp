@@ -45,8 +45,8 @@ candela::Frame Viewport::draw(candela::Renderer& renderer, const Inputs& inputs)
     settings.height = size_.y;
     settings.brdf = inputs.options.brdf;
     settings.technique = inputs.options.technique;
-    settings.debugView = inputs.options.show.show;
-    settings.overlays = inputs.options.show.overlays;
+    settings.debugView = inputs.options.debug.view;
+    settings.overlays = inputs.options.debug.overlays;
     candela::Frame frame = renderer.render(inputs.scene, inputs.view, settings);
     frame.display(inputs.display, {.framebuffer = framebuffer_, .x = 0, .y = 0});
     return frame;

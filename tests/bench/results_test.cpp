@@ -1,6 +1,10 @@
 // The JSON that other programs read.
 #include "bench_run.h"
 
+#include "command.h"
+#include "sample_scene.h"
+#include "temporary_folder.h"
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -31,7 +35,8 @@ TEST(BenchResults, KeysAreThoseOfTheContract) {
     const Json bench = benchOf({"--lights", "16,64", "--technique", "all", "--baseline"});
     EXPECT_EQ(keysOf(bench), (Names{"renderer", "setup", "results"}));
     EXPECT_FALSE(bench["renderer"].get<std::string>().empty());
-    EXPECT_EQ(keysOf(bench["setup"]), (Names{"version", "cpu", "cores", "system", "opengl", "brdf", "view"}));
+    EXPECT_EQ(keysOf(bench["setup"]),
+              (Names{"version", "cpu", "cores", "threads", "system", "opengl", "brdf", "view"}));
     EXPECT_EQ(bench["setup"]["version"], CANDELA_VERSION);
     for (const Json& result : bench["results"]) expectContract(result);
 }
@@ -86,6 +91,42 @@ TEST(BenchResults, TheBaselineIsOfTheSameScene) {
     const Json bare = resultsOf(bench, "bare").at(0);
     EXPECT_EQ(bare["lighting_ms"], 0.0);
     EXPECT_EQ(bare["pairs_evaluated"], 0);
+}
+
+/// The sample scene with a light so strong that half floats overflow at every pixel.
+std::string overflowingScene() {
+    std::string scene = sampleScene();
+    const std::string weak = "\"intensity\":10,";
+    scene.replace(scene.find(weak), weak.size(), "\"intensity\":1e8,");
+    return scene;
+}
+
+TEST(BenchResults, ABaselineThatCannotDrawTheSceneIsAnErrorAndOtherResultsAreKept) {
+    const TemporaryFolder folder;
+    folder.write("bright.gltf", overflowingScene());
+    const Json bench = benchOf({"--scene", folder / "bright.gltf", "--technique", "volumes", "--baseline"});
+    ASSERT_EQ(bench["results"].size(), 4u);
+    EXPECT_GT(bench["results"][0]["frame_ms"].get<double>(), 0.0);
+    for (const char* name : {"textbook_volumes", "textbook_fullscreen"}) {
+        const Json textbook = resultsOf(bench, name).at(0);
+        EXPECT_EQ(keysOf(textbook), (Names{"scene", "lights", "technique", "width", "height", "error"}));
+        EXPECT_NE(textbook["error"].get<std::string>().find("infinite"), std::string::npos) << textbook;
+    }
+    EXPECT_GT(resultsOf(bench, "bare").at(0)["frame_ms"].get<double>(), 0.0);
+}
+
+TEST(BenchResults, ABaselineThatDoesNotSupportTheSceneIsAnErrorToo) {
+    const TemporaryFolder folder;
+    std::string scene = sampleScene();
+    const std::string range = ",\"range\":20";
+    scene.erase(scene.find(range), range.size());
+    folder.write("endless.gltf", scene);
+    const CommandResult run = runCommand({"--scene", "endless.gltf", "--technique", "volumes", "--baseline",
+                                          "--size", "32x18", "--frames", "1", "--json", "r.json"},
+                                         {.folder = folder.path()});
+    expectDone(run);
+    EXPECT_NE(run.out.find("textbook_volumes, 1 lights: not measured: "), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("point lights with a range only"), std::string::npos) << run.out;
 }
 
 // A light that reaches nothing must not be counted as lit, in either scene of such lights.

@@ -211,9 +211,9 @@ TEST_F(EditSession, DrawingOptionsAreThoseOfTheCommandLine) {
     session.model().options.brdf = candela::BrdfModel::gltf;
     session.model().options.technique = candela::Technique::volumes;
     expectPicture(session, {"plaza:64", "--brdf", "gltf", "--technique", "volumes"});
-    session.model().options.show.show = candela::DebugView::normals;
+    session.model().options.debug.view = candela::DebugView::normals;
     expectPicture(session, {"plaza:64", "--show", "normals"});
-    session.model().options.show = {candela::DebugView::lightCount, {.wireframe = true, .cage = false}};
+    session.model().options.debug = {candela::DebugView::lightCount, {.wireframe = true, .cage = false}};
     expectPicture(session, {"plaza:64", "--show", "light_count,wireframe"});
     EXPECT_GT(session.model().maxLightCount, 0u);
 }

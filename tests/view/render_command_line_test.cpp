@@ -1,7 +1,7 @@
 // The copied command line: what a shell makes of it, and what the options of candela-render make of that.
 
 #include "render_command_line.h"
-#include "common/usage_error.h"
+#include "common/program.h"
 
 #include <CLI/CLI.hpp>
 
@@ -131,8 +131,8 @@ TEST(RenderCommandLine, KeepsWords) {
     options.height = 16384;
     options.brdf = candela::BrdfModel::gltf;
     options.technique = candela::Technique::volumes;
-    options.show.show = candela::DebugView::lightCount;
-    options.show.overlays = {.wireframe = true, .cage = true};
+    options.debug.view = candela::DebugView::lightCount;
+    options.debug.overlays = {.wireframe = true, .cage = true};
     options.subdivision.level = 3;
     options.subdivision.maxLevel = 7;
     options.pluginFolders = {"one folder", "other"};
@@ -142,9 +142,9 @@ TEST(RenderCommandLine, KeepsWords) {
     EXPECT_EQ(read.height, 16384);
     EXPECT_EQ(read.brdf, candela::BrdfModel::gltf);
     EXPECT_EQ(read.technique, candela::Technique::volumes);
-    EXPECT_EQ(read.show.show, candela::DebugView::lightCount);
-    EXPECT_TRUE(read.show.overlays.wireframe);
-    EXPECT_TRUE(read.show.overlays.cage);
+    EXPECT_EQ(read.debug.view, candela::DebugView::lightCount);
+    EXPECT_TRUE(read.debug.overlays.wireframe);
+    EXPECT_TRUE(read.debug.overlays.cage);
     EXPECT_EQ(read.subdivision.level, 3u);
     EXPECT_EQ(read.subdivision.maxLevel, 7u);
     EXPECT_EQ(read.pluginFolders, options.pluginFolders);

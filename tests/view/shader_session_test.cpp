@@ -89,12 +89,12 @@ TEST_F(ShaderSession, AProgramThatIsNeededLaterFailsWithAMessage) {
     session.awaitScene();
     const PngPicture first = session.picture();
     insert("debug_view.frag", text("debug_view.frag"), wrong);
-    session.model().options.show.show = candela::DebugView::normals;
+    session.model().options.debug.view = candela::DebugView::normals;
     ASSERT_TRUE(session.stepUntil([&] { return session.messages(Message::Kind::error) > 0; }));
     EXPECT_NE(session.model().messages.back().text.find("debug_view.frag"), std::string::npos);
     session.step(5);
     EXPECT_EQ(session.messages(Message::Kind::error), 1u) << "once, not in every frame";
-    session.model().options.show.show = candela::DebugView::none;
+    session.model().options.debug.view = candela::DebugView::none;
     session.step();
     EXPECT_EQ(maxDifference(session.picture(), first), 0);
 }

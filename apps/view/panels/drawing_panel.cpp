@@ -32,7 +32,7 @@ void chooseShown(DebugViewOptions& choice) {
     using enum candela::DebugView;
     constexpr std::array all{none,      normals, level,    baseColor, metallic,
                              roughness, depth,   emission, lightCount};
-    chooseOne("show", choice.show, all, [](candela::DebugView show) { return candela::toString(show); });
+    chooseOne("show", choice.view, all, [](candela::DebugView show) { return candela::toString(show); });
     ImGui::Checkbox("wireframe", &choice.overlays.wireframe);
     ImGui::SameLine();
     ImGui::Checkbox("cages", &choice.overlays.cage);
@@ -93,7 +93,7 @@ void drawDrawingPanel(ViewModel& model) {
     const PanelWindow window(Panel::drawing, "Drawing", model.panels.drawing);
     if (!window) return;
     chooseLighting(model);
-    chooseShown(model.options.show);
+    chooseShown(model.options.debug);
     ImGui::Separator();
     showText("subdivision");
     drawSubdivision(model);

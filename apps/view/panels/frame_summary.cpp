@@ -1,6 +1,6 @@
 #include "panels/frame_summary.h"
 
-#include "common/median.h"
+#include "common/timing.h"
 
 #include <algorithm>
 #include <cmath>

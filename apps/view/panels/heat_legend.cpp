@@ -74,7 +74,7 @@ void drawLevels() {
 }  // namespace
 
 void drawHeatLegend(const ViewModel& model) {
-    const candela::DebugView show = model.options.show.show;
+    const candela::DebugView show = model.options.debug.view;
     if (!model.document || (show != candela::DebugView::lightCount && show != candela::DebugView::level))
         return;
     const PanelPlace picture = freePicture(panelSpace());

@@ -1,4 +1,4 @@
-#include "common/median.h"
+#include "common/timing.h"
 #include "panels/panel_window.h"
 #include "panels/panels.h"
 #include "panels/path_dialog.h"

@@ -79,13 +79,13 @@ GpuInstances::GpuInstances(const Scene& scene)
         instances_.push_back({i, std::nullopt, cageInstances++});
     }
     spheres_.resize(instances_.size());
+    windings_.resize(instances_.size(), Winding::kept);
     hidden_.resize(instances_.size());
     records_.reserve(instances_.size());
     records_.resize(instances_.size());
 }
 
-Winding GpuInstances::place(std::uint32_t index, const glm::mat4& worldFromLocal,
-                            const BoundingSphere& local) {
+void GpuInstances::place(std::uint32_t index, const glm::mat4& worldFromLocal, const BoundingSphere& local) {
     spheres_[index] = worldSphere(worldFromLocal, local);
     const std::span<glm::vec4> record = records_.edit(index);
     const glm::mat4 rows = glm::transpose(worldFromLocal);
@@ -96,7 +96,7 @@ Winding GpuInstances::place(std::uint32_t index, const glm::mat4& worldFromLocal
         record[static_cast<std::size_t>(row)] = rows[row];
         record[static_cast<std::size_t>(3 + row)] = glm::vec4(normalRows[row], handedness);
     }
-    return normals.mirrored ? Winding::reversed : Winding::kept;
+    windings_[index] = normals.mirrored ? Winding::reversed : Winding::kept;
 }
 
 }  // namespace candela

@@ -26,7 +26,7 @@ BoundingSphere boundingSphere(std::span<const glm::vec3> points);
 BoundingSphere worldSphere(const glm::mat4& worldFromLocal, const BoundingSphere& local);
 
 /// Does an instance's matrix reverse the winding of triangles?
-enum class Winding { kept, reversed };
+enum class Winding : std::uint8_t { kept, reversed };
 
 /// A mesh or a cage of a node.
 struct Instance {
@@ -48,7 +48,9 @@ class GpuInstances {
     std::optional<std::uint32_t> cageOf(std::uint32_t node) const { return indexOf(cageOfNode_[node]); }
 
     /// Writes the record of an instance.
-    Winding place(std::uint32_t index, const glm::mat4& worldFromLocal, const BoundingSphere& local);
+    void place(std::uint32_t index, const glm::mat4& worldFromLocal, const BoundingSphere& local);
+    /// As of the last `place`.
+    Winding winding(std::uint32_t index) const { return windings_[index]; }
     /// Uploads the records written since the last call. Returns how many those are.
     std::size_t upload() { return records_.upload(); }
 
@@ -69,6 +71,7 @@ class GpuInstances {
     std::vector<Instance> instances_;
     std::vector<std::uint32_t> meshOfNode_, cageOfNode_;
     std::vector<BoundingSphere> spheres_;  ///< World.
+    std::vector<Winding> windings_;
     std::vector<bool> hidden_;
     RecordBuffer<glm::vec4> records_;
 };

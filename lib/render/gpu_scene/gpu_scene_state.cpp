@@ -89,10 +89,11 @@ void GpuScene::State::addDraws(const Scene& scene) {
 
 void GpuScene::State::listNodeLights() {
     lightsFollowNodes_ = true;
-    nodeLights_.resize(sceneState.nodes.size());
     for (std::uint32_t i = 0; i < sceneState.lights.size(); ++i) {
-        if (const std::optional<std::uint32_t> node = sceneState.lights[i].node)
-            nodeLights_[*node].push_back(i);
+        const std::optional<std::uint32_t> node = sceneState.lights[i].node;
+        if (!node) continue;
+        nodeLights_.resize(sceneState.nodes.size());
+        nodeLights_[*node].push_back(i);
     }
 }
 
@@ -175,7 +176,7 @@ void GpuScene::State::moveNode(std::uint32_t node) {
     if (const std::optional<std::uint32_t> mesh = instances.meshOf(node))
         place(*mesh, transforms.world()[node], meshes.places()[*instances[*mesh].mesh].sphere);
     cages.markNode(node);
-    if (!lightsFollowNodes_) return;
+    if (!lightsFollowNodes_ || nodeLights_.empty()) return;
     for (const std::uint32_t light : nodeLights_[node])
         lights.move(light, worldLight(sceneState.lights[light], transforms.world()));
 }
@@ -187,7 +188,9 @@ void GpuScene::State::placeCage(std::uint32_t cageInstance) {
 
 void GpuScene::State::place(std::uint32_t instance, const glm::mat4& worldFromLocal,
                             const BoundingSphere& sphere) {
-    draws.setWinding(instance, instances.place(instance, worldFromLocal, sphere));
+    const Winding last = instances.winding(instance);
+    instances.place(instance, worldFromLocal, sphere);
+    if (instances.winding(instance) != last) draws.setWinding(instance, instances.winding(instance));
 }
 
 void GpuScene::State::updateCages(const CameraView& view, int width, int height) {

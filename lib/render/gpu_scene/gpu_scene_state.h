@@ -57,8 +57,8 @@ struct GpuScene::State {
 
     std::shared_ptr<const gl::ContextBinding> binding;
     GpuSceneOptions options;
-    /// Nodes, animations, lights, cages, skins and materials as the edits have left them; images without
-    /// pixels; no meshes.
+    /// What edits need of the scene: materials as they are now; images without pixels; no meshes. The nodes'
+    /// transforms as they are now are in `transforms`.
     Scene sceneState;
     std::uint64_t triangles = 0;
 

@@ -9,6 +9,8 @@ namespace candela {
 
 namespace {
 
+constexpr std::uint32_t none = 0xffffffffu;  // The parent of a root.
+
 bool isTransform(const AnimationChannel& channel) {
     return channel.path != AnimationPath::morphWeights;
 }
@@ -21,23 +23,26 @@ NodeTransforms::NodeTransforms(Scene& scene)
       world_(scene.nodes.size()),
       isMarked_(scene.nodes.size()) {
     local_.reserve(scene.nodes.size());
-    for (const Node& node : scene.nodes) local_.push_back(localMatrix(node.transform));
+    parents_.reserve(scene.nodes.size());
+    for (const Node& node : scene.nodes) {
+        local_.push_back(localMatrix(node.transform));
+        parents_.push_back(node.parent.value_or(none));
+    }
     listChildren();
     listAnimated();
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) mark(i);
 }
 
 void NodeTransforms::listChildren() {
-    const std::vector<Node>& nodes = scene_.nodes;
-    firstChild_.assign(nodes.size() + 1, 0);
-    for (const Node& node : nodes) {
-        if (node.parent) ++firstChild_[*node.parent + 1];
+    firstChild_.assign(parents_.size() + 1, 0);
+    for (const std::uint32_t parent : parents_) {
+        if (parent != none) ++firstChild_[parent + 1];
     }
     std::partial_sum(firstChild_.begin(), firstChild_.end(), firstChild_.begin());
     children_.resize(firstChild_.back());
     std::vector<std::uint32_t> next(firstChild_);
-    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-        if (nodes[i].parent) children_[next[*nodes[i].parent]++] = i;
+    for (std::uint32_t i = 0; i < parents_.size(); ++i) {
+        if (parents_[i] != none) children_[next[parents_[i]]++] = i;
     }
 }
 
@@ -62,7 +67,6 @@ void NodeTransforms::setLocal(std::uint32_t node, const glm::mat4& local) {
         }
         animated_[node] = false;
     }
-    scene_.nodes[node].transform = local;
     local_[node] = local;
     mark(node);
 }
@@ -73,8 +77,8 @@ void NodeTransforms::setTime(double seconds) {
 }
 
 void NodeTransforms::mark(std::uint32_t node) {
-    if (isMarked_[node]) return;
-    isMarked_[node] = true;
+    if (isMarked_[node] != 0) return;
+    isMarked_[node] = 1;
     marked_.push_back(node);
 }
 
@@ -91,13 +95,31 @@ void NodeTransforms::pose() {
 std::span<const std::uint32_t> NodeTransforms::update() {
     updated_.clear();
     if (timeChanged_) pose();
-    // Parents stand before their children: when a node's turn comes, no marked node above it is left.
-    std::ranges::sort(marked_);
-    for (const std::uint32_t node : marked_) {
-        if (isMarked_[node]) updateSubtree(node);
+    if (marked_.size() > parents_.size() / 8) {
+        updateAll();
+    } else {
+        // Parents precede their children: no marked node is left above the next one.
+        std::ranges::sort(marked_);
+        for (const std::uint32_t node : marked_) {
+            if (isMarked_[node] != 0) updateSubtree(node);
+        }
     }
     marked_.clear();
     return updated_;
+}
+
+/// One pass over all nodes, which is faster where many are marked.
+void NodeTransforms::updateAll() {
+    for (std::uint32_t i = 0; i < parents_.size(); ++i) {
+        if (parents_[i] != none) isMarked_[i] |= isMarked_[parents_[i]];
+        if (isMarked_[i] != 0) updateNode(i);
+    }
+    std::ranges::fill(isMarked_, std::uint8_t{0});
+}
+
+void NodeTransforms::updateNode(std::uint32_t node) {
+    world_[node] = parents_[node] == none ? local_[node] : world_[parents_[node]] * local_[node];
+    updated_.push_back(node);
 }
 
 void NodeTransforms::updateSubtree(std::uint32_t root) {
@@ -105,10 +127,8 @@ void NodeTransforms::updateSubtree(std::uint32_t root) {
     while (!stack_.empty()) {
         const std::uint32_t node = stack_.back();
         stack_.pop_back();
-        const std::optional<std::uint32_t> parent = scene_.nodes[node].parent;
-        world_[node] = parent ? world_[*parent] * local_[node] : local_[node];
-        isMarked_[node] = false;
-        updated_.push_back(node);
+        updateNode(node);
+        isMarked_[node] = 0;
         const std::span<const std::uint32_t> children = childrenOf(node);
         stack_.insert(stack_.end(), children.begin(), children.end());
     }

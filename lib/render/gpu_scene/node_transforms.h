@@ -14,12 +14,11 @@ namespace candela {
 /// no other.
 class NodeTransforms {
   public:
-    /// The scene has to outlive the object. Its nodes stand as at time 0 after the first update, which
-    /// recomputes all.
+    /// The scene has to outlive the object. The first update recomputes all nodes, as at time 0.
     explicit NodeTransforms(Scene& scene);
 
-    /// Replaces the node's local transform. Animations of translation, rotation and scale that move the node
-    /// are removed from the scene.
+    /// Replaces the node's local transform. Its animations of translation, rotation and scale are removed
+    /// from the scene.
     void setLocal(std::uint32_t node, const glm::mat4& local);
     /// Poses animated nodes as at `seconds`.
     void setTime(double seconds);
@@ -36,16 +35,19 @@ class NodeTransforms {
     void listAnimated();
     void pose();
     void mark(std::uint32_t node);
+    void updateAll();
     void updateSubtree(std::uint32_t root);
+    void updateNode(std::uint32_t node);
     std::span<const std::uint32_t> childrenOf(std::uint32_t node) const;
 
     Scene& scene_;
     double time_ = 0.0;
     bool timeChanged_ = true;
+    std::vector<std::uint32_t> parents_;
     std::vector<std::uint32_t> firstChild_, children_;  ///< Children of node i from firstChild_[i] on.
     std::vector<bool> animated_;                        ///< In translation, rotation or scale.
     std::vector<glm::mat4> local_, world_;
-    std::vector<bool> isMarked_;
+    std::vector<std::uint8_t> isMarked_;
     std::vector<std::uint32_t> marked_, updated_, stack_;
 };
 

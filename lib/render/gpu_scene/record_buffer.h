@@ -41,10 +41,12 @@ class RecordBuffer {
     /// A record to be written; it is uploaded next time.
     std::span<Texel> edit(std::uint32_t record) {
         if (!allChanged_) changed_.push_back(record);
+        // From here on one upload of all takes less than sorting what has changed.
+        if (changed_.size() > texels_.size() / texelsPerRecord_ / 2) allChanged_ = true;
         return std::span(texels_).subspan(record * texelsPerRecord_, texelsPerRecord_);
     }
 
-    /// Returns how many records have changed.
+    /// Returns how many records have changed; all, where most have.
     std::size_t upload() {
         std::size_t count = 0;
         if (allChanged_) {

@@ -10,7 +10,7 @@ namespace candela::test {
 
 namespace {
 
-constexpr double unit = 1.0 / 16777216.0;  // 2^-24, half a step of single precision relative to its number
+constexpr double unit = 1.0 / 16777216.0;  // 2^-24, the unit roundoff of single precision
 constexpr double positionUnits = 2.0;
 constexpr double normalError = 2.0 * unit;
 constexpr double relativeError = 1.0e-5;
@@ -21,7 +21,7 @@ struct Lit {
     BrdfModel model;
     SurfacePoint surface;
     glm::dvec3 eye;
-    double reach;  ///< The size of the coordinates that the position was computed of.
+    double reach;  ///< The magnitude of the coordinates from which the position is computed.
 };
 
 glm::dvec3 light(const Lit& lit, const SurfacePoint& surface, const WorldLight& light) {

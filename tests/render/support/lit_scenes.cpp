@@ -30,7 +30,7 @@ glm::vec3 saturated(std::uint32_t index) {
     return glm::vec3(hashed(1, index), hashed(2, index), hashed(3, index)) + 0.05f;
 }
 
-/// Bumps whose tangent-space normals lean up to 40 degrees.
+/// A normal map whose normals deviate by up to 40 degrees.
 Image bumps() {
     return makeImage(32, 32, [](std::uint32_t x, std::uint32_t y) {
         const float u = 0.6f * std::sin(float(x) * 0.8f), v = 0.6f * std::cos(float(y) * 0.6f);
@@ -58,14 +58,14 @@ Texture textureOf(std::uint32_t image) {
 }  // namespace
 
 LitScene plazaLike() {
-    LitScene made{"plaza",
+    LitScene lit{"plaza",
                   sceneOf(makeQuad(20.0f), surface({0.5f, 0.5f, 0.5f}, 0.0f, 0.8f), floorAt(0.0f)),
                   {},
                   lookAt({0, 4, 9}, {0, 0.5f, 0}, 0.8f)};
     for (int column = 0; column < 6; ++column) {
         for (int row = 0; row < 2; ++row) {
             const auto index = static_cast<std::uint32_t>(2 * column + row);
-            place(made.scene, makeSphere(0.8f),
+            place(lit.scene, makeSphere(0.8f),
                   surface(glm::min(saturated(index + 90), 1.0f), float(row), 0.05f + 0.19f * float(column)),
                   at({2.2f * float(column) - 5.5f, 0.8f, 2.5f * float(row) - 2.0f}));
         }
@@ -73,14 +73,14 @@ LitScene plazaLike() {
     for (std::uint32_t i = 0; i < 48; ++i) {
         const glm::vec3 position(14.0f * hashed(4, i) - 7.0f, 0.3f + 2.7f * hashed(5, i),
                                  10.0f * hashed(6, i) - 5.0f);
-        made.lights.push_back(pointLight(position, 3.0f, 8.0f * saturated(i)));
+        lit.lights.push_back(pointLight(position, 3.0f, 8.0f * saturated(i)));
     }
-    return made;
+    return lit;
 }
 
 LitScene textured() {
-    LitScene made{"textured", {}, {}, lookAt({0.5f, 0.8f, 3}, {0, 0, 0}, 0.8f)};
-    made.scene.images = {noise(1), noise(2), bumps()};
+    LitScene lit{"textured", {}, {}, lookAt({0.5f, 0.8f, 3}, {0, 0, 0}, 0.8f)};
+    lit.scene.images = {noise(1), noise(2), bumps()};
     Material material = surface({0.9f, 0.8f, 0.7f}, 1.0f, 1.0f);
     material.baseColorTexture = textureOf(0);
     material.metallicRoughnessTexture = textureOf(1);
@@ -89,76 +89,76 @@ LitScene textured() {
     material.emission = {0.3f, 0.2f, 0.1f};
     Mesh quad = makeQuad(1.5f);
     quad.colors = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
-    place(made.scene, quad, material);
-    made.lights = {spotLight({-1, 1, 1.5f}, {0, 0, 0}, 6.0f, {30, 25, 20}, 0.2f, 0.5f),
+    place(lit.scene, quad, material);
+    lit.lights = {spotLight({-1, 1, 1.5f}, {0, 0, 0}, 6.0f, {30, 25, 20}, 0.2f, 0.5f),
                    spotLight({1, 0.3f, 1}, {0.5f, 0, 0}, 0.0f, {5, 9, 14}, 0.0f, 1.2f),
                    pointLight({0.2f, -0.8f, 0.6f}, 0.0f, {3, 2, 4})};
-    return made;
+    return lit;
 }
 
 LitScene sunAndSpots() {
-    LitScene made{"sun and spots",
+    LitScene lit{"sun and spots",
                   sceneOf(makeQuad(10.0f), surface({0.4f, 0.6f, 0.3f}, 0.0f, 0.4f), floorAt(0.0f)),
                   {},
                   lookAt({3, 2, 6}, {0, 0.5f, 0}, 0.9f)};
-    place(made.scene, makeSphere(1.0f), surface({0.9f, 0.6f, 0.2f}, 1.0f, 0.3f), at({-1, 1, 0}));
-    place(made.scene, makeSphere(0.7f), surface({0.2f, 0.3f, 0.9f}, 0.0f, 0.6f), at({1.5f, 0.7f, 1}));
-    made.lights = {directionalLight({0.3f, -1, -0.5f}, {3, 2.9f, 2.7f}),
+    place(lit.scene, makeSphere(1.0f), surface({0.9f, 0.6f, 0.2f}, 1.0f, 0.3f), at({-1, 1, 0}));
+    place(lit.scene, makeSphere(0.7f), surface({0.2f, 0.3f, 0.9f}, 0.0f, 0.6f), at({1.5f, 0.7f, 1}));
+    lit.lights = {directionalLight({0.3f, -1, -0.5f}, {3, 2.9f, 2.7f}),
                    directionalLight({-1, -0.2f, 0.1f}, {0.2f, 0.3f, 0.6f}),
                    spotLight({0, 4, 3}, {-1, 1, 0}, 12.0f, {200, 150, 100}, 0.1f, 0.101f),
                    spotLight({4, 3, 0}, {1, 0, 1}, 0.0f, {40, 90, 60}, 0.3f, 0.6f),
                    spotLight({-4, 0.5f, 3}, {0, 0.5f, 0}, 9.0f, {60, 20, 80}, 0.0f, 1.5707963f)};
-    return made;
+    return lit;
 }
 
 LitScene nearAndFar() {
-    LitScene made{"near and far",
+    LitScene lit{"near and far",
                   sceneOf(makeQuad(2.0f), surface({0.7f, 0.7f, 0.7f}, 0.0f, 0.5f)),
                   {},
                   lookAt({0, -1.5f, 2}, {0, 0, 0}, 0.9f)};
-    place(made.scene, makeSphere(0.4f), surface({0.8f, 0.3f, 0.2f}, 1.0f, 0.35f), at({0.9f, 0.2f, 0.4f}));
+    place(lit.scene, makeSphere(0.4f), surface({0.8f, 0.3f, 0.2f}, 1.0f, 0.35f), at({0.9f, 0.2f, 0.4f}));
     for (std::uint32_t i = 0; i < 12; ++i) {
         const glm::vec3 position(3.0f * hashed(7, i) - 1.5f, 3.0f * hashed(8, i) - 1.5f,
                                  0.002f + 0.03f * hashed(9, i) * float(i));
-        made.lights.push_back(pointLight(position, 0.5f, 0.05f * saturated(i)));
+        lit.lights.push_back(pointLight(position, 0.5f, 0.05f * saturated(i)));
     }
-    made.lights.push_back(pointLight({3.0e3f, 5.0e3f, 8.0e3f}, 0.0f, {1.0e8f, 1.0e8f, 2.0e8f}));
-    made.lights.push_back(pointLight({-3.0e3f, 2.0e3f, 6.0e3f}, 1.0e4f, {4.0e7f, 9.0e7f, 3.0e7f}));
-    return made;
+    lit.lights.push_back(pointLight({3.0e3f, 5.0e3f, 8.0e3f}, 0.0f, {1.0e8f, 1.0e8f, 2.0e8f}));
+    lit.lights.push_back(pointLight({-3.0e3f, 2.0e3f, 6.0e3f}, 1.0e4f, {4.0e7f, 9.0e7f, 3.0e7f}));
+    return lit;
 }
 
 LitScene smoothAndBright() {
-    LitScene made{"smooth and bright",
+    LitScene lit{"smooth and bright",
                   sceneOf(makeQuad(10.0f), surface({0.3f, 0.3f, 0.3f}, 0.0f, 0.0f), floorAt(0.0f)),
                   {},
                   lookAt({0, 2, 6}, {0, 0.7f, 0}, 0.8f)};
     for (int i = 0; i < 4; ++i) {
-        place(made.scene, makeSphere(0.8f, 48, 24),
+        place(lit.scene, makeSphere(0.8f, 48, 24),
               surface({0.95f, 0.9f, 0.8f}, float(i % 2), 0.04f * float(i)),
               at({2.0f * float(i) - 3.0f, 0.8f, 0}));
     }
     for (std::uint32_t i = 0; i < 10; ++i) {
-        made.lights.push_back(pointLight(
+        lit.lights.push_back(pointLight(
             {8.0f * hashed(10, i) - 4.0f, 1.0f + 3.0f * hashed(11, i), 6.0f * hashed(12, i) - 2.0f}, 0.0f,
             1.0e6f * saturated(i)));
     }
-    return made;
+    return lit;
 }
 
 LitScene grazing() {
-    LitScene made{"grazing",
+    LitScene lit{"grazing",
                   sceneOf(makeQuad(10.0f), surface({0.6f, 0.5f, 0.4f}, 0.0f, 0.3f), floorAt(0.0f)),
                   {},
                   lookAt({0, 0.05f, 6}, {0, 0, -4}, 0.5f)};
-    place(made.scene, makeQuad(0.5f), surface({0.9f, 0.9f, 0.2f}, 1.0f, 0.2f),
+    place(lit.scene, makeQuad(0.5f), surface({0.9f, 0.9f, 0.2f}, 1.0f, 0.2f),
           glm::rotate(at({1, 0.5f, 0}), glm::radians(88.0f), glm::vec3(0, 1, 0)));
     for (std::uint32_t i = 0; i < 16; ++i) {
-        made.lights.push_back(pointLight(
+        lit.lights.push_back(pointLight(
             {12.0f * hashed(13, i) - 6.0f, 0.004f + 0.05f * hashed(14, i), 12.0f * hashed(15, i) - 9.0f},
             8.0f, 20.0f * saturated(i)));
     }
-    made.lights.push_back(directionalLight({1, -0.002f, 0.3f}, {50, 40, 30}));
-    return made;
+    lit.lights.push_back(directionalLight({1, -0.002f, 0.3f}, {50, 40, 30}));
+    return lit;
 }
 
 std::vector<LitScene> litScenes() {

@@ -1,4 +1,4 @@
-#include "cages/opensubdiv_baselines.h"
+#include "opensubdiv_baselines.h"
 
 #include <opensubdiv/far/patchTableFactory.h>
 #include <opensubdiv/far/stencilTableFactory.h>

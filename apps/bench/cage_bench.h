@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <string>
 
-/// What was measured of a moving cage. Times are medians in milliseconds; what is compared took turns.
+/// The measurements of a moving cage. Times are medians in milliseconds; what is compared is measured in
+/// turns.
 struct CageResult {
     std::uint64_t quads = 0, vertices = 0, entries = 0;  ///< Of the cage; of its table.
     std::uint32_t level = 0;
@@ -19,8 +20,8 @@ struct CageResult {
     double opensubdivRefine = 0.0;  ///< Far's refiner and limit stencils.
 };
 
-/// --scene cages. Throws `candela::Error` when no plugin subdivides, or when the positions that candela and
-/// OpenSubdiv make of the same points differ by more than rounding.
+/// --scene cages. Throws `candela::Error` when no plugin refines cages, or when the positions of candela and
+/// OpenSubdiv for the same points differ by more than rounding.
 CageResult measureCages(const candela::PluginRegistry& plugins, const candela::Context& context,
                         const BenchOptions& options);
 

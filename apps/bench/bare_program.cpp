@@ -1,6 +1,5 @@
-#include "bare_baseline.h"
-
 #include "gl_drawing.h"
+#include "programs.h"
 
 namespace {
 
@@ -68,7 +67,7 @@ class BareProgram final : public Program {
 
 }  // namespace
 
-std::unique_ptr<Program> makeBareBaseline(const candela::Context& context, const BenchScene& scene,
-                                          const BenchOptions& options) {
+std::unique_ptr<Program> makeBareProgram(const candela::Context& context, const BenchScene& scene,
+                                         const BenchOptions& options) {
     return std::make_unique<BareProgram>(context, scene, options);
 }

@@ -1,6 +1,5 @@
-#include "textbook_baseline.h"
-
 #include "gl_drawing.h"
+#include "programs.h"
 #include "textbook_shaders.h"
 
 #include <candela/error.h>
@@ -14,26 +13,34 @@
 namespace {
 
 const std::string version = "#version 450 core\n";
+/// Software rasterisers end a loop after this many iterations.
+constexpr std::size_t maxLoopLights = 65'535;
 
-/// A lamp as the shaders read it.
-struct Lamp {
-    glm::vec4 place;  ///< w: range
+/// A light as the shaders read it.
+struct ShaderLight {
+    glm::vec4 positionRange;
     glm::vec4 intensity;
 };
 
-std::vector<Lamp> lampsOf(const BenchScene& scene) {
-    std::vector<Lamp> lamps;
+std::vector<ShaderLight> shaderLights(const BenchScene& scene) {
+    std::vector<ShaderLight> lights;
     for (const candela::WorldLight& light : scene.lights) {
         if (light.type != candela::LightType::point || light.range <= 0.0f) {
             throw candela::Error(candela::ErrorKind::unsupported, scene.name,
                                  "the textbook programs draw point lights with a range only");
         }
-        lamps.push_back({glm::vec4(light.position, light.range), glm::vec4(light.intensity, 0.0f)});
+        lights.push_back({glm::vec4(light.position, light.range), glm::vec4(light.intensity, 0.0f)});
     }
-    return lamps;
+    return lights;
 }
 
-void requirePlainMaterials(const BenchScene& scene) {
+void requireSupported(const BenchScene& scene, TextbookLighting lighting) {
+    if (lighting == TextbookLighting::fullscreen && scene.lights.size() > maxLoopLights) {
+        throw candela::Error(candela::ErrorKind::unsupported, scene.name,
+                             std::to_string(scene.lights.size()) +
+                                 " lights; the textbook full-screen loop ends at " +
+                                 std::to_string(maxLoopLights));
+    }
     for (const candela::Material& material : scene.scene.materials) {
         if (!material.baseColorTexture && !material.metallicRoughnessTexture && !material.normalTexture &&
             !material.unlit)
@@ -44,21 +51,22 @@ void requirePlainMaterials(const BenchScene& scene) {
     }
 }
 
-/// The instanced sphere of a textbook: 16 by 12 segments on the unit sphere, a little larger so that its flat
-/// faces do not cut the volume.
+/// The instanced sphere of a textbook: 16 by 12 segments, scaled by 1.05 so that its flat faces lie outside
+/// the unit sphere.
 class Sphere {
   public:
-    explicit Sphere(const std::vector<Lamp>& lamps) : instances_(static_cast<GLsizei>(lamps.size())) {
+    explicit Sphere(const std::vector<ShaderLight>& lights)
+        : instances_(static_cast<GLsizei>(lights.size())) {
         constexpr int segments = 16, rings = 12;
         std::vector<glm::vec3> vertices;
         std::vector<std::uint32_t> indices;
         for (int ring = 0; ring <= rings; ++ring) {
             const float polar = std::numbers::pi_v<float> * static_cast<float>(ring) / rings;
             for (int segment = 0; segment <= segments; ++segment) {
-                const float around =
+                const float azimuth =
                     2.0f * std::numbers::pi_v<float> * static_cast<float>(segment) / segments;
-                vertices.push_back(1.05f * glm::vec3(std::sin(polar) * std::cos(around), std::cos(polar),
-                                                     std::sin(polar) * std::sin(around)));
+                vertices.push_back(1.05f * glm::vec3(std::sin(polar) * std::cos(azimuth), std::cos(polar),
+                                                     std::sin(polar) * std::sin(azimuth)));
             }
         }
         for (std::uint32_t ring = 0; ring < rings; ++ring) {
@@ -73,18 +81,18 @@ class Sphere {
                              vertices.data(), 0);
         glNamedBufferStorage(buffers_[1], static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
                              indices.data(), 0);
-        glNamedBufferStorage(buffers_[2], static_cast<GLsizeiptr>((lamps.size() + 1) * sizeof(Lamp)), nullptr,
-                             GL_DYNAMIC_STORAGE_BIT);
-        glNamedBufferSubData(buffers_[2], 0, static_cast<GLsizeiptr>(lamps.size() * sizeof(Lamp)),
-                             lamps.data());
+        glNamedBufferStorage(buffers_[2], static_cast<GLsizeiptr>((lights.size() + 1) * sizeof(ShaderLight)),
+                             nullptr, GL_DYNAMIC_STORAGE_BIT);
+        glNamedBufferSubData(buffers_[2], 0, static_cast<GLsizeiptr>(lights.size() * sizeof(ShaderLight)),
+                             lights.data());
         glCreateVertexArrays(1, &vertexArray_);
         glVertexArrayElementBuffer(vertexArray_, buffers_[1]);
         glVertexArrayVertexBuffer(vertexArray_, 0, buffers_[0], 0, sizeof(glm::vec3));
-        glVertexArrayVertexBuffer(vertexArray_, 1, buffers_[2], 0, sizeof(Lamp));
+        glVertexArrayVertexBuffer(vertexArray_, 1, buffers_[2], 0, sizeof(ShaderLight));
         glVertexArrayBindingDivisor(vertexArray_, 1, 1);
-        describe(0, 3, 0, 0);
-        describe(1, 4, 1, 0);
-        describe(2, 4, 1, sizeof(glm::vec4));
+        addAttribute(0, 3, 0, 0);
+        addAttribute(1, 4, 1, 0);
+        addAttribute(2, 4, 1, sizeof(glm::vec4));
     }
     Sphere(const Sphere&) = delete;
     Sphere& operator=(const Sphere&) = delete;
@@ -97,10 +105,10 @@ class Sphere {
         glBindVertexArray(vertexArray_);
         glDrawElementsInstanced(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr, instances_);
     }
-    GLuint lamps() const { return buffers_[2]; }
+    GLuint lightBuffer() const { return buffers_[2]; }
 
   private:
-    void describe(GLuint attribute, GLint components, GLuint binding, GLuint offset) const {
+    void addAttribute(GLuint attribute, GLint components, GLuint binding, GLuint offset) const {
         glEnableVertexArrayAttrib(vertexArray_, attribute);
         glVertexArrayAttribFormat(vertexArray_, attribute, components, GL_FLOAT, GL_FALSE, offset);
         glVertexArrayAttribBinding(vertexArray_, attribute, binding);
@@ -111,10 +119,10 @@ class Sphere {
     GLsizei indexCount_ = 0, instances_;
 };
 
-class TextbookBaseline final : public Program {
+class TextbookProgram final : public Program {
   public:
-    TextbookBaseline(const candela::Context& context, const BenchScene& scene, const BenchOptions& options,
-                     TextbookLighting lighting)
+    TextbookProgram(const candela::Context& context, const BenchScene& scene, const BenchOptions& options,
+                    TextbookLighting lighting)
         : clock_(context),
           lighting_(lighting),
           width_(options.width),
@@ -122,8 +130,8 @@ class TextbookBaseline final : public Program {
           eye_(scene.view.eye()),
           clipFromWorld_(textbookClipFromWorld(scene.view, options.width, options.height)),
           geometry_(scene.scene),
-          lamps_(lampsOf(scene)),
-          sphere_(lamps_),
+          lights_(shaderLights(scene)),
+          sphere_(lights_),
           position_(GL_RGBA16F, width_, height_),
           normal_(GL_RGBA16F, width_, height_),
           color_(GL_RGBA8, width_, height_),
@@ -135,20 +143,19 @@ class TextbookBaseline final : public Program {
           lightingProgram_(makeLightingProgram()),
           countProgram_(makeProgram(textbook::volumeVertex, version + textbook::volumeCountFragment)),
           displayProgram_(makeProgram(textbook::fullscreenVertex, textbook::displayFragment)) {
-        requirePlainMaterials(scene);
         glCreateFramebuffers(static_cast<GLsizei>(framebuffers_.size()), framebuffers_.data());
         attach(framebuffers_[0], {position_.name(), normal_.name(), color_.name()});
         attach(framebuffers_[1], {radiance_.name()});
         attach(framebuffers_[2], {counts_.name()});
-        glCreateTextures(GL_TEXTURE_BUFFER, 1, &lampTexture_);
-        glTextureBuffer(lampTexture_, GL_RGBA32F, sphere_.lamps());
+        glCreateTextures(GL_TEXTURE_BUFFER, 1, &lightTexture_);
+        glTextureBuffer(lightTexture_, GL_RGBA32F, sphere_.lightBuffer());
         glCreateVertexArrays(1, &emptyVertexArray_);
     }
-    ~TextbookBaseline() override {
+    ~TextbookProgram() override {
         for (const GLuint program : {geometryProgram_, lightingProgram_, countProgram_, displayProgram_})
             glDeleteProgram(program);
         glDeleteFramebuffers(static_cast<GLsizei>(framebuffers_.size()), framebuffers_.data());
-        glDeleteTextures(1, &lampTexture_);
+        glDeleteTextures(1, &lightTexture_);
         glDeleteVertexArrays(1, &emptyVertexArray_);
     }
 
@@ -170,7 +177,7 @@ class TextbookBaseline final : public Program {
                               static_cast<GLsizei>(positions.size() * sizeof(float)), positions.data());
             std::uint64_t covered = 0;
             for (std::size_t i = 3; i < positions.size(); i += 4) covered += positions[i] != 0.0f;
-            result.pairsEvaluated = covered * lamps_.size();
+            result.pairsEvaluated = covered * lights_.size();
             return;
         }
         drawVolumes(framebuffers_[2], countProgram_);
@@ -237,14 +244,14 @@ class TextbookBaseline final : public Program {
     }
 
     void drawLighting() const {
-        const GLuint textures[] = {position_.name(), normal_.name(), color_.name(), lampTexture_};
+        const GLuint textures[] = {position_.name(), normal_.name(), color_.name(), lightTexture_};
         glBindTextures(0, 4, textures);
         glUseProgram(lightingProgram_);
         glUniform3f(4, eye_.x, eye_.y, eye_.z);
         if (lighting_ == TextbookLighting::volumes) return drawVolumes(framebuffers_[1], lightingProgram_);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_[1]);
-        glUniform1i(5, static_cast<GLint>(lamps_.size()));
-        drawPicture();
+        glUniform1i(5, static_cast<GLint>(lights_.size()));
+        drawFullscreenTriangle();
     }
 
     void drawVolumes(GLuint framebuffer, GLuint program) const {
@@ -269,10 +276,10 @@ class TextbookBaseline final : public Program {
         glBindFramebuffer(GL_FRAMEBUFFER, screen_.framebuffer());
         glBindTextureUnit(0, radiance_.name());
         glUseProgram(displayProgram_);
-        drawPicture();
+        drawFullscreenTriangle();
     }
 
-    void drawPicture() const {
+    void drawFullscreenTriangle() const {
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_CULL_FACE);
         glBindVertexArray(emptyVertexArray_);
@@ -285,22 +292,19 @@ class TextbookBaseline final : public Program {
     glm::vec3 eye_;
     glm::mat4 clipFromWorld_;
     SceneGeometry geometry_;
-    std::vector<Lamp> lamps_;
+    std::vector<ShaderLight> lights_;
     Sphere sphere_;
     Target position_, normal_, color_, depth_, radiance_, counts_;
     Screen screen_;
     GLuint geometryProgram_, lightingProgram_, countProgram_, displayProgram_;
     std::array<GLuint, 3> framebuffers_{};
-    GLuint lampTexture_ = 0, emptyVertexArray_ = 0;
+    GLuint lightTexture_ = 0, emptyVertexArray_ = 0;
 };
 
 }  // namespace
 
-bool fitsTextbookLoop(const BenchScene& scene) {
-    return scene.lights.size() <= 65'535;
-}
-
-std::unique_ptr<Program> makeTextbookBaseline(const candela::Context& context, const BenchScene& scene,
-                                              const BenchOptions& options, TextbookLighting lighting) {
-    return std::make_unique<TextbookBaseline>(context, scene, options, lighting);
+std::unique_ptr<Program> makeTextbookProgram(const candela::Context& context, const BenchScene& scene,
+                                             const BenchOptions& options, TextbookLighting lighting) {
+    requireSupported(scene, lighting);
+    return std::make_unique<TextbookProgram>(context, scene, options, lighting);
 }

@@ -1,8 +1,9 @@
-#include "run_program.h"
-
-#include "usage_error.h"
+#include "program.h"
 
 #include <candela/error.h>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <exception>
@@ -14,12 +15,21 @@ namespace {
 
 enum ExitCode { done = 0, inputOrEnvironmentAtFault = 1, wrongUsage = 2 };
 
-/// One line, whatever a library put into its message.
+/// Prints one line, even where the message of a library has several.
 int report(const char* name, std::string text, ExitCode code) {
     std::ranges::replace(text, '\n', ' ');
     std::cerr << name << ": " << text << std::endl;
     return code;
 }
+
+/// The number of columns that the terminal shows without wrapping.
+std::size_t terminalWidth() {
+    winsize size{};
+    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 2) return 79;
+    return size.ws_col - 1u;
+}
+
+constexpr const char* eraseLine = "\r\x1b[K";
 
 }  // namespace
 
@@ -36,4 +46,23 @@ int runProgram(const char* name, const std::function<void()>& work) {
     } catch (const std::exception& error) {
         return report(name, error.what(), inputOrEnvironmentAtFault);
     }
+}
+
+Progress::Progress(Verbosity verbosity)
+    : enabled_(verbosity == Verbosity::normal && isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+    clear();
+}
+
+void Progress::show(const std::string& text) {
+    if (!enabled_ || text == shown_) return;
+    shown_ = text;
+    std::cerr << eraseLine << text.substr(0, terminalWidth()) << std::flush;
+}
+
+void Progress::clear() {
+    if (shown_.empty()) return;
+    shown_.clear();
+    std::cerr << eraseLine << std::flush;
 }

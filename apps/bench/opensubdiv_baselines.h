@@ -9,14 +9,14 @@
 #include <span>
 #include <vector>
 
-/// OpenSubdiv's own evaluator, Osd::OmpEvaluator on all cores, over the table of a refined cage: what moving
-/// a cage is compared with. It makes positions and both tangents, but no normals.
+/// OpenSubdiv's own evaluator, Osd::OmpEvaluator on all cores, over the stencil table of a refined cage: the
+/// baseline of moving a cage. It evaluates positions and both tangents, but no normals.
 class OmpMove {
   public:
     explicit OmpMove(const candela::RefinedCage& refined);
 
     void move(std::span<const glm::vec3> cagePoints);
-    /// Of the last move, one a vertex of the table; those of twins are not made equal to their point's.
+    /// Of the last move, one a vertex of the table; seam vertices are not welded to their point.
     const std::vector<glm::vec3>& positions() const { return positions_; }
 
   private:
@@ -25,7 +25,7 @@ class OmpMove {
     std::vector<glm::vec3> positions_, du_, dv_;
 };
 
-/// What Far alone needs for a table like ours of a closed cage of quads: a topology refiner, refined
-/// adaptively to `level`, and limit stencils with first derivatives at 4^level points a face. Returns the
-/// number of stencils.
+/// Builds the table of a closed cage of quads with Far alone: a topology refiner, refined adaptively to
+/// `level`, and limit stencils with first derivatives at 4^level points a face. Returns the number of
+/// stencils.
 std::uint64_t refineWithFar(const candela::Cage& cage, std::uint32_t level);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "measure.h"
+
+#include <candela/candela.h>
+
+#include <memory>
+
+/// candela itself, with one technique.
+std::unique_ptr<Program> makeCandelaProgram(const candela::Context& context, const BenchScene& scene,
+                                            const BenchOptions& options, candela::Technique technique);
+
+/// How a textbook renderer applies lights to pixels.
+enum class TextbookLighting {
+    fullscreen,  ///< One full-screen loop over all lights.
+    volumes,     ///< One instanced sphere a light, accumulated by additive blending.
+};
+
+/// A deferred renderer in its textbook form: a G-buffer of position (RGBA16F), normal (RGBA16F) and colour
+/// (RGBA8), lighting into RGBA16F. Throws `candela::Error` (unsupported) for a scene that it cannot draw:
+/// with lights other than point lights with a range, with textured or unlit materials, or with more lights
+/// than the full-screen loop takes (65,535: software rasterisers end a loop there and report nothing).
+std::unique_ptr<Program> makeTextbookProgram(const candela::Context& context, const BenchScene& scene,
+                                             const BenchOptions& options, TextbookLighting lighting);
+
+/// A program that clears and draws the geometry with depth and one RGBA8 target, without culling, lighting or
+/// read-back: a lower bound of a frame.
+std::unique_ptr<Program> makeBareProgram(const candela::Context& context, const BenchScene& scene,
+                                         const BenchOptions& options);
