@@ -117,7 +117,7 @@ void Renderer::State::resize(int width, int height) {
 /// Makes what the frame is drawn with, before its passes are timed.
 void Renderer::State::makePasses(const FrameInputs& inputs, Technique technique) {
     if (inputs.show == DebugView::none) {
-        lighting.technique(technique);
+        lighting.technique(technique, inputs.tileBackend);
     } else if (!show) {
         show.emplace();
     }
@@ -146,9 +146,8 @@ void Renderer::State::drawSurfaces(const GpuScene& scene, GeometryPass::LoadOp s
 }
 
 void Renderer::State::drawPicture(const GpuScene& scene) {
-    LightingTechnique& technique = lighting.technique(frame->technique);
-    drawSurfaces(
-        scene, technique.overwritesRadiance() ? GeometryPass::LoadOp::dontCare : GeometryPass::LoadOp::clear);
+    LightingTechnique& technique = lighting.technique(frame->technique, frame->inputs.tileBackend);
+    drawSurfaces(scene, technique.radianceLoadOp());
     const LightingInputs inputs = lightingInputs(scene);
     lighting.bind(inputs);
     technique.render(inputs, timer);
@@ -327,7 +326,7 @@ PairCounts Renderer::countPairs(const GpuScene& scene) {
     counts.pairsLit =
         static_cast<std::uint64_t>(std::accumulate(lit.begin(), lit.end(), 0.0)) + directionalPairs;
     if (frame.inputs.show != DebugView::none) return counts;  // No light was evaluated.
-    LightingTechnique& lighting = state_->lighting.technique(frame.technique);
+    LightingTechnique& lighting = state_->lighting.technique(frame.technique, frame.inputs.tileBackend);
     counts.pairsEvaluated = lighting.countEvaluated(inputs, counter) + directionalPairs;
     counts.lightListBytes = lighting.lightListBytes();
     return counts;
@@ -341,19 +340,6 @@ std::vector<PassTime> Renderer::passTimes() {
 
 Technique Renderer::technique() const {
     return state_->drawnFrame().technique;
-}
-
-const char* toString(Technique technique) {
-    switch (technique) {
-        case Technique::volumes:
-            return "volumes";
-        case Technique::tiles:
-            return "tiles";
-        case Technique::fullscreen:
-            return "fullscreen";
-        default:
-            return "auto";
-    }
 }
 
 }  // namespace candela
