@@ -33,7 +33,9 @@ void storageBarrier() {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
+/// Also after shaders have written to the buffer.
 void clear(const gl::Buffer& buffer, std::size_t bytes) {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glClearNamedBufferSubData(buffer.name(), GL_R32UI, 0, static_cast<GLsizeiptr>(bytes), GL_RED_INTEGER,
                               GL_UNSIGNED_INT, nullptr);
 }
