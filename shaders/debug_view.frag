@@ -59,15 +59,15 @@ vec3 codeOf(ivec2 pixel) {
 vec3 codeOf(ivec2 pixel) {
     uvec2 texel = texelFetch(surfaceTexture, pixel, 0).xy;
     GBufferSurface surface = unpackSurface(texel);
-    if (texel.y == 0u) surface = GBufferSurface(vec3(0.0), vec3(0.0), 0.0, 0.0);
+    if (texel.y == 0u) surface = GBufferSurface(vec3(0.0), SurfaceLobes(vec3(0.0), 0.0, 0.0));
 #if SHOW == SHOW_NORMALS
     return 0.5 + 0.5 * surface.normal;
 #elif SHOW == SHOW_BASE_COLOR
-    return srgbEncode(surface.baseColor);
+    return srgbEncode(surface.lobes.baseColor);
 #elif SHOW == SHOW_METALLIC
-    return vec3(surface.metallic);
+    return vec3(surface.lobes.metallic);
 #else
-    return vec3(surface.roughness);
+    return vec3(surface.lobes.roughness);
 #endif
 }
 #endif

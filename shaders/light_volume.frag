@@ -1,7 +1,6 @@
-// Shades one light at one pixel of its volume.
+// Shades one light at one pixel of its volume. SPOT is 1 for spots and 0 for point lights.
 
-#include "lib/surface.glsl"
-#include "lib/lights.glsl"
+#include "lib/lighting.glsl"
 
 layout(early_fragment_tests) in;
 
@@ -12,14 +11,14 @@ layout(location = 2) flat in vec4 lightCone;
 layout(location = 0) out vec4 radiance;
 
 void main() {
-    ShadingPoint point;
-    bool lit = fetchShadingPoint(ivec2(gl_FragCoord.xy), point);
-    LocalLight light = LocalLight(lightPlace.xyz, lightPlace.w, lightIntensity.rgb);
+    PixelSurface pixel = fetchSurface(ivec2(gl_FragCoord.xy));
+    ShadingPoint point = shadingPointOf(pixel);
+    LocalLight light = localLightOf(lightPlace, lightIntensity);
 #if SPOT == 1
-    vec3 sum = spotLight(point, light, lightCone);
+    vec3 sum = spotLightRadiance(BRDF, point, light, lightConeOf(lightCone));
 #else
-    vec3 sum = pointLight(point, light, 1.0);
+    vec3 sum = pointLightRadiance(BRDF, point, light);
 #endif
-    // No discard: a fragment that is discarded would leave its mark in the stencil.
-    radiance = vec4(lit ? sum : vec3(0.0), 0.0);
+    // No discard: a discarded fragment would leave its mark in the stencil.
+    radiance = vec4(pixel.lit ? sum : vec3(0.0), 0.0);
 }

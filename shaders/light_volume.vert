@@ -1,4 +1,4 @@
-// The bounding volume of a light: a sphere of triangles around its reach.
+// The bounding volume of a light: a polyhedron around the sphere of its range.
 
 #include "lib/frame.glsl"
 

@@ -1,3 +1,3 @@
-// Nothing: marking a volume writes only the stencil.
+// Empty: marking a volume writes only the stencil.
 
 void main() {}

@@ -19,15 +19,15 @@ void main() {
     vec3 position = worldPosition(pixel, surface ? texelFetch(depthTexture, pixel, 0).x : 1.0);
     lows[lane] = surface ? position : vec3(NOWHERE);
     highs[lane] = surface ? position : vec3(-NOWHERE);
-    for (uint half_ = 32u; half_ > 0u; half_ >>= 1) {
+    for (uint stride = 32u; stride > 0u; stride >>= 1) {
         barrier();
-        if (lane < half_) {
-            lows[lane] = min(lows[lane], lows[lane + half_]);
-            highs[lane] = max(highs[lane], highs[lane + half_]);
+        if (lane < stride) {
+            lows[lane] = min(lows[lane], lows[lane + stride]);
+            highs[lane] = max(highs[lane], highs[lane + stride]);
         }
     }
     if (lane != 0u) return;
-    uint tile = gl_WorkGroupID.y * uint(tileGrid().x) + gl_WorkGroupID.x;
+    uint tile = gl_WorkGroupID.y * uint(tileGridSize().x) + gl_WorkGroupID.x;
     tileBoxes[tile] = TileBox(vec4(lows[0], lows[0].x < NOWHERE ? 1.0 : 0.0), vec4(highs[0], 0.0));
     tileCounts[tile] = 0u;
 }

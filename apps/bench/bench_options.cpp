@@ -116,6 +116,15 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
            "--device", [&](const std::string& text) { options.device = parseDevice(text); },
            "A device of candela-render --list devices, or the software rasteriser")
         ->type_name("N|software");
+    app.add_option_function<std::string>(
+           "--subdivision-evaluator",
+           [&](const std::string& text) { options.subdivisionEvaluator = parseSubdivisionEvaluator(text); },
+           "What evaluates the cage of --scene cages: auto (by device), cpu or compute.\nDefault: auto")
+        ->type_name("WORD");
+    app.add_option_function<std::string>(
+           "--threads", [&](const std::string& text) { options.threads = parseThreads(text); },
+           "Threads of all parallel work on the CPU, 0 to 1024. Default: 0, as many as\nthe process may use")
+        ->type_name("N");
     app.add_flag("--quiet", options.quiet, "Print no table");
 }
 

@@ -2,6 +2,7 @@
 
 #include <candela/brdf.h>
 #include <candela/context.h>
+#include <candela/gpu_scene.h>
 #include <candela/renderer.h>
 
 #include <cstdint>
@@ -30,6 +31,8 @@ struct BenchOptions {
     std::optional<std::filesystem::path> plot;
     std::vector<std::filesystem::path> pluginFolders;
     candela::DeviceOptions device;
+    candela::SubdivisionEvaluator subdivisionEvaluator = candela::SubdivisionEvaluator::automatic;
+    unsigned threads = 0;  ///< As `candela::setThreadCount` takes it.
     bool quiet = false;
 };
 

@@ -115,8 +115,11 @@ constexpr int maxRefinements = 5;
 /// candela with the cage on the device.
 class CandelaMove {
   public:
-    CandelaMove(const candela::Context& context, const candela::Subdivider& subdivider)
-        : scene_(makeCageScene()), gpuScene_(context, scene_, optionsOf(subdivider)), renderer_(context) {
+    CandelaMove(const candela::Context& context, const candela::Subdivider& subdivider,
+                candela::SubdivisionEvaluator evaluator)
+        : scene_(makeCageScene()),
+          gpuScene_(context, scene_, optionsOf(subdivider, evaluator)),
+          renderer_(context) {
         const std::vector<glm::mat4> world = worldTransforms(scene_);
         settings_.width = settings_.height = 64;
         view_ = frameBounds(worldBounds(scene_, world), 1.0f);
@@ -134,10 +137,12 @@ class CandelaMove {
     std::string evaluator() const { return gpuScene_.cageReport().evaluator; }
 
   private:
-    static candela::GpuSceneOptions optionsOf(const candela::Subdivider& subdivider) {
+    static candela::GpuSceneOptions optionsOf(const candela::Subdivider& subdivider,
+                                              candela::SubdivisionEvaluator evaluator) {
         candela::GpuSceneOptions options;
         options.subdivider = subdivider;
         options.subdivision.level = benchLevel;
+        options.subdivisionEvaluator = evaluator;
         return options;
     }
 
@@ -215,7 +220,7 @@ CageResult measureCages(const candela::PluginRegistry& plugins, const candela::C
     OmpMove baseline(refined);
     baseline.move(cage.positions);
     checkAgreement(refined, baseline, cage.positions);
-    CandelaMove own(context, *subdivider);
+    CandelaMove own(context, *subdivider, options.subdivisionEvaluator);
     measureMoves(own, baseline, cage, options, result);
     result.evaluator = own.evaluator();
     measureRefinement(*subdivider, cage, options, result);

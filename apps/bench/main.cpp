@@ -11,6 +11,7 @@
 #include "results.h"
 
 #include <candela/error.h>
+#include <candela/threads.h>
 
 #include <algorithm>
 #include <functional>
@@ -161,6 +162,8 @@ void runBench(const BenchOptions& options) {
 int main(int argc, char** argv) {
     return runProgram("candela-bench", [&] {
         const std::optional<BenchOptions> options = parseBenchOptions(argc, argv);
-        if (options) runBench(*options);
+        if (!options) return;
+        candela::setThreadCount(options->threads);
+        runBench(*options);
     });
 }

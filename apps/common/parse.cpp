@@ -1,5 +1,7 @@
 #include "parse.h"
 
+#include <candela/threads.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -95,6 +97,16 @@ candela::DeviceOptions parseDevice(const std::string& text) {
                          "\": expected \"software\" or a number that --list devices shows");
     return {.index = static_cast<int>(parseInteger("--device", text, 0, std::numeric_limits<int>::max())),
             .softwareOnly = false};
+}
+
+unsigned parseThreads(const std::string& text) {
+    return static_cast<unsigned>(parseInteger("--threads", text, 0, candela::maxThreadCount));
+}
+
+candela::SubdivisionEvaluator parseSubdivisionEvaluator(const std::string& text) {
+    using enum candela::SubdivisionEvaluator;
+    return parseWord("--subdivision-evaluator", text, std::array{automatic, cpu, compute},
+                     [](candela::SubdivisionEvaluator evaluator) { return candela::toString(evaluator); });
 }
 
 candela::Technique parseTechnique(const std::string& text) {

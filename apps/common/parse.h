@@ -4,6 +4,7 @@
 
 #include <candela/brdf.h>
 #include <candela/context.h>
+#include <candela/gpu_scene.h>
 #include <candela/renderer.h>
 
 #include <glm/vec3.hpp>
@@ -39,6 +40,10 @@ std::pair<int, int> parseSize(const std::string& text);
 /// "software", or the number of a device.
 candela::DeviceOptions parseDevice(const std::string& text);
 
+/// A number of threads, 0 (as many as the process may use) to `candela::maxThreadCount`.
+unsigned parseThreads(const std::string& text);
+
+candela::SubdivisionEvaluator parseSubdivisionEvaluator(const std::string& text);
 candela::Technique parseTechnique(const std::string& text);
 candela::BrdfModel parseBrdf(const std::string& text);
 

@@ -53,6 +53,13 @@ constexpr const char* subdivisionEdge = "Target length in pixels of the edges of
 constexpr const char* subdivisionMaxLevel =
     "The highest level that --subdivision-edge selects, 1 to 8. Default: 5";
 
+constexpr const char* subdivisionEvaluator =
+    "What evaluates refined cages: auto (by device), cpu or compute (a shader).\n"
+    "Default: auto";
+constexpr const char* threads =
+    "Threads of all parallel work on the CPU, 0 to 1024. Default: 0, as many as the\n"
+    "process may use (its affinity and control groups)";
+
 constexpr const char* ocio = "OpenColorIO config file. Default: that of $OCIO, else a built-in config";
 constexpr const char* display = "Display of the config that a .png is made for. Default: the config's";
 constexpr const char* view = "View of that display. Default: the display's";
@@ -121,6 +128,7 @@ SceneOptionReader::SceneOptionReader(CLI::App& app, SceneOptions& options) : opt
     declareLighting(app);
     declareSubdivision(app);
     declareColor(app);
+    declareThreads(app);
 }
 
 void SceneOptionReader::declareScene(CLI::App& app) {
@@ -206,6 +214,22 @@ void SceneOptionReader::declareSubdivision(CLI::App& app) {
            help::subdivisionMaxLevel)
         ->type_name("N")
         ->group("Subdivision");
+    app.add_option_function<std::string>(
+           "--subdivision-evaluator",
+           [this](const std::string& text) {
+               options_.subdivisionEvaluator = parseSubdivisionEvaluator(text);
+           },
+           help::subdivisionEvaluator)
+        ->type_name("WORD")
+        ->group("Subdivision");
+}
+
+void SceneOptionReader::declareThreads(CLI::App& app) {
+    app.add_option_function<std::string>(
+           "--threads", [this](const std::string& text) { options_.threads = parseThreads(text); },
+           help::threads)
+        ->type_name("N")
+        ->group("Running");
 }
 
 void SceneOptionReader::declareColor(CLI::App& app) {

@@ -56,10 +56,13 @@ struct SceneOptions {
     candela::BrdfModel brdf = candela::BrdfModel::course;
     candela::Technique technique = candela::Technique::automatic;
     candela::SubdivisionSettings subdivision;
+    candela::SubdivisionEvaluator subdivisionEvaluator = candela::SubdivisionEvaluator::automatic;
     DebugViewOptions debug;
 
     std::optional<std::string> ocio;
     candela::DisplayOptions display;
+
+    unsigned threads = 0;  ///< As `candela::setThreadCount` takes it.
 };
 
 /// Declares the options of a `SceneOptions` and fills it while the command line is parsed; `finish` checks
@@ -79,6 +82,7 @@ class SceneOptionReader {
     void declareLighting(CLI::App& app);
     void declareSubdivision(CLI::App& app);
     void declareColor(CLI::App& app);
+    void declareThreads(CLI::App& app);
 
     SceneOptions& options_;
     std::optional<std::string> eye_, target_;

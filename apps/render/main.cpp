@@ -5,10 +5,14 @@
 #include "options.h"
 #include "render_command.h"
 
+#include <candela/threads.h>
+
 int main(int argc, char** argv) {
     return runProgram("candela-render", [&] {
         const std::optional<Options> options = parseOptions(argc, argv);
-        if (options && options->list) printList(*options);
-        if (options && !options->list) renderPictures(*options);
+        if (!options) return;
+        candela::setThreadCount(options->threads);
+        if (options->list) return printList(*options);
+        renderPictures(*options);
     });
 }

@@ -11,6 +11,7 @@
 #include <candela/error.h>
 #include <candela/import.h>
 #include <candela/plugin_registry.h>
+#include <candela/threads.h>
 
 #include <chrono>
 #include <cmath>
@@ -84,14 +85,15 @@ void noteLights(Session& session, const candela::LightReport& report) {
 
 void noteMissingSubdivider(Session& session, const candela::CageReport& report) {
     if (report.cages == 0 || report.subdivided) return;
-    session.note("no plugin refines subdivision cages (opensubdiv does): their polygons are drawn");
+    session.note(
+        "no plugin that refines subdivision cages was found (opensubdiv does): their polygons are drawn");
 }
 
 void noteLodClamped(Session& session, const candela::CageReport& report) {
     if (report.lodClamped == 0) return;
     session.note(std::to_string(report.lodClamped) +
                  " cages are coarser than --subdivision-edge asks for: --subdivision-max-level or the "
-                 "limit of vertices a cage holds them back");
+                 "maximum number of vertices of a cage limits their level");
 }
 
 /// Draws frame after frame and writes each. Returns what the drawings took.
@@ -155,6 +157,7 @@ void renderPictures(const Options& options) {
     upload.workingFromRec709 = color.workingFromRec709();
     upload.subdivider = plugins.subdivider();
     upload.subdivision = options.subdivision;
+    upload.subdivisionEvaluator = options.subdivisionEvaluator;
     candela::GpuScene gpuScene(context, scene, upload);
     noteLights(session, gpuScene.lightReport());
     noteMissingSubdivider(session, gpuScene.cageReport());
@@ -169,6 +172,8 @@ void renderPictures(const Options& options) {
     stats.height = options.height;
     stats.technique = painter.frame().technique();
     stats.brdf = options.brdf;
+    stats.threads = candela::threadCount();
+    stats.subdivisionEvaluator = gpuScene.cageReport().evaluator;
     stats.triangles = gpuScene.triangleCount() + gpuScene.cageReport().triangles;
     stats.materials = gpuScene.materialCount();
     stats.lights = gpuScene.lightReport().lights;

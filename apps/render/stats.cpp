@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The median of each pass over all drawings, in the order they run.
+/// The median time of each pass over all frames, in the order the passes run.
 Json passTimes(const std::vector<FrameTiming>& timings) {
     std::vector<std::string> names;
     std::vector<std::vector<double>> times;
@@ -61,6 +61,8 @@ std::string statsJson(const Stats& stats) {
           {"pairs_lit", stats.pairs.pairsLit},
           {"pairs_evaluated", stats.pairs.pairsEvaluated},
           {"lights_dropped", stats.pairs.lightsDropped}}},
+        {"threads", stats.threads},
+        {"subdivision_evaluator", stats.subdivisionEvaluator},
     };
     constexpr int indent = 2;
     return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";

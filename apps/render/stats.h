@@ -8,17 +8,19 @@
 #include <string>
 #include <vector>
 
-/// What --stats tells.
+/// The contents of --stats.
 struct Stats {
     std::string renderer;
     int width = 0, height = 0;
     candela::Technique technique = candela::Technique::automatic;
     candela::BrdfModel brdf = candela::BrdfModel::course;
     std::uint64_t triangles = 0, materials = 0, lights = 0;
+    unsigned threads = 0;              ///< That parallel work used.
+    std::string subdivisionEvaluator;  ///< "cpu" or "compute"; empty without refined cages.
     std::vector<FrameTiming> timings;  ///< One or more.
     candela::PairCounts pairs;         ///< Of the last frame.
 };
 
-/// The JSON text of `stats`, with a newline at its end. Keys and their order are a contract: docs and other
-/// programs know them.
+/// The JSON text of `stats`, with a newline at its end. Keys and their order are a contract with other
+/// programs; new ones are appended.
 std::string statsJson(const Stats& stats);

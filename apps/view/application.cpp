@@ -210,6 +210,7 @@ candela::GpuSceneOptions Application::uploadOptions(const candela::ColorConfig& 
     upload.workingFromRec709 = color.workingFromRec709();
     upload.subdivider = plugins_.subdivider();
     upload.subdivision = model_.options.subdivision;
+    upload.subdivisionEvaluator = model_.options.subdivisionEvaluator;
     return upload;
 }
 

@@ -111,11 +111,14 @@ std::string renderCommandLine(const SceneOptions& options) {
     command.option("--technique", candela::toString(options.technique));
     if (!options.debug.isDefault()) command.option("--show", debugViewText(options.debug));
     addSubdivision(command, options.subdivision);
+    if (options.subdivisionEvaluator != candela::SubdivisionEvaluator::automatic)
+        command.option("--subdivision-evaluator", candela::toString(options.subdivisionEvaluator));
     if (options.ocio) command.option("--ocio", *options.ocio);
     command.optionUnlessEmpty("--display", options.display.display);
     command.optionUnlessEmpty("--view", options.display.view);
     command.optionUnlessEmpty("--look", options.display.look);
     if (options.display.exposure != 0.0) command.option("--exposure", numberText(options.display.exposure));
+    if (options.threads != 0) command.option("--threads", std::to_string(options.threads));
     command.option("-o", "candela.png");
     return command.text();
 }

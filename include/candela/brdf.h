@@ -8,7 +8,9 @@
 namespace candela {
 
 /// The reflection models. Both are f = f_d + f_s with f_s = F G D / (4 (n·l)(n·v)), f_d = (1 - F)(1 -
-/// metallic) colour / pi and F0 = mix(0.04, colour, metallic); see docs/lighting.md.
+/// metallic) colour / pi and F0 = mix(0.04, colour, metallic); see docs/lighting.md. The functions of this
+/// header are the textbook form in double precision. They share no code with the shaders and kernels, whose
+/// pixels the tests compare with them.
 enum class BrdfModel {
     course,  ///< GGX, Schlick-Smith G with k = (roughness + 1)² / 8, Schlick F.
     gltf,    ///< GGX, height-correlated Smith, Schlick F, with energy compensation after Turquin (2019).
@@ -17,60 +19,73 @@ enum class BrdfModel {
 /// The model's name on the command line: "course" or "gltf".
 CANDELA_API const char* toString(BrdfModel model);
 
+/// What the reflection models read of a material. A lobe's parameters travel through this struct, and the one
+/// of the same name in shaders/shared/surface_lobes.h, from the G-buffer to the light equation.
+template <typename Real>
+struct SurfaceLobes {
+    glm::vec<3, Real> baseColor{Real(1)};  ///< Linear, in the working space, 0 to 1.
+    Real metallic = Real(0);               ///< 0 to 1.
+    Real roughness = Real(1);              ///< Perceptual roughness, 0 to 1.
+};
+
 /// A point of a surface, in double precision.
 struct SurfacePoint {
     glm::dvec3 position{0.0};          ///< Metres.
     glm::dvec3 normal{0.0, 0.0, 1.0};  ///< Unit length.
-    glm::dvec3 baseColor{1.0};         ///< Linear, in the working space.
-    double metallic = 0.0;             ///< 0 to 1.
-    double roughness = 1.0;            ///< Perceptual roughness, 0 to 1.
+    SurfaceLobes<double> lobes = {};
 };
 
-/// The least alpha (= roughness²) that shading uses, in every implementation: below it, single precision can
-/// not hold the width of the lobe's peak. See docs/lighting.md.
-constexpr double minAlpha = 1.0e-3;
+// The functions below throw `Error` (badInput) where an argument is not finite or not in its range. Cosines
+// are -1 to 1, up to rounding.
 
-/// The least n·v that shading uses (a normal map can turn a normal away from the eye).
-constexpr double minNDotV = 1.0e-4;
+/// The minimum alpha (= roughness²) that shading uses, in every implementation: below it, single precision
+/// can not represent the width of the lobe's peak. 0.001; see docs/lighting.md.
+CANDELA_API extern const double minAlpha;
 
-/// The least distance to a light, in metres, that shading uses: nearer, the inverse square grows no further.
-constexpr double minDistance = 1.0e-3;
+/// The minimum n·v that shading uses (a normal map can turn a normal away from the eye). 0.0001.
+CANDELA_API extern const double minNDotV;
+
+/// The minimum distance to a light, in metres, that shading uses: the inverse square is clamped there. 0.001.
+CANDELA_API extern const double minDistance;
 
 /// The GGX distribution of half vectors, normalised so that the integral of D (n·h) over the hemisphere is 1.
-/// Source: Walter et al., "Microfacet models for refraction through rough surfaces", 2007, equation 33.
+/// `alpha` is 0 to 1. Source: Walter et al., "Microfacet models for refraction through rough surfaces", 2007,
+/// equation 33.
 CANDELA_API double distributionGgx(double nDotH, double alpha);
 
-/// Schlick-Smith shadowing and masking with k = (roughness + 1)² / 8. Sources: Schlick, "An inexpensive BRDF
-/// model for physically-based rendering", 1994; k after Karis, "Real shading in Unreal Engine 4", 2013.
+/// Schlick-Smith shadowing and masking with k = (roughness + 1)² / 8; `roughness` is 0 to 1. Sources:
+/// Schlick, "An inexpensive BRDF model for physically-based rendering", 1994; k after Karis, "Real shading in
+/// Unreal Engine 4", 2013.
 CANDELA_API double geometrySchlickSmith(double nDotL, double nDotV, double roughness);
 
 /// Height-correlated Smith shadowing and masking for GGX. Source: Heitz, "Understanding the masking-shadowing
 /// function in microfacet-based BRDFs", 2014, equation 99.
 CANDELA_API double geometrySmithCorrelated(double nDotL, double nDotV, double alpha);
 
-/// Schlick's Fresnel term. Source: Schlick, 1994.
+/// Schlick's Fresnel term; `f0` is 0 or more. Source: Schlick, 1994.
 CANDELA_API glm::dvec3 fresnelSchlick(const glm::dvec3& f0, double vDotH);
 
-/// The directional albedo of the `gltf` model's specular lobe for F = 1: the share of light from direction
+/// The directional albedo of the `gltf` model's specular lobe for F = 1: the fraction of light from direction
 /// n·v that leaves the surface. Interpolated in the same table that the shaders read.
 CANDELA_API double directionalAlbedo(double nDotV, double alpha);
 
-/// f(l, v) per channel, in 1/sr; `l` and `v` are unit vectors away from the surface. Zero when l is below the
-/// horizon.
+/// f(l, v) per channel, in 1/sr; `l` and `v` are unit vectors (to 0.001) away from the surface. Zero when l
+/// is below the horizon.
 CANDELA_API glm::dvec3 evaluateBrdf(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& l,
                                     const glm::dvec3& v);
 
 /// KHR_lights_punctual's window on the inverse square: max(0, 1 - (distance / range)^4); 0 at the range and
-/// beyond it.
+/// beyond it. Metres; `distance` is 0 or more, `range` is over 0.
 CANDELA_API double rangeWindow(double distance, double range);
 
 /// KHR_lights_punctual's spot factor, squared ramp between the cosines of the outer and the inner angle
-/// (radians).
+/// (radians, 0 <= inner < outer <= pi / 2).
 CANDELA_API double spotFactor(double cosAngle, double innerConeAngle, double outerConeAngle);
 
 /// The radiance that leaves `surface` towards `eye` by `light`: pi f L_i (n·l) with L_i = intensity / (pi d²)
-/// × window × spot factor; for a directional light, pi f (intensity / pi) (n·l). The light's intensity is
-/// already in the working space, and its range is over 0 (the renderer has set one where none was given).
+/// × window × spot factor; for a directional light, pi f (intensity / pi) (n·l). The light's intensity is in
+/// the working space, and the range of a point or spot light is over 0 (where a light has none, the renderer
+/// assigns one: `LightReport`).
 CANDELA_API glm::dvec3 reflectedRadiance(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& eye,
                                          const WorldLight& light);
 

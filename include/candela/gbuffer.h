@@ -1,5 +1,6 @@
 #pragma once
 
+#include <candela/brdf.h>
 #include <candela/export.h>
 
 #include <glm/vec3.hpp>
@@ -23,12 +24,10 @@ struct GBufferChannel {
 /// output read it.
 CANDELA_API std::span<const GBufferChannel> gbufferChannels();
 
-/// What the G-buffer keeps of a surface, unpacked.
+/// What the G-buffer stores of a surface, unpacked.
 struct GBufferSurface {
     glm::vec3 normal{0.0f, 0.0f, 1.0f};  ///< Unit length, world space.
-    glm::vec3 baseColor{0.0f};           ///< Linear, in the working space, 0 to 1.
-    float metallic = 0.0f;               ///< 0 to 1.
-    float roughness = 0.0f;              ///< Perceptual roughness, 0 to 1.
+    SurfaceLobes<float> lobes = {};
 };
 
 /// The two words of a pixel: x holds base colour and metallic, y normal and roughness. y is 0 where no light
@@ -37,11 +36,12 @@ struct GBufferTexel {
     std::uint32_t x = 0, y = 0;
 };
 
-/// Packs a surface as shaders/lib/gbuffer.glsl does, bit for bit up to the rounding of the shader's
-/// arithmetic.
+/// Packs a surface. The shaders pack with the same source (shaders/shared/gbuffer_encoding.h), up to the
+/// rounding of their arithmetic. Numbers beyond their range are clamped; a normal without length packs as
+/// one.
 CANDELA_API GBufferTexel packSurface(const GBufferSurface& surface);
 
-/// Unpacks a texel; y must not be 0.
+/// Unpacks a texel. Throws `Error` (badInput) where `texel.y` is 0.
 CANDELA_API GBufferSurface unpackSurface(GBufferTexel texel);
 
 }  // namespace candela

@@ -19,14 +19,24 @@ namespace candela {
 
 /// How lights are brought to pixels. All give the same picture; see docs/lighting.md.
 enum class Technique {
-    automatic,   ///< The fastest on this device: `tiles`.
+    automatic,   ///< The fastest on all devices: `tiles`.
     volumes,     ///< Each light's bounding volume is rasterised against the depth buffer.
-    tiles,       ///< Lights are binned to screen tiles cut by depth, and each pixel walks its list.
+    tiles,       ///< Lights are binned to screen tiles cut by depth, and each pixel iterates over its list.
     fullscreen,  ///< Every light at every pixel: the reference.
 };
 
 /// The technique's name on the command line: "auto", "volumes", "tiles", "fullscreen".
 CANDELA_API const char* toString(Technique technique);
+
+/// What runs the technique `tiles`. All give the same picture.
+enum class TileBackend {
+    automatic,  ///< `cpu` where `Context::isSoftware`, else `compute`.
+    cpu,        ///< Vector code on the processor's cores.
+    compute,    ///< Compute shaders.
+};
+
+/// The name on the command line: "auto", "cpu", "compute".
+CANDELA_API const char* toString(TileBackend backend);
 
 /// What a frame shows.
 enum class DebugView {
@@ -71,6 +81,7 @@ struct FrameSettings {
     Technique technique = Technique::automatic;
     DebugView debugView = DebugView::none;
     Overlays overlays = {};
+    TileBackend tileBackend = TileBackend::automatic;  ///< Read for `tiles` only.
 };
 
 struct PassTime {

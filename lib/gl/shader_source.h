@@ -9,7 +9,7 @@ namespace candela::gl {
 
 /// A file of shaders/ as the build put it into the library.
 struct EmbeddedShader {
-    std::string_view name;  ///< Path below shaders/, such as "lib/brdf.glsl".
+    std::string_view name;  ///< Path below shaders/, such as "lib/lighting.glsl".
     std::string_view text;
 };
 

@@ -191,7 +191,7 @@ PairCounts Frame::countPairs() const {
     counts.pairsLit =
         static_cast<std::uint64_t>(std::accumulate(lit.begin(), lit.end(), 0.0)) + directionalPairs;
     if (state.frame->settings.debugView != DebugView::none) return counts;  // No light was evaluated.
-    LightingTechnique& technique = state.lighting.technique(state.frame->technique);
+    LightingTechnique& technique = state.lighting.technique(state.frame->technique, state.frame->settings.tileBackend);
     counts.pairsEvaluated = technique.countEvaluated(inputs, counter) + directionalPairs;
     counts.lightListBytes = technique.lightListBytes();
     return counts;

@@ -7,9 +7,7 @@
 
 namespace candela {
 
-struct TileFrame;
-
-/// The view frustum without a far plane, for culling spheres, and the camera frame it stands in.
+/// The view frustum without a far plane, for culling spheres (shaders/shared/light_bounds.h).
 class Frustum {
   public:
     /// `aspect` is width over height.
@@ -20,19 +18,18 @@ class Frustum {
     /// Does the sphere reach to the near plane or behind it?
     bool meetsNearPlane(const glm::vec3& center, float radius) const;
 
-    /// The rectangle that the sphere's projection fills: least and greatest x and y, as shares of the picture
-    /// (0 to 1 from its lower left corner), not clipped. The sphere must lie wholly in front of the near
-    /// plane. Source: tangent lines from the eye, as in Mara and McGuire, "2D polyhedral bounds of a clipped,
-    /// perspective-projected 3D sphere", 2013.
+    /// The rectangle under the sphere's projection: minimum and maximum x and y, in units of the picture's
+    /// width and height from its lower left corner, not clipped. The sphere must lie wholly in front of the
+    /// near plane.
     struct Rectangle {
         glm::vec2 min, max;
     };
     Rectangle projectedBounds(const glm::vec3& center, float radius) const;
 
-    /// The frustum as the kernels of the technique `tiles` read it.
-    void copyTo(TileFrame& frame) const;
-
   private:
+    /// Camera space: x right, y up, z the depth.
+    glm::vec3 inCameraSpace(const glm::vec3& position) const;
+
     glm::vec3 eye_, right_, up_, forward_;
     float near_;
     glm::vec2 halfExtent_;  ///< Of the picture at a depth of one metre.

@@ -88,7 +88,7 @@ void Renderer::State::resize(int width, int height) {
 /// Creates what the frame is drawn with, before its passes are timed.
 void Renderer::State::createPasses(const FrameSettings& settings, Technique technique) {
     if (settings.debugView == DebugView::none) {
-        lighting.technique(technique);
+        lighting.technique(technique, settings.tileBackend);
     } else if (!debugView) {
         debugView.emplace();
     }
@@ -111,10 +111,10 @@ void Renderer::State::drawGeometry(const GpuScene::State& scene, const GBufferTa
 }
 
 void Renderer::State::drawLit(const GpuScene::State& scene) {
-    LightingTechnique& technique = lighting.technique(frame->technique);
+    LightingTechnique& technique = lighting.technique(frame->technique, frame->settings.tileBackend);
     {
         const gl::PassTimer::Scope pass(timer, "geometry");
-        drawGeometry(scene, *targets, technique.overwritesRadiance() ? LoadOp::dontCare : LoadOp::clear);
+        drawGeometry(scene, *targets, technique.radianceLoadOp());
     }
     const LightingInputs inputs = lightingInputs(scene);
     lighting.bind(inputs);
@@ -197,19 +197,6 @@ Frame Renderer::render(GpuScene& scene, const CameraView& view, const FrameSetti
     const gl::StateGuard guard(*state_->binding, "a Renderer");
     state_->render(*scene.state_, view, settings);
     return Frame(state_, scene.state_, state_->frameNumber);
-}
-
-const char* toString(Technique technique) {
-    switch (technique) {
-        case Technique::volumes:
-            return "volumes";
-        case Technique::tiles:
-            return "tiles";
-        case Technique::fullscreen:
-            return "fullscreen";
-        default:
-            return "auto";
-    }
 }
 
 }  // namespace candela

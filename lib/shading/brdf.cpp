@@ -1,15 +1,21 @@
 #include <candela/brdf.h>
 
+#include <candela/error.h>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace candela {
 namespace {
+
+using Scalar = double;
+#include "shared/shading_constants.h"
 
 /// Keeps (n·l) in the denominator from underflowing; far below any angle that a picture can show.
 constexpr double minNDotL = 1.0e-30;
@@ -17,13 +23,65 @@ constexpr double minNDotL = 1.0e-30;
 /// Shorter vectors have no direction.
 constexpr double minLength = 1.0e-150;
 
+/// Unit vectors and cosines are off by rounding, also of single precision.
+constexpr double unitTolerance = 1.0e-3;
+
+void require(bool holds, const char* name, const char* expected) {
+    if (holds) return;
+    throw Error(ErrorKind::badInput, "", std::string(name) + " has to be " + expected);
+}
+
+bool isFinite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool isUnit(const glm::dvec3& v) {
+    return isFinite(v) && std::abs(glm::length(v) - 1.0) <= unitTolerance;
+}
+
+bool isNonNegative(const glm::dvec3& v) {
+    return isFinite(v) && glm::all(glm::greaterThanEqual(v, glm::dvec3(0.0)));
+}
+
+void requireCosine(double value, const char* name) {
+    require(std::abs(value) <= 1.0 + unitTolerance, name, "a cosine, -1 to 1");
+}
+
+void requireShare(double value, const char* name) {
+    require(value >= 0.0 && value <= 1.0, name, "0 to 1");
+}
+
+void requireSurface(const SurfacePoint& surface) {
+    require(isFinite(surface.position), "the surface's position", "finite");
+    require(isUnit(surface.normal), "the surface's normal", "of unit length");
+    require(isNonNegative(surface.lobes.baseColor), "the surface's base colour", "finite and 0 or more");
+    requireShare(surface.lobes.metallic, "the surface's metallic");
+    requireShare(surface.lobes.roughness, "the surface's roughness");
+}
+
+void requireCone(double innerConeAngle, double outerConeAngle) {
+    // pi / 2 in single precision is more than pi / 2.
+    require(innerConeAngle >= 0.0 && innerConeAngle < outerConeAngle && outerConeAngle <= 1.5708,
+            "the cone angles", "0 <= inner < outer <= pi / 2");
+}
+
+void requireLight(const WorldLight& light) {
+    require(isNonNegative(glm::dvec3(light.intensity)), "the light's intensity", "finite and 0 or more");
+    if (light.type != LightType::point)
+        require(isUnit(glm::dvec3(light.direction)), "the light's direction", "of unit length");
+    if (light.type == LightType::directional) return;
+    require(isFinite(glm::dvec3(light.position)), "the light's position", "finite");
+    require(light.range > 0.0f, "the light's range", "over 0 metres");
+    if (light.type == LightType::spot) requireCone(light.innerConeAngle, light.outerConeAngle);
+}
+
 double clampAlpha(double alpha) {
     return std::max(alpha, minAlpha);
 }
 
-/// The share of light that the compensated lobe adds, per unit of F0: (1 - E) / E. Source: Turquin,
-/// "Practical multiple scattering compensation for microfacet models", 2019.
-double missingShare(double nDotV, double alpha) {
+/// What compensation adds to the lobe, per unit of F0: (1 - E) / E. Source: Turquin, "Practical multiple
+/// scattering compensation for microfacet models", 2019.
+double missingEnergy(double nDotV, double alpha) {
     const double albedo = directionalAlbedo(nDotV, alpha);
     return (1.0 - albedo) / albedo;
 }
@@ -38,7 +96,7 @@ double specularLobe(BrdfModel model, double roughness, double nDotL, double nDot
 
 glm::dvec3 compensation(BrdfModel model, const glm::dvec3& f0, double nDotV, double alpha) {
     if (model == BrdfModel::course) return glm::dvec3(1.0);
-    return 1.0 + f0 * missingShare(nDotV, alpha);
+    return 1.0 + f0 * missingEnergy(nDotV, alpha);
 }
 
 /// Unit vector from `from` to `to`; zero where they are the same point.
@@ -59,7 +117,35 @@ glm::dvec3 incidentRadiance(const WorldLight& light, const glm::dvec3& l, double
     return glm::dvec3(light.intensity) / std::numbers::pi * factor;
 }
 
+/// `evaluateBrdf` for arguments that are checked.
+glm::dvec3 textbookBrdf(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& l,
+                        const glm::dvec3& v) {
+    const SurfaceLobes<double>& lobes = surface.lobes;
+    // A normal that is of unit length only to single precision would change D at the minimum alpha by a
+    // tenth.
+    const glm::dvec3 n = glm::normalize(surface.normal);
+    if (glm::dot(n, l) <= 0.0) return glm::dvec3(0.0);
+    const double nDotL = std::max(glm::dot(n, l), minNDotL);
+    const double nDotV = std::max(glm::dot(n, v), minNDotV);
+    const glm::dvec3 h = directionBetween(-v, l);
+    // Opposite directions have no half vector: F is 1 there, so that the diffuse part is 0, and the lobe is
+    // taken as 0.
+    if (h == glm::dvec3(0.0)) return glm::dvec3(0.0);
+    const double alpha = clampAlpha(lobes.roughness * lobes.roughness);
+
+    const glm::dvec3 f0 = glm::mix(glm::dvec3(DIELECTRIC_F0), lobes.baseColor, lobes.metallic);
+    const glm::dvec3 fresnel = fresnelSchlick(f0, glm::dot(v, h));
+    const double lobe = specularLobe(model, lobes.roughness, nDotL, nDotV, glm::dot(n, h));
+    const glm::dvec3 specular = fresnel * lobe * compensation(model, f0, nDotV, alpha);
+    const glm::dvec3 diffuse = (1.0 - fresnel) * (1.0 - lobes.metallic) * lobes.baseColor / std::numbers::pi;
+    return diffuse + specular;
+}
+
 }  // namespace
+
+const double minAlpha = MIN_ALPHA;
+const double minNDotV = MIN_N_DOT_V;
+const double minDistance = MIN_DISTANCE;
 
 const char* toString(BrdfModel model) {
     return model == BrdfModel::course ? "course" : "gltf";
@@ -68,6 +154,8 @@ const char* toString(BrdfModel model) {
 // Without Walter's step function: n·h is below 0 only where a normal map has turned the normal away from the
 // eye, and there a step would draw an edge.
 double distributionGgx(double nDotH, double alpha) {
+    requireCosine(nDotH, "n·h");
+    requireShare(alpha, "alpha");
     const double alphaSquared = clampAlpha(alpha) * clampAlpha(alpha);
     const double cosineSquared = std::min(nDotH * nDotH, 1.0);
     const double denominator = cosineSquared * (alphaSquared - 1.0) + 1.0;
@@ -75,12 +163,18 @@ double distributionGgx(double nDotH, double alpha) {
 }
 
 double geometrySchlickSmith(double nDotL, double nDotV, double roughness) {
+    requireCosine(nDotL, "n·l");
+    requireCosine(nDotV, "n·v");
+    requireShare(roughness, "roughness");
     const double k = (roughness + 1.0) * (roughness + 1.0) / 8.0;
     const auto side = [k](double nDotW) { return nDotW / (nDotW * (1.0 - k) + k); };
     return side(nDotL) * side(nDotV);
 }
 
 double geometrySmithCorrelated(double nDotL, double nDotV, double alpha) {
+    requireCosine(nDotL, "n·l");
+    requireCosine(nDotV, "n·v");
+    requireShare(alpha, "alpha");
     const double alphaSquared = clampAlpha(alpha) * clampAlpha(alpha);
     const auto root = [alphaSquared](double nDotW) {
         return std::sqrt(alphaSquared + (1.0 - alphaSquared) * nDotW * nDotW);
@@ -90,39 +184,31 @@ double geometrySmithCorrelated(double nDotL, double nDotV, double alpha) {
 }
 
 glm::dvec3 fresnelSchlick(const glm::dvec3& f0, double vDotH) {
+    require(isNonNegative(f0), "F0", "finite and 0 or more");
+    requireCosine(vDotH, "v·h");
     const double sine = 1.0 - std::clamp(vDotH, 0.0, 1.0);
     return f0 + (1.0 - f0) * std::pow(sine, 5.0);
 }
 
 glm::dvec3 evaluateBrdf(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& l,
                         const glm::dvec3& v) {
-    // A normal that is of unit length only to single precision would spoil D at the least alpha by a tenth.
-    const glm::dvec3 n = glm::normalize(surface.normal);
-    if (glm::dot(n, l) <= 0.0) return glm::dvec3(0.0);
-    const double nDotL = std::max(glm::dot(n, l), minNDotL);
-    const double nDotV = std::max(glm::dot(n, v), minNDotV);
-    const glm::dvec3 h = directionBetween(-v, l);
-    // Opposite directions have no half vector: F is 1 there, which leaves no diffuse part, and no lobe is.
-    if (h == glm::dvec3(0.0)) return glm::dvec3(0.0);
-    const double alpha = clampAlpha(surface.roughness * surface.roughness);
-
-    const glm::dvec3 f0 = glm::mix(glm::dvec3(0.04), surface.baseColor, surface.metallic);
-    const glm::dvec3 fresnel = fresnelSchlick(f0, glm::dot(v, h));
-    const double lobe = specularLobe(model, surface.roughness, nDotL, nDotV, glm::dot(n, h));
-    const glm::dvec3 specular = fresnel * lobe * compensation(model, f0, nDotV, alpha);
-    const glm::dvec3 diffuse =
-        (1.0 - fresnel) * (1.0 - surface.metallic) * surface.baseColor / std::numbers::pi;
-    return diffuse + specular;
+    requireSurface(surface);
+    require(isUnit(l), "the direction to the light", "of unit length");
+    require(isUnit(v), "the direction to the eye", "of unit length");
+    return textbookBrdf(model, surface, l, v);
 }
 
 double rangeWindow(double distance, double range) {
-    assert(range > 0.0);
+    require(std::isfinite(distance) && distance >= 0.0, "the distance", "finite and 0 or more metres");
+    require(range > 0.0, "the range", "over 0 metres");
     return std::max(0.0, 1.0 - std::pow(distance / range, 4.0));
 }
 
 double spotFactor(double cosAngle, double innerConeAngle, double outerConeAngle) {
+    requireCosine(cosAngle, "the cosine of the angle");
+    requireCone(innerConeAngle, outerConeAngle);
     const double cosOuter = std::cos(outerConeAngle);
-    // The least width of the ramp is the extension's own.
+    // The minimum width of the ramp is that of the extension.
     const double width = std::max(0.001, std::cos(innerConeAngle) - cosOuter);
     const double ramp = std::clamp((cosAngle - cosOuter) / width, 0.0, 1.0);
     return ramp * ramp;
@@ -130,6 +216,9 @@ double spotFactor(double cosAngle, double innerConeAngle, double outerConeAngle)
 
 glm::dvec3 reflectedRadiance(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& eye,
                              const WorldLight& light) {
+    requireSurface(surface);
+    require(isFinite(eye), "the eye", "finite");
+    requireLight(light);
     const glm::dvec3 v = directionBetween(surface.position, eye);
     const bool directional = light.type == LightType::directional;
     const glm::dvec3 l = directional ? -glm::dvec3(light.direction)
@@ -139,7 +228,7 @@ glm::dvec3 reflectedRadiance(BrdfModel model, const SurfacePoint& surface, const
     const glm::dvec3 incident =
         directional ? glm::dvec3(light.intensity) / std::numbers::pi
                     : incidentRadiance(light, l, glm::distance(surface.position, glm::dvec3(light.position)));
-    return std::numbers::pi * evaluateBrdf(model, surface, l, v) * incident * nDotL;
+    return std::numbers::pi * textbookBrdf(model, surface, l, v) * incident * nDotL;
 }
 
 }  // namespace candela

@@ -1,6 +1,7 @@
 #include "shading/directional_albedo.h"
 
 #include <candela/brdf.h>
+#include <candela/error.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <string>
 
 namespace candela {
 namespace {
@@ -57,10 +59,10 @@ struct VisibleNormals {
     }
 };
 
-/// The share of one azimuth's visible normals that reflects above the horizon and is not shadowed there. What
-/// is left of f_s (n·l) once the density of visible normals is taken out is G2 / G1(v). Midpoint rule, with
-/// the samples drawn towards the horizon, where the integrand is steep.
-double azimuthShare(const VisibleNormals& normals) {
+/// The part of one azimuth's visible normals that reflects above the horizon and is not shadowed there:
+/// f_s (n·l) over the density of visible normals is G2 / G1(v). Midpoint rule, with the samples concentrated
+/// at the horizon, where the integrand is steep.
+double azimuthAlbedo(const VisibleNormals& normals) {
     const double masking = 1.0 + smithLambda(normals.v.z, normals.alpha);
     const double start = normals.horizon();
     double sum = 0.0;
@@ -73,14 +75,14 @@ double azimuthShare(const VisibleNormals& normals) {
     return (1.0 - start) * sum / heightSamples;
 }
 
-/// The albedo. The lobe is mirror-symmetric, so half of the azimuths do.
+/// The albedo. The lobe is mirror-symmetric: half of the azimuths suffice.
 double integrateAlbedo(double nDotV, double alpha) {
     const glm::dvec3 v(std::sqrt(1.0 - nDotV * nDotV), 0.0, nDotV);
     VisibleNormals normals{v, glm::normalize(glm::dvec3(alpha * v.x, 0.0, v.z)), alpha, 0.0};
     double sum = 0.0;
     for (int i = 0; i < azimuthSamples; ++i) {
         normals.cosAzimuth = std::cos(std::numbers::pi * (i + 0.5) / azimuthSamples);
-        sum += azimuthShare(normals);
+        sum += azimuthAlbedo(normals);
     }
     return sum / azimuthSamples;
 }
@@ -112,8 +114,14 @@ std::span<const float> directionalAlbedoTable() {
     return table;
 }
 
-// The shaders do the same, line for line, with texelFetch and mix.
+// As `directionalAlbedo` of shaders/lib/lighting.glsl.
 double directionalAlbedo(double nDotV, double alpha) {
+    // No number compares as true with NaN.
+    if (!(std::abs(nDotV) <= 1.0 + 1.0e-3) || !(alpha >= 0.0 && alpha <= 1.0)) {
+        throw Error(ErrorKind::badInput, "",
+                    "the directional albedo is asked for n·v = " + std::to_string(nDotV) +
+                        " and alpha = " + std::to_string(alpha) + "; n·v has to be a cosine, alpha 0 to 1");
+    }
     nDotV = std::clamp(nDotV, minNDotV, 1.0);
     alpha = std::clamp(alpha, minAlpha, 1.0);
     constexpr int last = albedoTableSize - 1;

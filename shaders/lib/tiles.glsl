@@ -13,13 +13,19 @@ layout(std430, binding = TILE_BOXES_STORAGE) buffer TileBoxes { TileBox tileBoxe
 layout(std430, binding = TILE_COUNTS_STORAGE) buffer TileCounts { uint tileCounts[]; };
 layout(std430, binding = TILE_STARTS_STORAGE) buffer TileStarts { uint tileStarts[]; };
 layout(std430, binding = TILE_LISTS_STORAGE) buffer TileLists { uint tileLists[]; };
-// x: entries that all lists need; what is beyond the capacity of tileLists is not written, and its tiles walk all lights instead.
+// x: the maximum number of entries that the lists of one span of lights need, over the spans of the frame; saturates.
 layout(std430, binding = TILE_TOTAL_STORAGE) buffer TileTotal { uvec4 tileTotal; };
 
 // The groups of tile_shade.comp for each part of the lists: three words a part, 0 where no list is so long.
 layout(std430, binding = TILE_GROUPS_STORAGE) buffer TileGroups { uint tileGroups[]; };
 
-// Does the tile's list lie within the buffer?
-bool isListed(uint tile) { return tileStarts[tile] + tileCounts[tile] <= uint(tileLists.length()); }
+// The lights that the lists are of: first and end. A frame may need several spans, whose lists fit into the buffer one after the other.
+layout(location = LIGHT_SPAN_LOCATION) uniform ivec2 lightSpan;
 
-ivec2 tileGrid() { return (frame.size.xy + TILE - 1) / TILE; }
+// Does the tile's list lie within the buffer? Otherwise the tile iterates over all lights of the span.
+bool isListed(uint tile) {
+    uint capacity = uint(tileLists.length());
+    return tileStarts[tile] <= capacity && tileCounts[tile] <= capacity - tileStarts[tile];
+}
+
+ivec2 tileGridSize() { return (frame.size.xy + TILE - 1) / TILE; }

@@ -46,11 +46,12 @@ const int LIMIT_TANGENTS_STORAGE = 5;
 const int RADIANCE_IMAGE = 0;
 
 // Uniform locations.
-const int FIRST_LIGHT_LOCATION = 0;     // tile_scatter: the first light of a dispatch
-const int KEEPS_EMISSION_LOCATION = 0;  // tile_shade: is emission in the radiance target?
-const int LIST_PART_LOCATION = 1;       // tile_shade: which part of the lists
-const int LIGHT_RANGES_LOCATION = 0;    // fullscreen: first and end of points and spots; then those of directional lights
-const int DIRECTIONALS_LOCATION = 1;
+const int FIRST_LIGHT_LOCATION = 0;      // tile_fill: the first light of a dispatch
+const int LOAD_RADIANCE_LOCATION = 0;    // tile_shade: does the dispatch add to what the radiance target holds?
+const int LIST_PART_LOCATION = 1;        // tile_shade: which part of the lists
+const int LIGHT_SPAN_LOCATION = 2;       // tile_fill, tile_prefix, tile_shade: first and end of the lights that the lists are of
+const int LIGHT_SPANS_LOCATION = 0;      // fullscreen: first and end of points and spots
+const int DIRECTIONAL_SPAN_LOCATION = 1; // fullscreen: first and end of directional lights
 const int EXPOSURE_LOCATION = 0;        // display: factor before the transform
 const int ORIGIN_LOCATION = 1;          // display: lower left corner of the picture in the target
 const int LIMIT_RANGE_LOCATION = 0;     // cage_limit: first and end of a dispatch's vertices, number of points, number of vertices
@@ -69,7 +70,7 @@ const int UV1_ATTRIBUTE = 5;
 const int COLOR_ATTRIBUTE = 6;
 const int LIGHT_ATTRIBUTE = 1;          // uint an instance of a light volume: light
 
-// Lights that a loop of tile_shade walks at most: llvmpipe silently ends a loop after 65,535 iterations.
+// The maximum number of lights that a loop of tile_shade iterates over: llvmpipe silently ends the loops of an invocation after 65,535 iterations.
 const int LIST_PART = 32768;
 
 // Texels a record.

@@ -27,6 +27,15 @@ TEST(BenchCages, MovesTenThousandQuadsAtLevelThree) {
     EXPECT_TRUE(row["evaluator"] == "cpu" || row["evaluator"] == "compute");
 }
 
+TEST(BenchCages, NamesTheEvaluatorThatWasAskedFor) {
+    const TemporaryFolder folder;
+    expectDone(runCommand(
+        {"--scene", "cages", "--frames", "1", "--subdivision-evaluator", "compute", "--json", "r.json"},
+        {.folder = folder.path()}));
+    std::ifstream file(folder / "r.json");
+    EXPECT_EQ(Json::parse(file)["results"].at(0)["evaluator"], "compute");
+}
+
 TEST(BenchCages, MeasuresNoLights) {
     expectUsageError(runCommand({"--scene", "cages", "--lights", "4", "--json", "r.json"}),
                      "measures no lights");

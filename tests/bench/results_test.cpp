@@ -68,6 +68,10 @@ TEST(BenchResults, ValuesAreThoseOfTheDrawing) {
     EXPECT_LT(tiles["pairs_evaluated"].get<int>(), fullscreen["pairs_evaluated"].get<int>());
 }
 
+TEST(BenchResults, NamesTheThreadsUsed) {
+    EXPECT_EQ(benchOf({"--lights", "4", "--threads", "3"})["setup"]["threads"], 3);
+}
+
 TEST(BenchResults, AutoNamesTheTechniqueUsed) {
     const Json bench = benchOf({"--lights", "16"});
     ASSERT_EQ(bench["results"].size(), 1u);

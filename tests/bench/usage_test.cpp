@@ -32,6 +32,8 @@ TEST(BenchUsage, EveryMistakeIsNamed) {
         BadUsage{{"--json", "r.json", "--size", "0x5"}, "whole number from 1 to 16384"},
         BadUsage{{"--json", "r.json", "--frames", "0"}, "whole number from 1"},
         BadUsage{{"--json", "r.json", "--device", "gpu"}, "software"},
+        BadUsage{{"--json", "r.json", "--threads", "-1"}, "whole number from 0 to 1024"},
+        BadUsage{{"--json", "r.json", "--subdivision-evaluator", "gpu"}, "auto, cpu, compute"},
         BadUsage{{"--json", "r.json", "--scene", ""}, "--scene"},
     };
     const TemporaryFolder folder;
@@ -45,9 +47,9 @@ TEST(BenchUsage, EveryMistakeIsNamed) {
 TEST(BenchUsage, HelpNamesEveryOption) {
     const CommandResult result = runCommand({"--help"});
     expectDone(result);
-    for (const char* option :
-         {"--scene", "--lights", "--technique", "--size", "--frames", "--json", "--plot", "--baseline",
-          "--device", "--plugin-path", "--brdf", "--view", "--quiet", "--version"})
+    for (const char* option : {"--scene", "--lights", "--technique", "--size", "--frames", "--json", "--plot",
+                               "--baseline", "--device", "--plugin-path", "--brdf", "--view", "--quiet",
+                               "--threads", "--subdivision-evaluator", "--version"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 

@@ -32,7 +32,7 @@ Json statsOf(std::vector<std::string> arguments) {
 TEST(Stats, KeysAreThoseOfTheContract) {
     const Json stats = statsOf({"plaza:16", "--size", "64x36"});
     EXPECT_EQ(keys(stats), (Names{"version", "renderer", "width", "height", "technique", "brdf", "scene",
-                                  "passes", "frame_ms", "counters"}));
+                                  "passes", "frame_ms", "counters", "threads", "subdivision_evaluator"}));
     EXPECT_EQ(keys(stats["scene"]), (Names{"triangles", "materials", "lights"}));
     EXPECT_EQ(keys(stats["frame_ms"]), (Names{"median", "min", "max", "count"}));
     EXPECT_EQ(keys(stats["counters"]),
@@ -53,12 +53,18 @@ TEST(Stats, ValuesAreThoseOfTheDrawing) {
     EXPECT_EQ(stats["height"], 36);
     EXPECT_EQ(stats["technique"], "volumes");
     EXPECT_EQ(stats["brdf"], "gltf");
+    EXPECT_EQ(stats["subdivision_evaluator"], "") << "no cages";
     EXPECT_EQ(stats["scene"]["lights"], 16);
     EXPECT_EQ(stats["counters"]["lights"], 16);
     EXPECT_EQ(stats["counters"]["lights_dropped"], 0);
     // The ground's 64 × 64 quads are 8192 triangles, and 256 spheres of some 900 come on top.
     EXPECT_GT(stats["scene"]["triangles"].get<int>(), 200'000);
     EXPECT_GE(stats["scene"]["materials"].get<int>(), 256);
+}
+
+TEST(Stats, NamesTheThreadsUsed) {
+    EXPECT_EQ(statsOf({"square.gltf", "--size", "16x16", "--threads", "3"})["threads"], 3);
+    EXPECT_GE(statsOf({"square.gltf", "--size", "16x16"})["threads"], 1);
 }
 
 TEST(Stats, AutoNamesTheTechniqueUsed) {

@@ -48,7 +48,7 @@ TEST(Usage, EveryMistakeIsNamed) {
         BadUsage{{"plaza:1", "--scatter-lights", "10,1,1,1,1"}, "N[,RANGE[,CANDELA[,SEED]]]"},
         BadUsage{{"plaza:1", "--scatter-lights", "10,1,1,-1"}, "whole number from 0"},
         BadUsage{{"plaza:1", "--show", "beauty"}, "wireframe, cage, picture, normals, level"},
-        BadUsage{{"plaza:1", "--show", "normals,level"}, "expected one picture"},
+        BadUsage{{"plaza:1", "--show", "normals,level"}, "at most one debug view"},
         BadUsage{{"plaza:1", "--show", "normals", "-o", "a.exr"}, "--show needs a .png"},
         BadUsage{{"plaza:1", "--subdivision-level", "9"}, "whole number from 1 to 8"},
         BadUsage{{"plaza:1", "--subdivision-edge", "0"}, "between 0 and"},
@@ -64,6 +64,9 @@ TEST(Usage, EveryMistakeIsNamed) {
         BadUsage{{"plaza:1", "-o", "a.exr", "--aov", "Z,beauty"}, "\"beauty\""},
         BadUsage{{"plaza:1", "-o", "a.exr", "--aov", "Z,Z"}, "twice"},
         BadUsage{{"plaza:1", "-o", "a.exr", "--aov", ""}, "--aov"},
+        BadUsage{{"plaza:1", "--threads", "many"}, "whole number from 0 to 1024"},
+        BadUsage{{"plaza:1", "--threads", "1025"}, "whole number from 0 to 1024"},
+        BadUsage{{"plaza:1", "--subdivision-evaluator", "gpu"}, "auto, cpu, compute"},
         BadUsage{{"--list", "cats"}, "plugins, devices, displays, views"},
     };
     const TemporaryFolder folder;
@@ -78,11 +81,13 @@ TEST(Usage, HelpNamesEveryOptionOfTheContract) {
     const CommandResult result = runCommand({"--help"});
     expectDone(result);
     EXPECT_EQ(result.err, "");
-    for (const char* option : {"SCENE",    "-o",        "--size",           "--camera",  "--eye",
-                               "--target", "--fov",     "--scatter-lights", "--brdf",    "--technique",
-                               "--ocio",   "--display", "--view",           "--look",    "--exposure",
-                               "--aov",    "--frames",  "--time",           "--stats",   "--plugin-path",
-                               "--device", "--quiet",   "--list",           "Examples:", "Exit codes:"})
+    for (const char* option :
+         {"SCENE",     "-o",         "--size",           "--camera",  "--eye",
+          "--target",  "--fov",      "--scatter-lights", "--brdf",    "--technique",
+          "--ocio",    "--display",  "--view",           "--look",    "--exposure",
+          "--aov",     "--frames",   "--time",           "--stats",   "--plugin-path",
+          "--device",  "--quiet",    "--list",           "--threads", "--subdivision-evaluator",
+          "Examples:", "Exit codes:"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 

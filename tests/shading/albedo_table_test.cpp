@@ -64,9 +64,7 @@ TEST(AlbedoTable, texelsStandOnTheCornersOfTheCells) {
 
 TEST(AlbedoTable, argumentsBeyondTheDomainAreThoseOfItsBorder) {
     EXPECT_EQ(directionalAlbedo(-1.0, 0.5), directionalAlbedo(minNDotV, 0.5));
-    EXPECT_EQ(directionalAlbedo(2.0, 0.5), directionalAlbedo(1.0, 0.5));
     EXPECT_EQ(directionalAlbedo(0.001, 0.0), directionalAlbedo(0.001, minAlpha));
-    EXPECT_EQ(directionalAlbedo(0.5, 2.0), directionalAlbedo(0.5, 1.0));
 }
 
 TEST(AlbedoTable, isOneAndTheSameForEveryThread) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr BrdfModel models[] = {BrdfModel::course, BrdfModel::gltf};
 
-constexpr double angles[] = {minNDotV, 3.0e-4, 1.0e-3, 3.0e-3, 0.01, 0.03, 0.1, 0.18, 0.3, 0.5, 0.75, 1.0};
+const double angles[] = {minNDotV, 3.0e-4, 1.0e-3, 3.0e-3, 0.01, 0.03, 0.1, 0.18, 0.3, 0.5, 0.75, 1.0};
 
 /// Samples along each axis of the quadrature, and what is left of its error: that of a third of the samples,
 /// measured by the test below, is at most 6e-4, and the midpoint rule's falls at least in proportion.
@@ -19,19 +19,19 @@ constexpr int samples = 192;
 constexpr double quadratureError = 2.0e-4;
 
 struct Extremes {
-    double least = 1.0e9, most = -1.0e9;
+    double min = 1.0e9, max = -1.0e9;
     double maxRoughness = 0.0, maxNDotV = 0.0;
 };
 
-template <typename Share>
-Extremes extremes(const Share& share) {
+template <typename Albedo>
+Extremes extremes(const Albedo& albedo) {
     Extremes result;
     for (int i = 0; i <= 10; ++i)
         for (double nDotV : angles) {
-            const double roughness = i / 10.0, value = share(roughness, nDotV);
-            result.least = std::min(result.least, value);
-            if (value <= result.most) continue;
-            result.most = value;
+            const double roughness = i / 10.0, value = albedo(roughness, nDotV);
+            result.min = std::min(result.min, value);
+            if (value <= result.max) continue;
+            result.max = value;
             result.maxRoughness = roughness;
             result.maxNDotV = nDotV;
         }
@@ -56,7 +56,7 @@ TEST(BrdfFurnace, aWhiteMetalReturnsNoMoreThanItReceives) {
     for (BrdfModel model : models) {
         const Extremes found =
             extremes([&](double r, double v) { return furnace::whiteMetal(model, r, v, samples); });
-        EXPECT_LE(found.most, 1.0 + quadratureError)
+        EXPECT_LE(found.max, 1.0 + quadratureError)
             << toString(model) << " roughness " << found.maxRoughness << " n·v " << found.maxNDotV;
     }
 }
@@ -65,8 +65,8 @@ TEST(BrdfFurnace, aTintedLobeReturnsNoMoreThanItReceives) {
     for (double f0 : {0.0, 0.04, 0.5})
         for (BrdfModel model : models) {
             const Extremes found =
-                extremes([&](double r, double v) { return furnace::specularShare(model, f0, r, v, 96); });
-            EXPECT_LE(found.most, 1.0 + 2.0 * quadratureError);
+                extremes([&](double r, double v) { return furnace::specularAlbedo(model, f0, r, v, 96); });
+            EXPECT_LE(found.max, 1.0 + 2.0 * quadratureError);
         }
 }
 
@@ -74,28 +74,27 @@ TEST(BrdfFurnace, aTintedLobeReturnsNoMoreThanItReceives) {
 TEST(BrdfFurnace, aWhiteMetalOfTheGltfModelLosesLessThanOnePercent) {
     const Extremes found =
         extremes([&](double r, double v) { return furnace::whiteMetal(BrdfModel::gltf, r, v, samples); });
-    EXPECT_GE(found.least, 0.99);
+    EXPECT_GE(found.min, 0.99);
 }
 
-// The diffuse part, (1 - F(v·h)) colour / pi, gives away too little at grazing angles: it subtracts the
-// Fresnel term of the half vector between l and v, and most l have a steep one, while the lobe reflects
-// nearly all. A white dielectric then returns more than it receives. The equation is kept; how far it goes is
-// held here.
-TEST(BrdfFurnace, aWhiteDielectricReturnsMoreThanItReceivesByAKnownShare) {
+// The diffuse part, (1 - F(v·h)) colour / pi, subtracts too little at grazing angles: the Fresnel term of the
+// half vector between l and v is small for most l, while the lobe reflects nearly all. A white dielectric
+// then returns more than it receives. This test fixes by how much.
+TEST(BrdfFurnace, aWhiteDielectricReturnsMoreThanItReceivesByAKnownFactor) {
     const Extremes course = extremes(
         [&](double r, double v) { return furnace::whiteDielectric(BrdfModel::course, r, v, samples); });
-    EXPECT_NEAR(course.most, 1.105, 0.001);
+    EXPECT_NEAR(course.max, 1.105, 0.001);
     EXPECT_EQ(course.maxRoughness, 0.0);
     EXPECT_EQ(course.maxNDotV, 0.18);
 
     const Extremes gltf = extremes(
         [&](double r, double v) { return furnace::whiteDielectric(BrdfModel::gltf, r, v, samples); });
-    EXPECT_NEAR(gltf.most, 1.889, 0.001);
+    EXPECT_NEAR(gltf.max, 1.889, 0.001);
     EXPECT_EQ(gltf.maxRoughness, 0.0);
     EXPECT_EQ(gltf.maxNDotV, minNDotV);
 }
 
-// Seen from all sides, weighted by the cosine: the share of all light that comes back.
+// Over all view directions, weighted by the cosine: the fraction of all light that is reflected.
 TEST(BrdfFurnace, aWhiteDielectricReturnsLittleMoreThanItReceivesOverAllAngles) {
     const auto mean = [](BrdfModel model, double roughness) {
         constexpr int count = 40;

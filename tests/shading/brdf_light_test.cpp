@@ -47,7 +47,7 @@ TEST(BrdfLight, fallsWithTheSquareOfTheDistance) {
                         radiance(pointLight(1.0), model), singleRounding);
 }
 
-TEST(BrdfLight, growsNoFurtherBelowTheLeastDistance) {
+TEST(BrdfLight, isClampedBelowTheMinimumDistance) {
     EXPECT_NEAR(radiance(pointLight(1.0e-5)), radiance(pointLight(minDistance)), 1.0);
     EXPECT_NEAR(radiance(pointLight(minDistance)) / radiance(pointLight(1.0)), 1.0e6, 1.0);
 }
@@ -80,7 +80,7 @@ TEST(BrdfLight, theWindowFollowsTheRealDistance) {
     EXPECT_NEAR(radiance(pointLight(1.0, 2.0f)) / radiance(pointLight(1.0)), 15.0 / 16.0, singleRounding);
     EXPECT_EQ(radiance(pointLight(2.0, 2.0f)), 0.0);
     EXPECT_EQ(radiance(pointLight(3.0, 2.0f)), 0.0);
-    // A range below the least distance still ends the light.
+    // A range below the minimum distance still ends the light.
     EXPECT_EQ(radiance(pointLight(0.9e-3, 0.5e-3f)), 0.0);
 }
 

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <random>
 
-/// The merged form of docs/lighting.md, which the shaders use, in single precision and written here a second
-/// time, against the textbook form in double precision.
+// The merged form of shaders/shared/shading.h, over float and double, against the textbook form.
+
 namespace candela {
 namespace {
 
@@ -21,27 +21,103 @@ double alphaOf(double roughness) {
     return std::max(roughness * roughness, minAlpha);
 }
 
-/// f_s for F = 1, without compensation.
-template <typename Real>
-Real mergedLobe(BrdfModel model, Real roughness, const glm::vec<3, Real>& n, const glm::vec<3, Real>& l,
-                const glm::vec<3, Real>& v) {
-    const Real alpha = std::max(roughness * roughness, Real(minAlpha));
-    const Real alpha2 = alpha * alpha;
-    const Real nDotL = glm::dot(n, l), nDotV = std::max(glm::dot(n, v), Real(minNDotV));
-    const glm::vec<3, Real> t = l + v;
-    const Real nDotT = nDotL + glm::dot(n, v);
-    const glm::vec<3, Real> tangential = t - n * nDotT;
-    const Real tangential2 = glm::dot(tangential, tangential);
-    const Real t2 = tangential2 + nDotT * nDotT;
-    const Real q = tangential2 + alpha2 * nDotT * nDotT;
-    if (model == BrdfModel::course) {
-        const Real k = (roughness + 1) * (roughness + 1) / 8;
-        const Real masking = (nDotL * (1 - k) + k) * (nDotV * (1 - k) + k);
-        return alpha2 * t2 * t2 / (4 * std::numbers::pi_v<Real> * q * q * masking);
-    }
-    const auto root = [alpha2](Real nDotW) { return std::sqrt(alpha2 + (1 - alpha2) * nDotW * nDotW); };
-    const Real masking = nDotL * root(nDotV) + nDotV * root(nDotL);
-    return alpha2 * t2 * t2 / (2 * std::numbers::pi_v<Real> * q * q * masking);
+#define SHARED_FUNCTION inline
+
+/// shaders/shared/shading.h over double.
+namespace exact {
+
+using Real = double;
+using Real3 = glm::dvec3;
+using Scalar = double;
+struct AlbedoTable {};
+inline Real max(Real a, Real b) {
+    return std::max(a, b);
+}
+inline Real min(Real a, Real b) {
+    return std::min(a, b);
+}
+inline Real sqrt(Real a) {
+    return std::sqrt(a);
+}
+inline Real inversesqrt(Real a) {
+    return 1.0 / std::sqrt(a);
+}
+inline Real fastDivide(Real a, Real b) {
+    return a / b;
+}
+inline Real directionalAlbedo(AlbedoTable, Real nDotV, Real alpha) {
+    return candela::directionalAlbedo(nDotV, alpha);
+}
+#include "shared/shading_constants.h"
+#include "shared/surface_lobes.h"
+
+#include "shared/shading.h"
+
+}  // namespace exact
+
+/// The same over float, as shaders have it.
+namespace single {
+
+using Real = float;
+using Real3 = glm::vec3;
+using Scalar = float;
+struct AlbedoTable {};
+inline Real max(Real a, Real b) {
+    return std::max(a, b);
+}
+inline Real min(Real a, Real b) {
+    return std::min(a, b);
+}
+inline Real sqrt(Real a) {
+    return std::sqrt(a);
+}
+inline Real inversesqrt(Real a) {
+    return 1.0f / std::sqrt(a);
+}
+inline Real fastDivide(Real a, Real b) {
+    return a / b;
+}
+inline Real directionalAlbedo(AlbedoTable, Real nDotV, Real alpha) {
+    return static_cast<Real>(candela::directionalAlbedo(nDotV, alpha));
+}
+#include "shared/shading_constants.h"
+#include "shared/surface_lobes.h"
+
+#include "shared/shading.h"
+
+}  // namespace single
+
+#undef SHARED_FUNCTION
+
+/// A metal of base colour 1 has F0 = 1, hence F = 1, and no diffuse part.
+template <typename Lobes>
+Lobes whiteMetal(double roughness) {
+    Lobes lobes;
+    lobes.baseColor = decltype(lobes.baseColor)(1);
+    lobes.metallic = 1;
+    lobes.roughness = static_cast<decltype(lobes.roughness)>(roughness);
+    return lobes;
+}
+
+/// f_s for F = 1, without compensation. The surface is at the origin and the eye at `v`.
+double mergedLobe(BrdfModel model, double roughness, const glm::dvec3& n, const glm::dvec3& l,
+                  const glm::dvec3& v) {
+    const int brdf = static_cast<int>(model);
+    exact::ShadingPoint point =
+        exact::shadingPoint(brdf, whiteMetal<exact::SurfaceLobes>(roughness), n, glm::dvec3(0.0), v, {});
+    point.compensation = glm::dvec3(1.0);
+    return exact::evaluateBrdf(brdf, point, l, glm::dot(n, l)).x;
+}
+
+float mergedLobe(BrdfModel model, float roughness, const glm::vec3& n, const glm::vec3& l,
+                 const glm::vec3& v) {
+    const int brdf = static_cast<int>(model);
+    single::ShadingPoint point =
+        single::shadingPoint(brdf, whiteMetal<single::SurfaceLobes>(roughness), n, glm::vec3(0.0f), v, {});
+    point.toEye = v;  // As it was given: the error of normalising it is not that of the merged form.
+    point.nDotV = glm::dot(n, v);
+    point.compensation = glm::vec3(1.0f);
+    return single::evaluateBrdf(brdf, point, l, glm::dot(n, l)).x;
 }
 
 /// The same by the public functions, in double precision.
@@ -80,7 +156,7 @@ glm::dvec3 randomDirection(std::mt19937& random) {
 }
 
 /// A view and a light that reflects into it from a normal at most three alpha away from n, where the lobe is
-/// steep; in any frame of the world.
+/// steep; in any orientation.
 Directions nearTheLobe(std::mt19937& random, double alpha, double minCosine) {
     std::uniform_real_distribution<double> uniform;
     for (;;) {
@@ -93,8 +169,8 @@ Directions nearTheLobe(std::mt19937& random, double alpha, double minCosine) {
 }
 
 struct Errors {
-    double merged = 0.0;    ///< Of the merged form, for what it was given.
-    double textbook = 0.0;  ///< Of the textbook form, for what it was given.
+    double merged = 0.0;    ///< Of the merged form, for rounded directions.
+    double textbook = 0.0;  ///< Of the textbook form, for rounded directions.
     double rounded = 0.0;   ///< Of the exact value, because directions are rounded to single precision.
 };
 
@@ -111,7 +187,7 @@ Errors maxErrors(BrdfModel model, double roughness, double minCosine) {
 
         const double given = textbookLobe(model, roughness, glm::normalize(glm::dvec3(single[0])),
                                           glm::dvec3(single[1]), glm::dvec3(single[2]));
-        const float merged = mergedLobe<float>(model, float(roughness), single[0], single[1], single[2]);
+        const float merged = mergedLobe(model, float(roughness), single[0], single[1], single[2]);
         const float textbook = textbookLobeSingle(model, float(roughness), single[0], single[1], single[2]);
         errors.merged = std::max(errors.merged, error(merged, given));
         errors.textbook = std::max(errors.textbook, error(textbook, given));
@@ -130,12 +206,33 @@ TEST(BrdfMerged, isTheTextbookForm) {
                 const auto [n, l, v] = nearTheLobe(random, alphaOf(roughness), 1.0e-4);
                 const double exact = textbookLobe(model, roughness, n, l, v);
                 // The textbook form's own rounding: 1e-16 of (n·h)² over alpha² = 1e-6, a few times.
-                EXPECT_NEAR(mergedLobe<double>(model, roughness, n, l, v) / exact, 1.0, 1.0e-8);
+                EXPECT_NEAR(mergedLobe(model, roughness, n, l, v) / exact, 1.0, 1.0e-8);
             }
 }
 
+TEST(BrdfMerged, wholeEquationIsThatOfTheEvaluator) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform;
+    for (BrdfModel model : models)
+        for (int i = 0; i < 2000; ++i) {
+            const auto [n, l, v] = nearTheLobe(random, 0.3, 0.05);
+            SurfacePoint surface;
+            surface.normal = n;
+            surface.lobes = {glm::dvec3(uniform(random), uniform(random), uniform(random)), uniform(random),
+                             0.1 + 0.9 * uniform(random)};
+            const int brdf = static_cast<int>(model);
+            const exact::ShadingPoint point = exact::shadingPoint(
+                brdf, {surface.lobes.baseColor, surface.lobes.metallic, surface.lobes.roughness}, n,
+                glm::dvec3(0.0), v, {});
+            const glm::dvec3 merged = exact::evaluateBrdf(brdf, point, l, glm::dot(n, l));
+            const glm::dvec3 textbook = evaluateBrdf(model, surface, l, v);
+            // Rounding of double, magnified by 1 / alpha^2 = 1e4 at most.
+            for (int c = 0; c < 3; ++c) ASSERT_NEAR(merged[c] / textbook[c], 1.0, 1.0e-8);
+        }
+}
+
 // The table of docs/lighting.md.
-TEST(BrdfMerged, singlePrecisionBearsTheLeastAlpha) {
+TEST(BrdfMerged, singlePrecisionRepresentsTheMinimumAlpha) {
     for (BrdfModel model : models)
         for (double minCosine : {0.01, 0.1, 0.5})
             for (double roughness : {0.0, 0.05, 0.1, 0.3, 1.0}) {
@@ -143,7 +240,7 @@ TEST(BrdfMerged, singlePrecisionBearsTheLeastAlpha) {
                 std::printf("%s, cosines from %.2f, roughness %.2f: merged %.0e textbook %.0e rounded %.0e\n",
                             toString(model), minCosine, roughness, errors.merged, errors.textbook,
                             errors.rounded);
-                // Tangentially t is held to 2⁻²⁴ = 6e-8, the lobe is alpha (n·t) wide there, and q is
+                // Tangentially t is exact to 2⁻²⁴ = 6e-8, the lobe is alpha (n·t) wide there, and q is
                 // squared.
                 EXPECT_LT(errors.merged, 1.5e-7 / (alphaOf(roughness) * minCosine) + 2.0e-6);
                 EXPECT_LT(errors.rounded, 1.5e-7 / (alphaOf(roughness) * minCosine) + 2.0e-6);

@@ -1,12 +1,15 @@
 #include <candela/brdf.h>
+#include <candela/error.h>
 
 #include "furnace.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace candela {
@@ -86,11 +89,11 @@ TEST(Brdf, normalIncidenceIsAsByHand) {
 
 TEST(Brdf, colourActsPerChannelAndMetalHasNoDiffusePart) {
     SurfacePoint metal = surface(0.0, 1.0, 0.5);
-    metal.baseColor = {0.0, 0.5, 1.0};
+    metal.lobes.baseColor = {0.0, 0.5, 1.0};
     const glm::dvec3 l(0.6, 0.0, 0.8), v(-0.6, 0.0, 0.8);
     const glm::dvec3 f = evaluateBrdf(BrdfModel::course, metal, l, v);
     // The mirror direction with v·h = 0.8; the lobe is shared, F is not.
-    const glm::dvec3 fresnel = fresnelSchlick(metal.baseColor, 0.8);
+    const glm::dvec3 fresnel = fresnelSchlick(metal.lobes.baseColor, 0.8);
     EXPECT_NEAR(f.x / f.z, fresnel.x / fresnel.z, rounding);
     EXPECT_NEAR(f.y / f.z, fresnel.y / fresnel.z, rounding);
 }
@@ -103,7 +106,7 @@ TEST(Brdf, nothingComesFromBelowTheHorizon) {
     }
 }
 
-TEST(Brdf, roughnessBelowTheLeastAlphaChangesNothingInTheGltfModel) {
+TEST(Brdf, roughnessBelowTheMinimumAlphaChangesNothingInTheGltfModel) {
     const glm::dvec3 l(0.6, 0.0, 0.8), v = glm::normalize(glm::dvec3(-0.6, 0.001, 0.8));
     EXPECT_EQ(evaluateBrdf(BrdfModel::gltf, surface(1.0, 1.0, 0.0), l, v),
               evaluateBrdf(BrdfModel::gltf, surface(1.0, 1.0, 0.03), l, v));
@@ -185,6 +188,75 @@ TEST(BrdfFinite, functionsOfTheTerms) {
             EXPECT_TRUE(std::isfinite(geometrySchlickSmith(cosine, cosine, roughness)));
             EXPECT_TRUE(std::isfinite(geometrySmithCorrelated(cosine, cosine, roughness)));
         }
+}
+
+template <typename Call>
+std::string errorOf(const Call& call) {
+    try {
+        call();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::badInput);
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(BrdfArguments, outOfRangeThrows) {
+    const glm::dvec3 n(0.0, 0.0, 1.0);
+    for (const double bad :
+         {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        EXPECT_NE(errorOf([&] { distributionGgx(0.5, bad); }).find("alpha"), std::string::npos);
+        EXPECT_NE(errorOf([&] { geometrySchlickSmith(0.5, 0.5, bad); }).find("roughness"), std::string::npos);
+        EXPECT_NE(errorOf([&] { geometrySmithCorrelated(0.5, 0.5, bad); }).find("alpha"), std::string::npos);
+        EXPECT_NE(errorOf([&] { directionalAlbedo(0.5, bad); }).find("alpha"), std::string::npos);
+        EXPECT_NE(errorOf([&] { evaluateBrdf(BrdfModel::gltf, surface(1.0, 0.0, bad), n, n); }).find("rough"),
+                  std::string::npos);
+        EXPECT_NE(errorOf([&] { evaluateBrdf(BrdfModel::gltf, surface(1.0, bad, 0.5), n, n); }).find("metal"),
+                  std::string::npos);
+    }
+    for (const double bad : {-1.1, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_NE(errorOf([&] { distributionGgx(bad, 0.5); }).find("n·h"), std::string::npos);
+        EXPECT_NE(errorOf([&] { geometrySchlickSmith(bad, 0.5, 0.5); }).find("n·l"), std::string::npos);
+        EXPECT_NE(errorOf([&] { geometrySmithCorrelated(0.5, bad, 0.5); }).find("n·v"), std::string::npos);
+        EXPECT_NE(errorOf([&] { directionalAlbedo(bad, 0.5); }).find("n·v"), std::string::npos);
+        EXPECT_NE(errorOf([&] { fresnelSchlick(glm::dvec3(0.5), bad); }).find("v·h"), std::string::npos);
+        EXPECT_NE(errorOf([&] { spotFactor(bad, 0.1, 0.2); }).find("cosine"), std::string::npos);
+        const glm::dvec3 notUnit(0.0, 0.0, bad);
+        EXPECT_NE(
+            errorOf([&] { evaluateBrdf(BrdfModel::course, surface(1, 0, 1), notUnit, n); }).find("unit"),
+            std::string::npos);
+        EXPECT_NE(
+            errorOf([&] { evaluateBrdf(BrdfModel::course, surface(1, 0, 1), n, notUnit); }).find("unit"),
+            std::string::npos);
+    }
+    EXPECT_NE(errorOf([&] { fresnelSchlick(glm::dvec3(-0.5), 0.5); }).find("F0"), std::string::npos);
+    EXPECT_NE(errorOf([&] { spotFactor(0.5, 0.3, 0.2); }).find("cone"), std::string::npos);
+    EXPECT_NE(errorOf([&] { rangeWindow(-1.0, 2.0); }).find("distance"), std::string::npos);
+    EXPECT_NE(errorOf([&] { rangeWindow(1.0, 0.0); }).find("range"), std::string::npos);
+}
+
+TEST(BrdfArguments, reflectedRadianceNamesTheElement) {
+    const glm::dvec3 eye(0.0, 0.0, 2.0);
+    WorldLight light;
+    light.position = {0.0f, 0.0f, 1.0f};
+    light.range = 5.0f;
+    const auto radiance = [&](const SurfacePoint& point, const WorldLight& of) {
+        return errorOf([&] { reflectedRadiance(BrdfModel::course, point, eye, of); });
+    };
+    EXPECT_EQ(radiance(surface(1, 0, 1), light), "no error");
+    WorldLight bad = light;
+    bad.range = 0.0f;
+    EXPECT_NE(radiance(surface(1, 0, 1), bad).find("range"), std::string::npos);
+    bad = light;
+    bad.intensity.x = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_NE(radiance(surface(1, 0, 1), bad).find("intensity"), std::string::npos);
+    bad = light;
+    bad.type = LightType::spot;
+    bad.direction = {0.0f, 0.0f, 0.0f};
+    EXPECT_NE(radiance(surface(1, 0, 1), bad).find("direction"), std::string::npos);
+    SurfacePoint point = surface(1, 0, 1);
+    point.normal = glm::dvec3(0.0);
+    EXPECT_NE(radiance(point, light).find("normal"), std::string::npos);
 }
 
 }  // namespace

@@ -15,9 +15,9 @@ namespace candela::furnace {
 /// A surface with normal +Z at the origin.
 inline SurfacePoint surface(double color, double metallic, double roughness) {
     SurfacePoint point;
-    point.baseColor = glm::dvec3(color);
-    point.metallic = metallic;
-    point.roughness = roughness;
+    point.lobes.baseColor = glm::dvec3(color);
+    point.lobes.metallic = metallic;
+    point.lobes.roughness = roughness;
     return point;
 }
 
@@ -48,9 +48,9 @@ inline glm::dvec3 visibleNormal(const glm::dvec3& v, double alpha, double azimut
     return glm::normalize(glm::dvec3(alpha * x, alpha * y, halfZ));
 }
 
-/// The share of light that the specular lobe alone, with `f0` for F0, gives back towards n·v. Samples follow
+/// The fraction of light that the specular lobe alone, with `f0` for F0, reflects towards n·v. Samples follow
 /// the density of visible GGX normals; whatever model is integrated, f (n·l) / density is then bounded.
-inline double specularShare(BrdfModel model, double f0, double roughness, double nDotV, int samples) {
+inline double specularAlbedo(BrdfModel model, double f0, double roughness, double nDotV, int samples) {
     const SurfacePoint metal = surface(f0, 1.0, roughness);
     const double alpha = std::max(roughness * roughness, minAlpha);
     const glm::dvec3 v = viewDirection(nDotV);
@@ -66,9 +66,9 @@ inline double specularShare(BrdfModel model, double f0, double roughness, double
     });
 }
 
-/// The share of light that the diffuse part of a white dielectric gives back towards n·v. It is what a black
+/// The fraction of light that the diffuse part of a white dielectric reflects towards n·v. It is what a black
 /// metal of the same F0, which has the same lobe, lacks. Samples follow the cosine.
-inline double diffuseShare(BrdfModel model, double roughness, double nDotV, int samples) {
+inline double diffuseAlbedo(BrdfModel model, double roughness, double nDotV, int samples) {
     const SurfacePoint dielectric = surface(1.0, 0.0, roughness);
     const SurfacePoint lobe = surface(0.04, 1.0, roughness);
     const glm::dvec3 v = viewDirection(nDotV);
@@ -81,12 +81,12 @@ inline double diffuseShare(BrdfModel model, double roughness, double nDotV, int 
 }
 
 inline double whiteMetal(BrdfModel model, double roughness, double nDotV, int samples) {
-    return specularShare(model, 1.0, roughness, nDotV, samples);
+    return specularAlbedo(model, 1.0, roughness, nDotV, samples);
 }
 
 inline double whiteDielectric(BrdfModel model, double roughness, double nDotV, int samples) {
-    return specularShare(model, 0.04, roughness, nDotV, samples) +
-           diffuseShare(model, roughness, nDotV, samples);
+    return specularAlbedo(model, 0.04, roughness, nDotV, samples) +
+           diffuseAlbedo(model, roughness, nDotV, samples);
 }
 
 }  // namespace candela::furnace

@@ -143,7 +143,7 @@ class Check {
             if (folder == "candela") {
                 checkPublicInclude(file, include, layer);
             } else if (folder == "shared") {
-                if (layer != "gl" && layer != "render")
+                if (layer != "shading" && layer != "gl" && layer != "render")
                     report(file, include.line, layer + " must not see shaders");
             } else if (visibleTo.contains(folder)) {
                 if (visibleTo.at(layer).contains(folder)) continue;

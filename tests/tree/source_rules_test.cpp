@@ -28,10 +28,10 @@ const std::string folder = std::string("/ho") + "me/";
 
 TEST_F(SourceRulesOfAMadeTree, NotesOfUnfinishedWorkAreFound) {
     write("lib/scene/scene.cpp", "int x;\nint y;  // " + mark + ": think\n");
-    write("shaders/lib/brdf.glsl", "// " + mark);
-    EXPECT_EQ(joined(sourceViolations(root())), "lib/scene/scene.cpp:2: a note of unfinished work, " + mark +
-                                                    "\nshaders/lib/brdf.glsl:1: a note of unfinished work, " +
-                                                    mark + "\n");
+    write("shaders/lib/lighting.glsl", "// " + mark);
+    EXPECT_EQ(joined(sourceViolations(root())),
+              "lib/scene/scene.cpp:2: a note of unfinished work, " + mark +
+                  "\nshaders/lib/lighting.glsl:1: a note of unfinished work, " + mark + "\n");
 }
 
 TEST_F(SourceRulesOfAMadeTree, LongerWordsAreNoNotes) {

@@ -135,6 +135,8 @@ TEST(RenderCommandLine, KeepsWords) {
     options.debug.overlays = {.wireframe = true, .cage = true};
     options.subdivision.level = 3;
     options.subdivision.maxLevel = 7;
+    options.subdivisionEvaluator = candela::SubdivisionEvaluator::compute;
+    options.threads = 3;
     options.pluginFolders = {"one folder", "other"};
     options.display.display = "Display P3";
     const SceneOptions read = readBack(options);
@@ -147,6 +149,8 @@ TEST(RenderCommandLine, KeepsWords) {
     EXPECT_TRUE(read.debug.overlays.cage);
     EXPECT_EQ(read.subdivision.level, 3u);
     EXPECT_EQ(read.subdivision.maxLevel, 7u);
+    EXPECT_EQ(read.subdivisionEvaluator, candela::SubdivisionEvaluator::compute);
+    EXPECT_EQ(read.threads, 3u);
     EXPECT_EQ(read.pluginFolders, options.pluginFolders);
     EXPECT_EQ(read.display.display, "Display P3");
 }

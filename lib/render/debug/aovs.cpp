@@ -32,9 +32,9 @@ Pixel valueAt(const std::string& name, const AovSources& sources, int x, int y) 
     if (texel.y == 0) return {};
     const GBufferSurface surface = unpackSurface(texel);
     if (name == "N") return toPixel(surface.normal);
-    if (name == "base_color") return toPixel(surface.baseColor);
-    if (name == "metallic") return {surface.metallic, 0.0f, 0.0f};
-    return {surface.roughness, 0.0f, 0.0f};
+    if (name == "base_color") return toPixel(surface.lobes.baseColor);
+    if (name == "metallic") return {surface.lobes.metallic, 0.0f, 0.0f};
+    return {surface.lobes.roughness, 0.0f, 0.0f};
 }
 
 std::vector<std::string> channelsOf(const std::string& name) {

@@ -31,7 +31,7 @@ glm::vec3 readRadiance(const ProbedPixel& pixel) {
     return glm::vec3(radiance);
 }
 
-/// As `isLit` of shaders/lib/lights.glsl tells.
+/// As `isLit` of shaders/lib/lighting.glsl.
 std::uint32_t countLights(const GpuLights& lights, const glm::vec3& position) {
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < lights.reaches().size(); ++i) {
@@ -55,9 +55,9 @@ std::optional<PixelProbe> probeSurface(const ProbedPixel& pixel) {
     if (texel.y == 0) return probe;
     const GBufferSurface surface = unpackSurface(texel);
     probe.normal = surface.normal;
-    probe.baseColor = surface.baseColor;
-    probe.metallic = surface.metallic;
-    probe.roughness = surface.roughness;
+    probe.baseColor = surface.lobes.baseColor;
+    probe.metallic = surface.lobes.metallic;
+    probe.roughness = surface.lobes.roughness;
     probe.lightCount = countLights(pixel.lights, probe.position);
     return probe;
 }

@@ -1,15 +1,15 @@
 #include <candela/gbuffer.h>
 
+#include <candela/error.h>
+
 #include "render/gbuffer/srgb.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
-#include <algorithm>
 #include <array>
-#include <cassert>
-#include <cmath>
 
 namespace candela {
 
@@ -35,18 +35,25 @@ constexpr std::array<GBufferChannel, 7> channels{{
      "3 × 32-bit float", emissionChannels},
 }};
 
-std::uint32_t unorm8(float value) {
-    return static_cast<std::uint32_t>(std::floor(glm::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f));
+// shaders/shared/gbuffer_encoding.h over GLM's vectors.
+namespace encoding {
+
+using namespace glm;
+
+uint packUnorm4x8(const vec4& value) {
+    const uvec4 code(floor(clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f));
+    return code.x | code.y << 8 | code.z << 16 | code.w << 24;
 }
 
-float fromUnorm8(std::uint32_t code) {
-    return static_cast<float>(code & 0xffu) / 255.0f;
+vec4 unpackUnorm4x8(uint codes) {
+    return vec4(codes & 0xffu, codes >> 8 & 0xffu, codes >> 16 & 0xffu, codes >> 24) / 255.0f;
 }
 
-glm::vec2 octahedralFold(const glm::vec2& p) {
-    return (1.0f - glm::abs(glm::vec2(p.y, p.x))) *
-           glm::vec2(p.x >= 0.0f ? 1.0f : -1.0f, p.y >= 0.0f ? 1.0f : -1.0f);
-}
+#define SHARED_FUNCTION inline
+#include "shared/gbuffer_encoding.h"
+#undef SHARED_FUNCTION
+
+}  // namespace encoding
 
 }  // namespace
 
@@ -55,28 +62,16 @@ std::span<const GBufferChannel> gbufferChannels() {
 }
 
 GBufferTexel packSurface(const GBufferSurface& surface) {
-    const glm::vec3& n = surface.normal;
-    glm::vec2 p = glm::vec2(n) / std::max(std::abs(n.x) + std::abs(n.y) + std::abs(n.z), 1.0e-20f);
-    if (n.z < 0.0f) p = octahedralFold(p);
-    const glm::uvec2 code(glm::floor(glm::clamp(p, -1.0f, 1.0f) * 2047.0f + 2048.5f));
-    const glm::vec3 color = glm::clamp(surface.baseColor, 0.0f, 1.0f);
-    return {unorm8(srgbEncode(color.r)) | unorm8(srgbEncode(color.g)) << 8 |
-                unorm8(srgbEncode(color.b)) << 16 | unorm8(surface.metallic) << 24,
-            code.x | code.y << 12 | unorm8(surface.roughness) << 24};
+    return {encoding::packBaseColor(surface.lobes.baseColor, surface.lobes.metallic),
+            encoding::packNormalRoughness(surface.normal, surface.lobes.roughness)};
 }
 
 GBufferSurface unpackSurface(GBufferTexel texel) {
-    assert(texel.y != 0 && "no surface is here");
-    GBufferSurface surface;
-    surface.baseColor = {srgbDecode(fromUnorm8(texel.x)), srgbDecode(fromUnorm8(texel.x >> 8)),
-                         srgbDecode(fromUnorm8(texel.x >> 16))};
-    surface.metallic = fromUnorm8(texel.x >> 24);
-    glm::vec2 p = (glm::vec2(texel.y & 0xfffu, texel.y >> 12 & 0xfffu) - 2048.0f) * (1.0f / 2047.0f);
-    const float z = 1.0f - std::abs(p.x) - std::abs(p.y);
-    if (z < 0.0f) p = octahedralFold(p);
-    surface.normal = glm::normalize(glm::vec3(p, z));
-    surface.roughness = fromUnorm8(texel.y >> 24);
-    return surface;
+    if (texel.y == 0) {
+        throw Error(ErrorKind::badInput, "",
+                    "a G-buffer texel whose second word is 0 holds no surface to unpack");
+    }
+    return encoding::unpackSurfaceWords(texel.x, texel.y);
 }
 
 }  // namespace candela

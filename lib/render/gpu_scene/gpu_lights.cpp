@@ -71,7 +71,7 @@ float GpuLights::rangeOf(const WorldLight& light, const glm::vec3& intensity) {
     const float brightest = std::max({intensity.r, intensity.g, intensity.b, 0.0f});
     // At its range a light would still give the threshold: the window takes no more than that, and no more
     // than the light gives at all.
-    constexpr float distance = static_cast<float>(minDistance);
+    const auto distance = static_cast<float>(minDistance);
     ++report_.rangesAssigned;
     report_.irradianceCut += std::min(brightest / (distance * distance), options_.irradianceThreshold);
     // A light without intensity keeps a range, so that no record divides by zero.

@@ -33,8 +33,7 @@ std::array<glm::vec4, 2> coordinateRows(const std::optional<Texture>& texture) {
 void writeRecord(std::span<glm::uvec4> record, const Material& material,
                  const glm::dmat3& workingFromRec709) {
     const glm::vec3 working(workingFromRec709 * glm::dvec3(material.baseColor));
-    const GBufferTexel packed =
-        packSurface({.baseColor = working, .metallic = material.metallic, .roughness = material.roughness});
+    const GBufferTexel packed = packSurface({.lobes = {working, material.metallic, material.roughness}});
     const float cutoff = material.alphaMode == AlphaMode::mask ? material.alphaCutoff : -1.0f;
     // Without a normal texture the scale is 0: the default texel can not hold (0, 0, 1) exactly.
     const float normalScale = material.normalTexture ? material.normalScale : 0.0f;

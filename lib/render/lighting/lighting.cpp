@@ -1,28 +1,27 @@
 #include "render/lighting/lighting.h"
 
-#include "render/lighting/lighting_bindings.h"
-#include "render/lighting/tiled/tiles_choice.h"
-#include "render/lighting/volumes/volumes_technique.h"
+#include "render/lighting/tiled/compute_tiles.h"
+#include "render/lighting/tiled/cpu_tiles.h"
+#include "render/lighting/volumes/light_volumes.h"
 
 namespace candela {
 
-Lighting::Lighting(const Context& context) : renderer_(context.renderer()), albedo_(makeAlbedoTexture()) {}
+Lighting::Lighting(const Context& context)
+    : deviceBackend_(context.isSoftware() ? TileBackend::cpu : TileBackend::compute),
+      albedo_(makeAlbedoTexture()) {}
 
-std::unique_ptr<LightingTechnique> Lighting::make(Technique technique) const {
-    switch (technique) {
-        case Technique::fullscreen:
-            return std::make_unique<FullscreenTechnique>(fullscreen_);
-        case Technique::volumes:
-            return std::make_unique<VolumesTechnique>(fullscreen_);
-        default:
-            return makeFasterTiles(renderer_);
-    }
+std::unique_ptr<LightingTechnique> Lighting::create(Technique technique, TileBackend backend) const {
+    if (technique == Technique::fullscreen) return std::make_unique<FullscreenTechnique>(fullscreen_);
+    if (technique == Technique::volumes) return std::make_unique<VolumesTechnique>(fullscreen_);
+    if (backend == TileBackend::cpu) return std::make_unique<CpuTiles>();
+    return std::make_unique<ComputeTiles>();
 }
 
-LightingTechnique& Lighting::technique(Technique technique) {
-    auto& made = techniques_[technique];
-    if (!made) made = make(technique);
-    return *made;
+LightingTechnique& Lighting::technique(Technique technique, TileBackend backend) {
+    if (backend == TileBackend::automatic || technique != Technique::tiles) backend = deviceBackend_;
+    auto& entry = techniques_[{technique, backend}];
+    if (!entry) entry = create(technique, backend);
+    return *entry;
 }
 
 PairCounter& Lighting::counter() {
@@ -32,6 +31,30 @@ PairCounter& Lighting::counter() {
 
 void Lighting::bind(const LightingInputs& inputs) const {
     bindForLighting(inputs.targets, inputs.lights, albedo_);
+}
+
+const char* toString(Technique technique) {
+    switch (technique) {
+        case Technique::volumes:
+            return "volumes";
+        case Technique::tiles:
+            return "tiles";
+        case Technique::fullscreen:
+            return "fullscreen";
+        default:
+            return "auto";
+    }
+}
+
+const char* toString(TileBackend backend) {
+    switch (backend) {
+        case TileBackend::cpu:
+            return "cpu";
+        case TileBackend::compute:
+            return "compute";
+        default:
+            return "auto";
+    }
 }
 
 }  // namespace candela

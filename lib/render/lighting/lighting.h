@@ -9,29 +9,30 @@
 
 #include <map>
 #include <memory>
-#include <string>
+#include <utility>
 
 namespace candela {
 
-/// The lighting techniques of a renderer, each made when it is first asked for.
+/// The lighting techniques of a renderer, each created when it is first needed.
 class Lighting {
   public:
     explicit Lighting(const Context& context);
 
-    /// `technique` is not `automatic`.
-    LightingTechnique& technique(Technique technique);
+    /// `technique` is not `automatic`. `backend` matters for `tiles` only; `automatic` is `cpu` on a software
+    /// device and `compute` on a GPU.
+    LightingTechnique& technique(Technique technique, TileBackend backend);
     PairCounter& counter();
 
-    /// Binds what all techniques read.
+    /// Binds the textures that all techniques read.
     void bind(const LightingInputs& inputs) const;
 
   private:
-    std::unique_ptr<LightingTechnique> make(Technique technique) const;
+    std::unique_ptr<LightingTechnique> create(Technique technique, TileBackend backend) const;
 
-    std::string renderer_;
+    TileBackend deviceBackend_;
     gl::Texture albedo_;
     FullscreenPass fullscreen_;
-    std::map<Technique, std::unique_ptr<LightingTechnique>> techniques_;
+    std::map<std::pair<Technique, TileBackend>, std::unique_ptr<LightingTechnique>> techniques_;
     std::unique_ptr<PairCounter> counter_;
 };
 

@@ -1,13 +1,18 @@
 #pragma once
 
 #include "gl/pass_timer.h"
+#include "gl/program.h"
 #include "render/frustum.h"
 #include "render/gbuffer/gbuffer_targets.h"
 #include "render/gpu_scene/gpu_lights.h"
 
 #include <candela/brdf.h>
 
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace candela {
 
@@ -21,24 +26,47 @@ struct LightingInputs {
     const Frustum& frustum;
     const layout::FrameUniforms& uniforms;
     BrdfModel brdf;
-    bool emissionDrawn;  ///< `targets.radiance` holds emission; else it is black, or undefined for a
-                         ///< technique that overwrites it.
+    bool emissionDrawn;  ///< `targets.radiance` holds emission; else its content is that of `radianceLoadOp`.
 };
 
-/// A way of bringing lights to pixels. Each adds the light of all its lights to `targets.radiance`.
+/// A way to bring lights to pixels. Each adds the light of all lights to `targets.radiance`. A new technique
+/// is a subclass, a value of `Technique`, and a case in `Lighting`.
 class LightingTechnique {
   public:
     virtual ~LightingTechnique() = default;
 
-    /// Does `render` write every pixel of the radiance target, so that it need not be cleared?
-    virtual bool overwritesRadiance() const { return false; }
+    /// How the geometry pass loads the radiance target: `dontCare` for a technique that writes every pixel.
+    virtual LoadOp radianceLoadOp() const { return LoadOp::clear; }
 
     virtual void render(const LightingInputs& inputs, gl::PassTimer& timer) = 0;
-    /// How often the frame that `render` drew last ran the BRDF for a point or spot. May draw anew with
-    /// `counter`, outside of timed frames.
-    /// Bytes of the lists of lights that the last frame was drawn with.
+
+    /// Bytes of the lists of lights of the last rendered frame.
     virtual std::uint64_t lightListBytes() const = 0;
+
+    /// How often the last rendered frame ran the BRDF of a point or spot light at a pixel. May draw again
+    /// with `counter`; never part of a timed frame.
     virtual std::uint64_t countEvaluated(const LightingInputs& inputs, PairCounter& counter) = 0;
+};
+
+/// The directional albedo table as a texture.
+gl::Texture makeAlbedoTexture();
+
+/// Binds the textures that shaders/lib/lighting.glsl reads.
+void bindForLighting(const GBufferTargets& targets, const GpuLights& lights, const gl::Texture& albedo);
+
+/// A program for each reflection model, compiled when it is first needed: of a compute stage, or of a vertex
+/// and a fragment stage.
+class ModelPrograms {
+  public:
+    /// `vertexFile` is empty for a compute stage. `definitions` are for `file`, the stage that shades.
+    ModelPrograms(std::string vertexFile, std::string file, std::vector<std::string> definitions);
+
+    const gl::Program& get(BrdfModel model) const;
+
+  private:
+    std::string vertexFile_, file_;
+    std::vector<std::string> definitions_;
+    mutable std::array<std::optional<gl::Program>, 2> programs_;
 };
 
 }  // namespace candela

@@ -1,7 +1,6 @@
 #include "render/lighting/pair_counter.h"
 
 #include "render/gbuffer/readback.h"
-#include "render/lighting/lighting_bindings.h"
 
 #include <array>
 #include <numeric>
@@ -9,20 +8,18 @@
 namespace candela {
 
 PairCounter::PairCounter()
-    : program_({{"light_volume.vert", {}, {}},
-                {"light_volume_count.frag", {brdfDefinition(BrdfModel::course)}, {}}},
-               "pair count") {}
+    : program_({{"light_volume.vert", {}, {}}, {"light_volume_count.frag", {}, {}}}, "pair count") {}
 
 const gl::Texture& PairCounter::target(const LightingInputs& inputs) {
     const GBufferTargets& targets = inputs.targets;
     if (!counts_ || width_ != targets.width || height_ != targets.height) {
-        // Floats hold counts exactly up to 2^24 lights a pixel.
+        // Floats represent counts exactly up to 2^24 lights a pixel.
         counts_ = gl::Texture::target2d(GL_RGBA32F, targets.width, targets.height, "pair counts");
         width_ = targets.width;
         height_ = targets.height;
     }
-    constexpr std::array<GLfloat, 4> none{0.0f, 0.0f, 0.0f, 0.0f};
-    glClearTexImage(counts_->name(), 0, GL_RGBA, GL_FLOAT, none.data());
+    constexpr std::array<GLfloat, 4> zero{};
+    glClearTexImage(counts_->name(), 0, GL_RGBA, GL_FLOAT, zero.data());
     return *counts_;
 }
 

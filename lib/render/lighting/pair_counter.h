@@ -3,7 +3,6 @@
 #include "gl/program.h"
 #include "render/lighting/lighting_technique.h"
 #include "render/lighting/volumes/light_volumes.h"
-#include "render/lighting/volumes/stencilled_depth.h"
 
 #include <cstdint>
 #include <optional>
@@ -11,14 +10,14 @@
 
 namespace candela {
 
-/// Counts pairs of a pixel with a point or spot light by drawing light volumes that add up ones. Slow; never
-/// part of a timed frame.
+/// Counts pairs of a pixel and a point or spot light by drawing light volumes with additive blending. Slow;
+/// never part of a timed frame.
 class PairCounter {
   public:
     PairCounter();
 
-    /// A picture whose first components say how many lights hold each pixel within their range. It stays as
-    /// it is until the next call of any member.
+    /// A texture whose red channel is the number of lights in whose range each pixel lies. Valid until the
+    /// next call of any member.
     const gl::Texture& drawLit(const LightingInputs& inputs);
     /// The same, read back: rows from the bottom.
     std::vector<float> litPerPixel(const LightingInputs& inputs);

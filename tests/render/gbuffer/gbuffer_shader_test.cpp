@@ -1,4 +1,4 @@
-// shaders/lib/gbuffer.glsl against its C++ twin, over many surfaces, in a program that does nothing else.
+// The G-buffer's encoding in GLSL against C++, over many surfaces, in a program that does nothing else.
 
 #include "support/procedural_scene.h"
 
@@ -31,7 +31,7 @@ struct Record {
 class Program {
   public:
     explicit Program(const std::string& body) : name_(glCreateProgram()) {
-        const std::string text = "#version 450 core\n" + gl::readShader("lib/gbuffer.glsl") +
+        const std::string text = gl::assembleShader("lib/gbuffer.glsl", {}) +
                                  "layout(local_size_x = 64) in;\n"
                                  "struct Record { vec4 normalRoughness, colorMetallic; uvec4 words; };\n"
                                  "layout(std430, binding = 0) buffer Records { Record records[]; };\n"
@@ -78,8 +78,8 @@ Record randomSurface(std::uint32_t i) {
 }
 
 GBufferSurface surfaceOf(const Record& record) {
-    return {glm::vec3(record.normalRoughness), glm::vec3(record.colorMetallic), record.colorMetallic.w,
-            record.normalRoughness.w};
+    return {glm::vec3(record.normalRoughness),
+            {glm::vec3(record.colorMetallic), record.colorMetallic.w, record.normalRoughness.w}};
 }
 
 /// The largest difference of the codes that start at `shift`, `bits` wide.
@@ -134,8 +134,8 @@ TEST_F(GBufferShaderTest, unpacksWhatCppUnpacks) {
     const std::size_t count = records.size();
     const Program unpack(
         "    GBufferSurface surface = unpackSurface(records[i].words.xy);\n"
-        "    records[i].normalRoughness = vec4(surface.normal, surface.roughness);\n"
-        "    records[i].colorMetallic = vec4(surface.baseColor, surface.metallic);\n");
+        "    records[i].normalRoughness = vec4(surface.normal, surface.lobes.roughness);\n"
+        "    records[i].colorMetallic = vec4(surface.lobes.baseColor, surface.lobes.metallic);\n");
     unpack.run(records);
     for (std::size_t i = 0; i < count; ++i) {
         const Record& record = records[i];
@@ -143,11 +143,11 @@ TEST_F(GBufferShaderTest, unpacksWhatCppUnpacks) {
         // Three roundings of unit vectors; one of a quotient; and pow, of which OpenGL asks 16 units in the
         // last place, times its exponent.
         ASSERT_LT(glm::distance(glm::vec3(record.normalRoughness), expected.normal), 4e-7f);
-        ASSERT_NEAR(record.normalRoughness.w, expected.roughness, 2e-7f);
-        ASSERT_NEAR(record.colorMetallic.w, expected.metallic, 2e-7f);
+        ASSERT_NEAR(record.normalRoughness.w, expected.lobes.roughness, 2e-7f);
+        ASSERT_NEAR(record.colorMetallic.w, expected.lobes.metallic, 2e-7f);
         for (int c = 0; c < 3; ++c)
-            ASSERT_NEAR(record.colorMetallic[c], expected.baseColor[c],
-                        3e-6f * expected.baseColor[c] + 1e-9f);
+            ASSERT_NEAR(record.colorMetallic[c], expected.lobes.baseColor[c],
+                        3e-6f * expected.lobes.baseColor[c] + 1e-9f);
     }
 }
 

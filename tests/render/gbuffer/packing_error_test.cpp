@@ -26,9 +26,9 @@ GBufferSurface packedIn(Part part, const GBufferSurface& exact) {
     if (part == Part::everything) return packed;
     GBufferSurface mixed = exact;
     if (part == Part::normal) mixed.normal = packed.normal;
-    if (part == Part::baseColor) mixed.baseColor = packed.baseColor;
-    if (part == Part::metallic) mixed.metallic = packed.metallic;
-    if (part == Part::roughness) mixed.roughness = packed.roughness;
+    if (part == Part::baseColor) mixed.lobes.baseColor = packed.lobes.baseColor;
+    if (part == Part::metallic) mixed.lobes.metallic = packed.lobes.metallic;
+    if (part == Part::roughness) mixed.lobes.roughness = packed.lobes.roughness;
     return mixed;
 }
 
@@ -50,17 +50,18 @@ std::optional<double> shadingError(const Measured& measured, std::uint32_t index
     const auto uniform = [&](std::uint32_t seed) { return double(hashed(seed, index)); };
     GBufferSurface surface;
     surface.normal = hashedDirection(30, index);
-    surface.baseColor = glm::vec3(uniform(32), uniform(33), uniform(34)) * 0.9f + 0.05f;
-    surface.metallic = index % 3 == 0 ? 1.0f : index % 3 == 1 ? 0.0f : float(uniform(35));
+    surface.lobes.baseColor = glm::vec3(uniform(32), uniform(33), uniform(34)) * 0.9f + 0.05f;
+    surface.lobes.metallic = index % 3 == 0 ? 1.0f : index % 3 == 1 ? 0.0f : float(uniform(35));
     const Band& band = measured.roughness;
-    surface.roughness = float(band.low + (band.high - band.low) * uniform(36));
+    surface.lobes.roughness = float(band.low + (band.high - band.low) * uniform(36));
     const glm::vec3 eye = hashedDirection(37, index), toLight = hashedDirection(39, index);
     constexpr float minCosine = 0.05f;
     if (glm::dot(surface.normal, eye) < minCosine) return {};
     if (glm::dot(surface.normal, toLight) < minCosine) return {};
     const WorldLight light = directionalLight(-toLight, glm::vec3(1.0f));
     const auto radiance = [&](const GBufferSurface& of) {
-        const SurfacePoint point{glm::dvec3(0), of.normal, of.baseColor, of.metallic, of.roughness};
+        const SurfacePoint point{
+            glm::dvec3(0), of.normal, {of.lobes.baseColor, of.lobes.metallic, of.lobes.roughness}};
         return reflectedRadiance(measured.model, point, eye, light).g;
     };
     const double exact = radiance(surface);

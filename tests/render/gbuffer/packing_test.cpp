@@ -82,26 +82,25 @@ TEST(Packing, valuesAreHeldToHalfACode) {
     };
     for (std::uint32_t i = 0; i <= 1000; ++i) {
         const float value = float(i) / 1000.0f;
-        const GBufferSurface held = roundTrip(
-            {.baseColor = glm::vec3(value, 0.5f, 1.0f - value), .metallic = value, .roughness = value});
-        ASSERT_NEAR(held.metallic, value, half);
-        ASSERT_NEAR(held.roughness, value, half);
-        ASSERT_NEAR(encoded(held.baseColor.r), encoded(value), half);
-        ASSERT_NEAR(encoded(held.baseColor.b), encoded(1.0f - value), half);
+        const GBufferSurface held =
+            roundTrip({.lobes = {glm::vec3(value, 0.5f, 1.0f - value), value, value}});
+        ASSERT_NEAR(held.lobes.metallic, value, half);
+        ASSERT_NEAR(held.lobes.roughness, value, half);
+        ASSERT_NEAR(encoded(held.lobes.baseColor.r), encoded(value), half);
+        ASSERT_NEAR(encoded(held.lobes.baseColor.b), encoded(1.0f - value), half);
     }
 }
 
 TEST(Packing, valuesBeyondTheirRangeAreClamped) {
-    const GBufferSurface held =
-        roundTrip({.baseColor = {-1.0f, 2.0f, 0.0f}, .metallic = 3.0f, .roughness = -0.5f});
-    EXPECT_EQ(held.baseColor, glm::vec3(0, 1, 0));
-    EXPECT_EQ(held.metallic, 1.0f);
-    EXPECT_EQ(held.roughness, 0.0f);
+    const GBufferSurface held = roundTrip({.lobes = {{-1.0f, 2.0f, 0.0f}, 3.0f, -0.5f}});
+    EXPECT_EQ(held.lobes.baseColor, glm::vec3(0, 1, 0));
+    EXPECT_EQ(held.lobes.metallic, 1.0f);
+    EXPECT_EQ(held.lobes.roughness, 0.0f);
 }
 
 TEST(Packing, secondWordIsNeverZeroForASurface) {
     for (std::uint32_t i = 0; i < 100000; ++i)
-        ASSERT_NE(packSurface({.normal = hashedDirection(22, i), .roughness = 0.0f}).y, 0u);
+        ASSERT_NE(packSurface({.normal = hashedDirection(22, i), .lobes = {.roughness = 0.0f}}).y, 0u);
     for (const float x : {-1.0f, 0.0f, 1.0f}) {
         for (const float y : {-1.0f, 0.0f, 1.0f}) {
             for (const float z : {-1.0f, 1.0f}) EXPECT_NE(packSurface({.normal = {x, y, z}}).y, 0u);

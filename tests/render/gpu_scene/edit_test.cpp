@@ -52,7 +52,7 @@ Scene sceneOfFamilies() {
 class EditTest : public DrawingTest {
   protected:
     static GpuScene::State::UpdateCounts updated(GpuScene& scene) {
-        const gl::StateGuard guard;
+        const gl::StateGuard guard(*context().state().binding, "a test");
         scene.state().update();
         return scene.state().lastUpdate;
     }

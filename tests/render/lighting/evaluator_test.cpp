@@ -15,7 +15,7 @@ constexpr int width = 96, height = 54;
 
 /// The worst pixel of a comparison.
 struct Worst {
-    double ofTolerance = 0.0;  ///< Error as a share of what the pixel may err by.
+    double ofTolerance = 0.0;  ///< Error over the pixel's tolerance.
     double relative = 0.0;  ///< Error relative to the pixel; of pixels brighter than a millionth of the mean.
     int x = 0, y = 0, litPixels = 0;
 };
@@ -34,11 +34,11 @@ Worst compare(const HdrImage& picture, const std::vector<ExpectedPixel>& expecte
                 const double error = std::abs(actual[c] - pixel.radiance[c]);
                 // The smallest normal number of single precision, times a million: below it, floats lose
                 // digits.
-                const double share = error / (pixel.tolerance[c] + 1.0e-32);
+                const double ratio = error / (pixel.tolerance[c] + 1.0e-32);
                 if (pixel.radiance[c] > 1.0e-6 * mean)
                     worst.relative = std::max(worst.relative, error / pixel.radiance[c]);
-                if (share <= worst.ofTolerance) continue;
-                worst.ofTolerance = share;
+                if (ratio <= worst.ofTolerance) continue;
+                worst.ofTolerance = ratio;
                 worst.x = x;
                 worst.y = y;
             }
@@ -49,39 +49,39 @@ Worst compare(const HdrImage& picture, const std::vector<ExpectedPixel>& expecte
 
 class EvaluatorTest : public DrawingTest {
   protected:
-    static void expectEvaluatedPixels(const LitScene& made, BrdfModel model) {
-        GpuScene scene = upload(made.scene, made.lights);
-        FrameRequest inputs{width, height, made.view, model, Technique::fullscreen};
+    static void expectEvaluatedPixels(const LitScene& lit, BrdfModel model) {
+        GpuScene scene = upload(lit.scene, lit.lights);
+        FrameRequest inputs{width, height, lit.view, model, Technique::fullscreen};
         render(scene, inputs);
-        const std::vector<ExpectedPixel> expected =
-            evaluatedPicture(model, aovs(width), width, height, made.view.eye(), withRanges(made.lights));
+        const std::vector<ExpectedPixel> expected = evaluatedPicture(model, aovs(width), width, height,
+                                                                     lit.view.eye(), withRanges(lit.lights));
         for (const Technique technique : techniques) {
             inputs.technique = technique;
             const Worst worst = compare(drawn(scene, inputs), expected);
             std::printf("%-18s %-7s %-11s largest relative error %.1e, at most %.2f of the tolerance\n",
-                        made.name.c_str(), toString(model), toString(technique), worst.relative,
+                        lit.name.c_str(), toString(model), toString(technique), worst.relative,
                         worst.ofTolerance);
             EXPECT_LE(worst.ofTolerance, 1.0)
-                << made.name << ", " << toString(model) << ", " << toString(technique) << ", pixel "
-                << worst.x << ", " << worst.y;
+                << lit.name << ", " << toString(model) << ", " << toString(technique) << ", pixel " << worst.x
+                << ", " << worst.y;
             EXPECT_GT(worst.litPixels, width * height / 3) << "the scene has to be lit to prove anything";
         }
     }
 };
 
 TEST_F(EvaluatorTest, everyPixelOfEverySceneAgrees) {
-    for (const LitScene& made : litScenes()) {
-        for (const BrdfModel model : models) expectEvaluatedPixels(made, model);
+    for (const LitScene& lit : litScenes()) {
+        for (const BrdfModel model : models) expectEvaluatedPixels(lit, model);
     }
 }
 
 TEST_F(EvaluatorTest, comparisonFindsALightThatIsOnePerMilleTooBright) {
-    LitScene made = plazaLike();
-    GpuScene scene = upload(made.scene, made.lights);
-    render(scene, {width, height, made.view, BrdfModel::course, Technique::fullscreen});
-    for (WorldLight& light : made.lights) light.intensity *= 1.001f;
+    LitScene lit = plazaLike();
+    GpuScene scene = upload(lit.scene, lit.lights);
+    render(scene, {width, height, lit.view, BrdfModel::course, Technique::fullscreen});
+    for (WorldLight& light : lit.lights) light.intensity *= 1.001f;
     const auto expected =
-        evaluatedPicture(BrdfModel::course, aovs(width), width, height, made.view.eye(), made.lights);
+        evaluatedPicture(BrdfModel::course, aovs(width), width, height, lit.view.eye(), lit.lights);
     EXPECT_GT(compare(lastFrame().radiance(), expected).ofTolerance, 1.0);
 }
 
@@ -150,7 +150,7 @@ TEST_F(FinitePixelsTest, grazingEyeAndLight) {
 
 TEST_F(FinitePixelsTest, lightOppositeToTheEye) {
     // The normal map turns the normal until the light behind the surface, seen straight through it, is above
-    // its horizon: there l = -v, and no half vector is.
+    // its horizon: there l = -v, which has no half vector.
     Scene scene;
     scene.images = {
         makeImage(1, 1, [](std::uint32_t, std::uint32_t) { return glm::u8vec4(255, 128, 90, 255); })};

@@ -64,7 +64,7 @@ TEST_F(LightTest, inverseSquareAndWindowOnTheAxis) {
 }
 
 TEST_F(LightTest, unitIsTheRadianceOfAWhiteLambertSurfaceAtOneMetre) {
-    // The punctual intensity pi candela gives radiance 1 but for the specular share.
+    // The punctual intensity pi candela gives radiance 1 but for the specular part.
     const auto picture = lit(sceneOf(makeQuad(1.0f), white()), {pointLight({0, 0, 1}, 1e6f, glm::vec3(pi))},
                              Technique::fullscreen);
     EXPECT_NEAR(middleOf(picture), 0.97f, 1e-5f);
@@ -262,7 +262,7 @@ TEST_F(LightTest, badNumbersNameTheLight) {
     const WorldLight good = spotLight({0, 0, 1}, {0, 0, 0}, 1.0f, glm::vec3(1), 0.1f, 0.5f);
     struct Case {
         const char* word;
-        std::function<void(WorldLight&)> spoil;
+        std::function<void(WorldLight&)> breakIt;
     };
     const std::vector<Case> cases{
         {"position", [](WorldLight& l) { l.position.x = nan; }},
@@ -289,7 +289,7 @@ TEST_F(LightTest, badNumbersNameTheLight) {
     };
     for (const Case& one : cases) {
         WorldLight bad = good;
-        one.spoil(bad);
+        one.breakIt(bad);
         const std::string text = errorOf(scene, bad);
         EXPECT_NE(text.find("light 2: its " + std::string(one.word)), std::string::npos) << text;
     }
@@ -351,23 +351,23 @@ TEST_F(MovingTest, setTransformMovesLightsAndMeshes) {
     EXPECT_EQ(pictureOf(scene), pictureOf(expected));
 }
 
-TEST_F(MovingTest, setTransformMovesWhatHangsOnTheNode) {
-    Scene made = withLightOnANode({0, 0, 1});
-    made.nodes[1].parent = 0;
-    GpuScene scene(context(), made);
+TEST_F(MovingTest, setTransformMovesChildren) {
+    Scene description = withLightOnANode({0, 0, 1});
+    description.nodes[1].parent = 0;
+    GpuScene scene(context(), description);
     const glm::mat4 moved = glm::translate(glm::mat4(1.0f), {0.3f, 0.2f, -0.5f});
     scene.setTransform(0, moved);
-    made.nodes[0].transform = moved;
-    EXPECT_EQ(pictureOf(scene), pictureOf(made));
+    description.nodes[0].transform = moved;
+    EXPECT_EQ(pictureOf(scene), pictureOf(description));
     EXPECT_NE(pictureOf(scene), pictureOf(withLightOnANode({0, 0, 1})));
 }
 
 TEST_F(MovingTest, setTimePosesAnimatedNodes) {
-    Scene made = withLightOnANode({0, 0, 1});
+    Scene description = withLightOnANode({0, 0, 1});
     AnimationChannel channel{
         1, AnimationPath::translation, Interpolation::linear, {0, 2}, {0, 0, 1, 1, 0, 1}};
-    made.animations.push_back({"slide", {channel}});
-    GpuScene scene(context(), made);
+    description.animations.push_back({"slide", {channel}});
+    GpuScene scene(context(), description);
     const std::vector<float> start = pictureOf(scene);
     scene.setTime(1.0);
     EXPECT_EQ(pictureOf(scene), pictureOf(withLightOnANode({0.5f, 0, 1})));

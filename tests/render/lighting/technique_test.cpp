@@ -21,7 +21,7 @@ class TechniqueTest : public DrawingTest {
     ///
     /// Tolerance: all follow the same steps on the same texels, so that only the order of the sum and the
     /// rounding of each step differ. A highlight of width alpha magnifies what the half vector's angle has
-    /// lost, some four roundings of 2^-24, by 1 / alpha: 1e-4 at the least roughness here, 0.05. At the rim
+    /// lost, some four roundings of 2^-24, by 1 / alpha: 1e-4 at the minimum roughness here, 0.05. At the rim
     /// of a range, where 1 - (d / range)^4 cancels, `rimError` is added.
     static constexpr double tolerance = 1.0e-4;
 
@@ -110,8 +110,8 @@ std::vector<WorldLight> mixedLights(std::uint32_t count, float range) {
 const CameraView front = lookAt({0, 0, 9}, {0, 0, 0}, 0.8f);
 
 TEST_F(TechniqueTest, sceneOfTheEvaluatorsTest) {
-    for (const LitScene& made : {plazaLike(), textured(), grazing()})
-        expectSamePictures(made.scene, made.lights, made.view, made.name.c_str());
+    for (const LitScene& lit : {plazaLike(), textured(), grazing()})
+        expectSamePictures(lit.scene, lit.lights, lit.view, lit.name.c_str());
 }
 
 TEST_F(TechniqueTest, cameraOutsideInsideAndAcrossVolumes) {
@@ -194,8 +194,8 @@ TEST_F(TechniqueTest, overlappingVolumesByTheThousandAtOnePlace) {
     expectSamePictures(room(), lights, front, "3,000 at one place", 48, 27);
 }
 
-TEST_F(TechniqueTest, moreLightsThanOneLoopTurns) {
-    // llvmpipe ends loops after 65,535 turns. The light of a picture of 70,000 is that of both halves.
+TEST_F(TechniqueTest, moreLightsThanOneLoopIterates) {
+    // llvmpipe ends loops after 65,535 iterations. The light of a picture of 70,000 is that of both halves.
     std::vector<WorldLight> lights;
     for (std::uint32_t i = 0; i < 70000; ++i) {
         const glm::vec3 position(10 * hashed(61, i) - 5, 6 * hashed(62, i) - 3, 10 * hashed(63, i) - 6);
@@ -223,6 +223,37 @@ TEST_F(TechniqueTest, sceneWithoutSurfaces) {
     expectSamePictures(Scene{}, mixedLights(20, 3.0f), front, "no surface");
 }
 
+TEST_F(TechniqueTest, volumesAfterAnotherTechniqueAtAnotherSize) {
+    // The driver gives the textures of the third frame the names that those of the first had.
+    GpuScene scene = upload(room(), mixedLights(40, 3.0f));
+    FrameRequest inputs{96, 54, front, BrdfModel::course, Technique::volumes};
+    const HdrImage expected = drawn(scene, inputs);
+    for (const Technique other : {Technique::tiles, Technique::fullscreen}) {
+        drawn(scene, {48, 27, front, BrdfModel::course, other});
+        EXPECT_EQ(drawn(scene, inputs).rgba, expected.rgba) << toString(other);
+    }
+}
+
+TEST_F(TechniqueTest, tileBackendsGiveTheSamePicture) {
+    const std::vector<WorldLight> lights = mixedLights(60, 3.0f);
+    GpuScene scene = upload(room(), lights);
+    FrameRequest inputs{96, 54, front, BrdfModel::course, Technique::fullscreen};
+    const HdrImage reference = drawn(scene, inputs);
+    inputs.technique = Technique::tiles;
+    for (const TileBackend backend : {TileBackend::automatic, TileBackend::cpu, TileBackend::compute}) {
+        inputs.tileBackend = backend;
+        expectSame(drawn(scene, inputs), reference, rimError(lights), toString(backend));
+    }
+}
+
+TEST_F(TechniqueTest, automaticTileBackendFollowsTheDevice) {
+    GpuScene scene = upload(room(), mixedLights(60, 3.0f));
+    FrameRequest inputs{96, 54, front, BrdfModel::course, Technique::tiles};
+    const std::vector<float> automatic = drawn(scene, inputs).rgba;
+    inputs.tileBackend = context().isSoftware() ? TileBackend::cpu : TileBackend::compute;
+    EXPECT_EQ(drawn(scene, inputs).rgba, automatic);
+}
+
 TEST_F(TechniqueTest, automaticIsOneOfTheOthersAndSaysWhich) {
     render(upload(room()), {16, 9, front, BrdfModel::course, Technique::automatic});
     EXPECT_NE(lastFrame().technique(), Technique::automatic);
@@ -233,6 +264,9 @@ TEST(TechniqueNames, areThoseOfTheCommandLine) {
     EXPECT_STREQ(toString(Technique::volumes), "volumes");
     EXPECT_STREQ(toString(Technique::tiles), "tiles");
     EXPECT_STREQ(toString(Technique::fullscreen), "fullscreen");
+    EXPECT_STREQ(toString(TileBackend::automatic), "auto");
+    EXPECT_STREQ(toString(TileBackend::cpu), "cpu");
+    EXPECT_STREQ(toString(TileBackend::compute), "compute");
 }
 
 /// Counts by hand. Where a pixel lies on the rim of a range, single precision may decide either way:
@@ -246,12 +280,12 @@ CountByHand litLights(const glm::vec3& position, std::span<const WorldLight> lig
     constexpr double rim = 4.0e-6;
     CountByHand count;
     for (const WorldLight& light : lights) {
-        const double share =
+        const double relative =
             light.type == LightType::directional
                 ? 0.0
                 : glm::distance(glm::dvec3(light.position), glm::dvec3(position)) / light.range;
-        count.atLeast += share < 1.0 - rim;
-        count.atMost += share < 1.0 + rim;
+        count.atLeast += relative < 1.0 - rim;
+        count.atMost += relative < 1.0 + rim;
     }
     return count;
 }

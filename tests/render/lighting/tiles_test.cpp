@@ -5,6 +5,9 @@
 #include "support/procedural_scene.h"
 #include "support/tile_forms.h"
 
+#include "gl/state_guard.h"
+#include "render/lighting/tiled/compute_tiles.h"
+
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -28,7 +31,7 @@ class TilesTest : public testing::Test {
     /// Tolerance: the forms take the same steps on the same texels, but sum in another order, round with
     /// fused products, and take roots and reciprocals to a unit in the last place. A highlight of width alpha
     /// magnifies some four roundings of 2^-24 of the half vector by 1 / alpha: 1e-4 at roughness 0.05, and
-    /// 1e-3 at the least alpha, which `smoothAndBright` has.
+    /// 1e-3 at the minimum alpha, which `smoothAndBright` has.
     static void expectReference(const FormPicture& picture, const std::string& what,
                                 double tolerance = 1.0e-4) {
         const std::vector<float> reference = radianceOf(context(), studio_->reference, picture);
@@ -64,6 +67,15 @@ Scene wall() {
 }
 
 const CameraView front = lookAt({0, 0, 12}, {0, 0, 0}, 0.8f);
+
+std::vector<WorldLight> lightsOverEveryTile(std::uint32_t count) {
+    std::vector<WorldLight> lights;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        lights.push_back(pointLight({hashed(8, i) - 0.5f, hashed(9, i) - 0.5f, 1.0f + hashed(10, i)}, 40.0f,
+                                    glm::vec3(1.0e-3f)));
+    }
+    return lights;
+}
 
 TEST_F(TilesTest, scenesOfTheEvaluatorsTestInBothModels) {
     for (const LitScene& lit : litScenes()) {
@@ -137,7 +149,7 @@ TEST_F(TilesTest, pictureOf7680By4320) {
     EXPECT_LE(worstDifference(radianceOf(context(), widest, picture), expected), 1.0e-4);
 }
 
-TEST_F(TilesTest, emissionStays) {
+TEST_F(TilesTest, emissionIsKept) {
     Material glowing;
     glowing.emission = {0.5f, 1.0f, 2.0f};
     const WorldLight light = pointLight({0, 0, 2}, 4.0f, {1, 1, 1});
@@ -145,14 +157,79 @@ TEST_F(TilesTest, emissionStays) {
 }
 
 TEST_F(TilesTest, listsThatOutgrowTheirBufferLoseNoLight) {
-    // 1.3 million entries, more than the compute form starts with; the harness draws two frames, before and
-    // after the buffer has grown.
-    std::vector<WorldLight> lights;
-    for (std::uint32_t i = 0; i < 12'000; ++i) {
-        lights.push_back(pointLight({hashed(8, i) - 0.5f, hashed(9, i) - 0.5f, 1.0f + hashed(10, i)}, 40.0f,
-                                    glm::vec3(1.0e-3f)));
+    // 1.3 million entries, more than the initial buffer of the compute form holds; two frames are drawn,
+    // before and after the buffer has grown.
+    expectReference({wall(), lightsOverEveryTile(12'000), front, 112, 64}, "long lists", 1.0e-3);
+}
+
+TEST_F(TilesTest, listsBeyondTheMemoryAreShadedInParts) {
+    // 112 tiles of 8 pixels with 3,000 lights each: 1.3 MB of lists, of which 64 KiB may exist at a time. The
+    // compute form learns of it in the first frames.
+    const std::vector<WorldLight> lights = lightsOverEveryTile(3000);
+    const Scene scene = wall();
+    FormPicture picture{scene, lights, front, 112, 64};
+    picture.frames = 6;
+    const std::vector<float> expected = radianceOf(context(), reference(), picture);
+    for (const TileForm& form : limitedTileForms()) {
+        EXPECT_LE(worstDifference(radianceOf(context(), form, picture), expected), 1.0e-3) << form.name;
+        EXPECT_LE(form.technique->lightListBytes(), std::uint64_t{1} << 17) << form.name;
     }
-    expectReference({wall(), lights, front, 112, 64}, "long lists", 1.0e-3);
+}
+
+TEST_F(TilesTest, computeTilesUseSeveralSpansWhereListsOutgrowTheBuffer) {
+    const std::vector<WorldLight> lights = lightsOverEveryTile(3000);
+    const Scene scene = wall();
+    FormPicture picture{scene, lights, front, 112, 64};
+    picture.frames = 6;
+    auto technique = std::make_unique<ComputeTiles>(std::size_t{1} << 16);
+    const ComputeTiles& tiles = *technique;
+    const TileForm form{"compute", std::move(technique)};
+    radianceOf(context(), form, picture);
+    EXPECT_GT(tiles.spanCount(), 1u);
+    // Few lights need one span again.
+    picture.lights = std::span(lights).first(3);
+    picture.frames = 16;
+    radianceOf(context(), form, picture);
+    EXPECT_EQ(tiles.spanCount(), 1u);
+}
+
+TEST_F(TilesTest, prefixSumsSaturate) {
+    context().makeCurrent();
+    const gl::StateGuard guard(*context().state().binding, "a test");
+    const gl::Program prefix({{"tile_prefix.comp", {}, {}}}, "tile prefix sum");
+    // 8×8 tiles. The first three lists have 2^31, 2^31 and 5 entries: a sum that wraps would let the third
+    // and all later ones begin at small positions.
+    std::vector<std::uint32_t> counts(64, 1);
+    counts[0] = counts[1] = 0x80000000u;
+    counts[2] = 5;
+    layout::FrameUniforms uniforms{};
+    uniforms.size = {64, 64, 0, 0};
+    gl::Buffer frame("frame"), countBuffer("counts"), starts("starts"), lists("lists"), total("total"),
+        groups("groups");
+    frame.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
+    countBuffer.upload(std::span<const std::uint32_t>(counts));
+    const std::vector<std::uint32_t> zeros(64, 0);
+    for (gl::Buffer* buffer : {&starts, &lists, &total, &groups})
+        buffer->upload(std::span<const std::uint32_t>(zeros));
+    glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, frame.name());
+    const std::pair<int, gl::Buffer*> bindings[] = {{layout::TILE_COUNTS_STORAGE, &countBuffer},
+                                                    {layout::TILE_STARTS_STORAGE, &starts},
+                                                    {layout::TILE_LISTS_STORAGE, &lists},
+                                                    {layout::TILE_TOTAL_STORAGE, &total},
+                                                    {layout::TILE_GROUPS_STORAGE, &groups}};
+    for (const auto& [binding, buffer] : bindings)
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(binding), buffer->name());
+    glUseProgram(prefix.name());
+    glDispatchCompute(1, 1, 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    std::vector<std::uint32_t> result(64);
+    glGetNamedBufferSubData(starts.name(), 0, 64 * 4, result.data());
+    EXPECT_EQ(result[0], 0u);
+    EXPECT_EQ(result[1], 0x80000000u);
+    for (std::size_t tile = 2; tile < 64; ++tile) ASSERT_EQ(result[tile], 0xffffffffu) << tile;
+    std::uint32_t entries = 0;
+    glGetNamedBufferSubData(total.name(), 0, 4, &entries);
+    EXPECT_EQ(entries, 0xffffffffu);
 }
 
 }  // namespace

@@ -91,9 +91,9 @@ std::vector<ExpectedPixel> evaluatedPicture(BrdfModel model, const AovReader& ao
             Lit lit{model, {}, eye, 0.0};
             lit.surface.position = aovs.vector("P", x, y);
             lit.surface.normal = glm::normalize(glm::dvec3(normal));
-            lit.surface.baseColor = aovs.vector("base_color", x, y);
-            lit.surface.metallic = aovs.scalar("metallic", x, y);
-            lit.surface.roughness = aovs.scalar("roughness", x, y);
+            lit.surface.lobes.baseColor = aovs.vector("base_color", x, y);
+            lit.surface.lobes.metallic = aovs.scalar("metallic", x, y);
+            lit.surface.lobes.roughness = aovs.scalar("roughness", x, y);
             const glm::dvec3 reach = glm::abs(lit.eye) + glm::abs(lit.surface.position - lit.eye);
             lit.reach = std::max({reach.x, reach.y, reach.z});
             for (const WorldLight& one : lights) add(pixel, lit, one);

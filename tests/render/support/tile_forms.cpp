@@ -4,9 +4,8 @@
 #include "render/gbuffer/geometry_pass.h"
 #include "render/gbuffer/readback.h"
 #include "render/lighting/fullscreen/fullscreen_technique.h"
-#include "render/lighting/lighting_bindings.h"
 #include "render/lighting/tiled/compute_tiles.h"
-#include "render/lighting/tiled/software_tiles.h"
+#include "render/lighting/tiled/cpu_tiles.h"
 
 namespace candela::test {
 
@@ -35,7 +34,14 @@ std::vector<TileForm> tileForms() {
     std::vector<TileForm> forms;
     forms.push_back({"compute", std::make_unique<ComputeTiles>()});
     for (const TileKernel* kernel : tileKernels())
-        forms.push_back({kernel->name, std::make_unique<SoftwareTiles>(*kernel)});
+        forms.push_back({kernel->name, std::make_unique<CpuTiles>(*kernel)});
+    return forms;
+}
+
+std::vector<TileForm> limitedTileForms() {
+    std::vector<TileForm> forms;
+    forms.push_back({"compute, 64 KiB", std::make_unique<ComputeTiles>(std::size_t{1} << 16)});
+    forms.push_back({"cpu, 64 KiB", std::make_unique<CpuTiles>(tileKernel(), std::uint64_t{1} << 14)});
     return forms;
 }
 
@@ -63,8 +69,8 @@ std::vector<float> radianceOf(const Context& context, const TileForm& form, cons
     buffer.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
     glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, buffer.name());
     gl::PassTimer timer(gl::PassTimer::Clock::wallAroundFinish);
-    const auto start = form.technique->overwritesRadiance() ? LoadOp::dontCare : LoadOp::clear;
-    for (int frame = 0; frame < 2; ++frame) {
+    const LoadOp start = form.technique->radianceLoadOp();
+    for (int frame = 0; frame < picture.frames; ++frame) {
         geometry.render({state, draws, targets, start});
         bindForLighting(targets, state.lights, albedo);
         form.technique->render({targets, state.lights, frustum, uniforms, picture.brdf, draws.emits()},

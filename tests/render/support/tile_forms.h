@@ -22,6 +22,9 @@ struct TileForm {
 /// Every form that this machine runs.
 std::vector<TileForm> tileForms();
 
+/// Forms whose lists may take 64 KiB: they shade the lights in several parts.
+std::vector<TileForm> limitedTileForms();
+
 /// The reference technique in the same harness.
 TileForm fullscreenForm();
 
@@ -32,10 +35,10 @@ struct FormPicture {
     CameraView view;
     int width = 96, height = 54;
     BrdfModel brdf = BrdfModel::course;
+    int frames = 2;
 };
 
-/// The radiance that a form makes: RGBA, rows from the bottom. Draws twice, so that the second frame finds
-/// what the first has left.
+/// The radiance that a form makes in the last of several frames: RGBA, rows from the bottom.
 std::vector<float> radianceOf(const Context& context, const TileForm& form, const FormPicture& picture);
 
 }  // namespace candela::test

@@ -9,7 +9,7 @@ namespace candela {
 
 namespace {
 
-/// llvmpipe ends a loop after 65,535 turns without a word, so that longer lists take several draws.
+/// llvmpipe silently ends a loop after 65,535 iterations, so that longer lists take several draws.
 constexpr int lightsPerDraw = 32768;
 
 }  // namespace
@@ -24,8 +24,8 @@ void FullscreenPass::draw(const LightingInputs& inputs, Span points, Span spots,
     glViewport(0, 0, inputs.targets.width, inputs.targets.height);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    glUniform4i(layout::LIGHT_RANGES_LOCATION, points.first, points.end, spots.first, spots.end);
-    glUniform2i(layout::DIRECTIONALS_LOCATION, directionals.first, directionals.end);
+    glUniform4i(layout::LIGHT_SPANS_LOCATION, points.first, points.end, spots.first, spots.end);
+    glUniform2i(layout::DIRECTIONAL_SPAN_LOCATION, directionals.first, directionals.end);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_BLEND);
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "render/lighting/lighting_bindings.h"
+#include "gl/buffer.h"
 #include "render/lighting/lighting_technique.h"
 
 namespace candela {
 
-/// Draws spans of lights over the whole picture, adding up.
+/// Draws spans of lights over the whole picture with additive blending.
 class FullscreenPass {
   public:
     FullscreenPass();

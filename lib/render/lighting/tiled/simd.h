@@ -1,8 +1,8 @@
 #pragma once
 
-// Vectors of floats as wide as the instruction set this file is compiled for. Included only by
-// tile_kernel_code.h, which is compiled once for each instruction set: everything here has internal linkage,
-// so that no two variants of a function can meet in the linker.
+// Vectors of floats as wide as the instruction set this file is compiled for, with the names that GLSL has
+// for their functions. Included only by the tile kernels, which are compiled once for each instruction set:
+// everything here has internal linkage, so that the linker never merges two variants of a function.
 
 #include <cstdint>
 
@@ -50,10 +50,10 @@ inline Floats max(Floats a, Floats b) {
 inline Floats min(Floats a, Floats b) {
     return (Floats)_mm512_min_ps((__m512)a, (__m512)b);
 }
-inline Floats roughRsqrt(Floats a) {
+inline Floats approximateInversesqrt(Floats a) {
     return (Floats)_mm512_rsqrt14_ps((__m512)a);
 }
-inline Floats roughReciprocal(Floats a) {
+inline Floats approximateReciprocal(Floats a) {
     return (Floats)_mm512_rcp14_ps((__m512)a);
 }
 
@@ -65,10 +65,10 @@ inline Floats max(Floats a, Floats b) {
 inline Floats min(Floats a, Floats b) {
     return (Floats)_mm256_min_ps((__m256)a, (__m256)b);
 }
-inline Floats roughRsqrt(Floats a) {
+inline Floats approximateInversesqrt(Floats a) {
     return (Floats)_mm256_rsqrt_ps((__m256)a);
 }
-inline Floats roughReciprocal(Floats a) {
+inline Floats approximateReciprocal(Floats a) {
     return (Floats)_mm256_rcp_ps((__m256)a);
 }
 
@@ -85,24 +85,24 @@ inline Floats min(Floats a, Floats b) {
 
 #if defined(__AVX2__)
 
-// The hardware's 12 or 14 bits, and one step of Newton's method in the form that rounds least: all but the
-// last bit of a float. For numbers over 1e-30.
+// The hardware's 12 or 14 bits and one step of Newton's method, in the form with the smallest rounding error:
+// all but the last bit of a float. For numbers over 1e-30.
 
-inline Floats rsqrt(Floats a) {
-    const Floats r = roughRsqrt(a);
+inline Floats inversesqrt(Floats a) {
+    const Floats r = approximateInversesqrt(a);
     const Floats remainder = 1.0f - (a * r) * r;
     return r + (0.5f * r) * remainder;
 }
 
 inline Floats reciprocal(Floats a) {
-    const Floats r = roughReciprocal(a);
+    const Floats r = approximateReciprocal(a);
     const Floats remainder = 1.0f - a * r;
     return r + r * remainder;
 }
 
 #else
 
-inline Floats rsqrt(Floats a) {
+inline Floats inversesqrt(Floats a) {
     Floats r;
     for (int lane = 0; lane < laneCount; ++lane) r[lane] = 1.0f / __builtin_sqrtf(a[lane]);
     return r;
@@ -114,12 +114,19 @@ inline Floats reciprocal(Floats a) {
 
 #endif
 
-/// The square root of a number that is over 1e-30.
-inline Floats squareRoot(Floats a) {
-    return a * rsqrt(a);
+inline Floats max(Floats a, float b) {
+    return max(a, splat(b));
+}
+inline Floats min(Floats a, float b) {
+    return min(a, splat(b));
 }
 
-/// The value as it is: keeps the compiler from fusing the product `a` into a sum that follows.
+/// Of a number over 1e-30.
+inline Floats sqrt(Floats a) {
+    return a * inversesqrt(a);
+}
+
+/// `a` itself: keeps the compiler from fusing the product `a` into a sum that follows.
 inline Floats rounded(Floats a) {
 #if defined(__AVX2__)
     __asm__("" : "+v"(a));
@@ -127,7 +134,7 @@ inline Floats rounded(Floats a) {
     return a;
 }
 
-inline Floats absolute(Floats a) {
+inline Floats abs(Floats a) {
     return max(a, -a);
 }
 
@@ -142,14 +149,15 @@ inline Four fourOf(Floats v, int first) {
     return four;
 }
 
-/// The least of all lanes.
-inline float lowest(Floats v) {
-    Four least = fourOf(v, 0);
+/// The minimum of all lanes.
+inline float minOfLanes(Floats v) {
+    Four lowest = fourOf(v, 0);
     for (int first = 4; first < laneCount; first += 4) {
         const Four next = fourOf(v, first);
-        least = least < next ? least : next;
+        lowest = lowest < next ? lowest : next;
     }
-    const float a = least[0] < least[1] ? least[0] : least[1], b = least[2] < least[3] ? least[2] : least[3];
+    const float a = lowest[0] < lowest[1] ? lowest[0] : lowest[1];
+    const float b = lowest[2] < lowest[3] ? lowest[2] : lowest[3];
     return a < b ? a : b;
 }
 
@@ -168,6 +176,11 @@ inline Floats lookUp(const float* table, Ints index) {
 
 struct Vec3 {
     Floats x, y, z;
+
+    Vec3() = default;
+    Vec3(Floats first, Floats second, Floats third) : x(first), y(second), z(third) {}
+    explicit Vec3(Floats all) : x(all), y(all), z(all) {}
+    explicit Vec3(float all) : Vec3(splat(all)) {}
 };
 
 inline Vec3 operator+(Vec3 a, Vec3 b) {
@@ -185,6 +198,7 @@ inline Vec3 operator*(Vec3 a, Floats b) {
 inline Floats dot(Vec3 a, Vec3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+/// Three numbers, the same in all lanes.
 inline Vec3 splat3(const float* v) {
     return {splat(v[0]), splat(v[1]), splat(v[2])};
 }

@@ -1,34 +1,35 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace candela {
 
-/// Pixels along a side of a tile: the grain at which lights are binned. A tile is shaded by one worker.
+/// Pixels along a side of a tile. Lights are binned to tiles, and one worker shades a tile.
 constexpr int tileSize = 64;
-/// Pixels along a side of a block: the grain at which lights are culled last and at which pixels are shaded
-/// together.
+/// Pixels along a side of a block. The last culling is for a block, and its pixels are shaded together.
 constexpr int blockSize = 4;
-/// Levels of boxes from a block (0) to a tile.
+/// Levels of the tree of boxes, from a block (0) to a tile.
 constexpr int boxLevels = 5;
 
 /// What the kernels read and write in a frame. Plain numbers only: each kernel is compiled for its own
-/// instruction set and must share no inline function with other files. Pictures are width × height with rows
+/// instruction set and must not share inline functions with other files. Pictures are width × height, rows
 /// from the bottom.
 struct TileFrame {
     float eye[3], nearPlane;
     float rayCorner[3], rayStepX[3], rayStepY[3];  ///< As in `FrameUniforms`.
-    float right[3], up[3], forward[3];             ///< Of the camera.
-    float halfExtent[2], edgeScale[2];             ///< Of the frustum: see `Frustum`.
+    float right[3], up[3], forward[3];             ///< Axes of the camera, world space.
+    float halfExtent[2];                           ///< Of the picture at a depth of one metre.
+    float edgeScale[2];                            ///< 1 / sqrt(1 + halfExtent²): see `ViewFrustum`.
     int width, height;
     const std::uint32_t* surfaces;  ///< Two words a pixel: `GBufferTexel`.
     const float* depth;             ///< Reversed.
     float* radiance;                ///< Four floats a pixel.
-    bool keepsEmission;             ///< `radiance` holds emission to add to; else it is overwritten.
+    bool loadRadiance;              ///< Adds to what `radiance` holds; else overwrites it.
 
     const float* reach[4];  ///< x, y, z and range of each point and spot light, with `listPadding` more.
-    const float* records;   ///< Eight floats a light: shaders/lib/lights.glsl.
+    const float* records;   ///< Eight floats a light: see `GpuLights`.
     const float* cones;     ///< Four floats a spot.
     std::uint32_t pointCount, localCount, directionalCount;
 
@@ -37,22 +38,25 @@ struct TileFrame {
     int albedoTableSize;
 };
 
-/// How far the kernels read and write past the end of a list: one vector of the widest instruction set.
+/// Elements that the kernels read and write past the end of a list: one vector of the widest instruction set.
 constexpr int listPadding = 16;
 
-/// Lights as the culling reads them, in growing order of their index.
+/// Lights as the culling reads them, sorted by index.
 struct LightColumns {
     float *x, *y, *z, *range2;
     std::uint32_t* index;
 };
 
-/// The memory a worker needs. Each level holds the tile's lights and `listPadding` more.
+/// The memory of a worker. Each level has room for all lights of the tile and `listPadding` more.
 struct TileScratch {
     LightColumns levels[boxLevels + 1];
     float boxes[boxLevels][(tileSize / blockSize) * (tileSize / blockSize)][6];
     bool occupied[boxLevels][(tileSize / blockSize) * (tileSize / blockSize)];
     std::uint64_t pairsEvaluated = 0;
 };
+
+/// The 32-bit words of a worker's memory for each light of a tile: five columns at each level.
+constexpr int scratchWordsPerLight = 5 * (boxLevels + 1);
 
 /// A light in view and the tiles it may touch, both ends included.
 struct VisibleLight {
@@ -66,8 +70,7 @@ struct TileKernel {
     /// Writes the lights from `first` to `end` that meet the frustum to `out` (room for end - first), and
     /// returns how many.
     std::size_t (*cull)(const TileFrame& frame, std::uint32_t first, std::uint32_t end, VisibleLight* out);
-    /// Shades a tile by the `count` lights of `lights` (indices, growing), for the BRDF model that the kernel
-    /// is of.
+    /// For each `BrdfModel`: shades a tile by the `count` lights of `lights` (sorted indices).
     void (*shade[2])(const TileFrame& frame, int tileX, int tileY, const std::uint32_t* lights,
                      std::uint32_t count, TileScratch& scratch);
 };

@@ -1,4 +1,4 @@
-#include "render/lighting/lighting_bindings.h"
+#include "render/lighting/lighting_technique.h"
 
 #include "render/layout.h"
 #include "shading/directional_albedo.h"
@@ -6,6 +6,15 @@
 #include <utility>
 
 namespace candela {
+
+namespace {
+
+// `BRDF` of the shaders that include lib/lighting.glsl.
+const char* brdfDefinition(BrdfModel model) {
+    return model == BrdfModel::course ? "BRDF BRDF_COURSE" : "BRDF BRDF_GLTF";
+}
+
+}  // namespace
 
 gl::Texture makeAlbedoTexture() {
     gl::Texture texture =
@@ -30,17 +39,13 @@ const gl::Program& ModelPrograms::get(BrdfModel model) const {
     auto& program = programs_[static_cast<std::size_t>(model)];
     if (!program) {
         std::vector<std::string> definitions = definitions_;
-        definitions.push_back(brdfDefinition(model));
+        definitions.emplace_back(brdfDefinition(model));
         std::vector<gl::Stage> stages;
         if (!vertexFile_.empty()) stages.push_back({vertexFile_, {}, {}});
         stages.push_back({file_, definitions, {}});
         program.emplace(stages, file_.c_str());
     }
     return *program;
-}
-
-std::string brdfDefinition(BrdfModel model) {
-    return model == BrdfModel::course ? "BRDF BRDF_COURSE" : "BRDF BRDF_GLTF";
 }
 
 }  // namespace candela

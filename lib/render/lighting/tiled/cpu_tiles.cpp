@@ -1,4 +1,4 @@
-#include "render/lighting/tiled/software_tiles.h"
+#include "render/lighting/tiled/cpu_tiles.h"
 
 #include "base/thread_pool.h"
 #include "render/gbuffer/readback.h"
@@ -6,6 +6,9 @@
 #include "shading/directional_albedo.h"
 
 #include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace candela {
 
@@ -19,12 +22,13 @@ void copy(float (&to)[3], const glm::vec3& from) {
 
 }  // namespace
 
-SoftwareTiles::SoftwareTiles(const TileKernel& kernel) : kernel_(kernel) {
+CpuTiles::CpuTiles(const TileKernel& kernel, std::uint64_t maxListWords)
+    : kernel_(kernel), bins_(maxListWords) {
     for (std::size_t code = 0; code < srgbDecode_.size(); ++code)
         srgbDecode_[code] = srgbDecode(static_cast<float>(code) / 255.0f);
 }
 
-void SoftwareTiles::Worker::reserve(std::size_t lights) {
+void CpuTiles::Worker::reserve(std::size_t lights) {
     const std::size_t room = lights + listPadding, levels = boxLevels + 1;
     if (indices.size() >= room * levels) return;
     floats.resize(room * levels * 4);
@@ -36,7 +40,7 @@ void SoftwareTiles::Worker::reserve(std::size_t lights) {
     }
 }
 
-void SoftwareTiles::readTargets(const LightingInputs& inputs) {
+void CpuTiles::readTargets(const LightingInputs& inputs) {
     const GBufferTargets& targets = inputs.targets;
     const std::size_t pixels =
         static_cast<std::size_t>(targets.width) * static_cast<std::size_t>(targets.height);
@@ -48,7 +52,7 @@ void SoftwareTiles::readTargets(const LightingInputs& inputs) {
     if (inputs.emissionDrawn) readColor(targets.radiance, targets.width, targets.height, radiance_);
 }
 
-TileFrame SoftwareTiles::frameOf(const LightingInputs& inputs) {
+TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     const layout::FrameUniforms& uniforms = inputs.uniforms;
     const GpuLights& lights = inputs.lights;
     const LightCounts& counts = lights.counts();
@@ -58,13 +62,19 @@ TileFrame SoftwareTiles::frameOf(const LightingInputs& inputs) {
     copy(frame.rayCorner, glm::vec3(uniforms.rayCorner));
     copy(frame.rayStepX, glm::vec3(uniforms.rayStepX));
     copy(frame.rayStepY, glm::vec3(uniforms.rayStepY));
-    inputs.frustum.copyTo(frame);
+    copy(frame.right, glm::vec3(uniforms.cameraRight));
+    copy(frame.up, glm::vec3(uniforms.cameraUp));
+    copy(frame.forward, glm::vec3(uniforms.cameraForward));
+    frame.halfExtent[0] = uniforms.cameraRight.w;
+    frame.halfExtent[1] = uniforms.cameraUp.w;
+    for (int axis = 0; axis < 2; ++axis)
+        frame.edgeScale[axis] = 1.0f / std::sqrt(1.0f + frame.halfExtent[axis] * frame.halfExtent[axis]);
     frame.width = inputs.targets.width;
     frame.height = inputs.targets.height;
     frame.surfaces = surfaces_.data();
     frame.depth = depth_.data();
     frame.radiance = radiance_.data();
-    frame.keepsEmission = inputs.emissionDrawn;
+    frame.loadRadiance = inputs.emissionDrawn;
     const LightReaches& reaches = lights.reaches();
     const std::vector<float>* columns[] = {&reaches.x, &reaches.y, &reaches.z, &reaches.range};
     for (int i = 0; i < 4; ++i) frame.reach[i] = columns[i]->data();
@@ -79,30 +89,40 @@ TileFrame SoftwareTiles::frameOf(const LightingInputs& inputs) {
     return frame;
 }
 
-void SoftwareTiles::render(const LightingInputs& inputs, gl::PassTimer& timer) {
-    const gl::PassTimer::Scope pass(timer, "lighting");
-    readTargets(inputs);
-    const TileFrame frame = frameOf(inputs);
-    const std::shared_ptr<ThreadPool> pool = ThreadPool::shared();
-    bins_.fill(frame, kernel_, *pool);
-    workers_.resize(pool->size());
-    for (Worker& worker : workers_) {
-        worker.reserve(bins_.longest());
-        worker.scratch->pairsEvaluated = 0;
-    }
-    const auto shade = kernel_.shade[static_cast<std::size_t>(inputs.brdf)];
-    pool->run(bins_.order().size(), [&](std::size_t i, unsigned worker) {
+void CpuTiles::shadeTiles(const TileFrame& frame, BrdfModel brdf, ThreadPool& pool) {
+    for (Worker& worker : workers_) worker.reserve(bins_.longest());
+    const auto shade = kernel_.shade[static_cast<std::size_t>(brdf)];
+    pool.run(bins_.order().size(), [&](std::size_t i, unsigned worker) {
         const std::uint32_t tile = bins_.order()[i];
         const auto lights = bins_.lights(tile);
         const int x = static_cast<int>(tile) % bins_.columns(), y = static_cast<int>(tile) / bins_.columns();
         shade(frame, x, y, lights.data(), static_cast<std::uint32_t>(lights.size()),
               *workers_[worker].scratch);
     });
+}
+
+void CpuTiles::render(const LightingInputs& inputs, gl::PassTimer& timer) {
+    const gl::PassTimer::Scope pass(timer, "lighting");
+    readTargets(inputs);
+    const std::shared_ptr<ThreadPool> pool = ThreadPool::shared();
+    workers_.resize(pool->size());
+    for (Worker& worker : workers_) worker.scratch->pairsEvaluated = 0;
+    listBytes_ = 0;
+    TileFrame frame = frameOf(inputs);
+    std::uint32_t binned = 0;
+    do {
+        binned = bins_.fill(frame, binned, kernel_, *pool);
+        listBytes_ = std::max(listBytes_, bins_.bytes());
+        shadeTiles(frame, inputs.brdf, *pool);
+        // What follows adds to the first part, which has the directional lights.
+        frame.loadRadiance = true;
+        frame.directionalCount = 0;
+    } while (binned < frame.localCount);
     glTextureSubImage2D(inputs.targets.radiance.name(), 0, 0, 0, frame.width, frame.height, GL_RGBA, GL_FLOAT,
                         radiance_.data());
 }
 
-std::uint64_t SoftwareTiles::countEvaluated(const LightingInputs&, PairCounter&) {
+std::uint64_t CpuTiles::countEvaluated(const LightingInputs&, PairCounter&) {
     std::uint64_t pairs = 0;
     for (const Worker& worker : workers_) pairs += worker.scratch->pairsEvaluated;
     return pairs;

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "base/thread_pool.h"
+#include "render/lighting/lighting_technique.h"
+#include "render/lighting/tiled/light_bins.h"
+#include "render/lighting/tiled/tile_kernel.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace candela {
+
+/// The technique `tiles` as vector code, for devices where OpenGL itself runs on the CPU: the G-buffer is
+/// read back, lights are binned and pixels shaded on all cores, and the radiance is written into its texture.
+/// On such a device that copies memory once each way, and the vector code shades several times faster than
+/// the rasteriser's own shaders (docs/benchmarks.md).
+class CpuTiles final : public LightingTechnique {
+  public:
+    /// Lights whose lists need more than `maxListWords` 32-bit words are shaded in several parts.
+    explicit CpuTiles(const TileKernel& kernel = tileKernel(),
+                      std::uint64_t maxListWords = std::uint64_t{1} << 26);
+
+    LoadOp radianceLoadOp() const override { return LoadOp::dontCare; }
+    void render(const LightingInputs& inputs, gl::PassTimer& timer) override;
+    std::uint64_t countEvaluated(const LightingInputs& inputs, PairCounter& counter) override;
+    std::uint64_t lightListBytes() const override { return listBytes_; }
+
+  private:
+    /// A worker's lists, in one allocation each.
+    struct Worker {
+        std::unique_ptr<TileScratch> scratch = std::make_unique<TileScratch>();
+        std::vector<float> floats;
+        std::vector<std::uint32_t> indices;
+
+        void reserve(std::size_t lights);
+    };
+
+    void readTargets(const LightingInputs& inputs);
+    TileFrame frameOf(const LightingInputs& inputs);
+    void shadeTiles(const TileFrame& frame, BrdfModel brdf, ThreadPool& pool);
+
+    const TileKernel& kernel_;
+    LightBins bins_;
+    std::uint64_t listBytes_ = 0;
+    std::vector<Worker> workers_;
+    std::vector<std::uint32_t> surfaces_;
+    std::vector<float> depth_, radiance_;
+    std::array<float, 256> srgbDecode_;
+};
+
+}  // namespace candela

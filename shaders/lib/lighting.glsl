@@ -1,0 +1,75 @@
+// What the lighting passes read: surfaces of the G-buffer and light records, as the light equation takes them.
+// BRDF is BRDF_COURSE or BRDF_GLTF, defined for each program that shades.
+
+#include "lib/frame.glsl"
+#include "lib/gbuffer.glsl"
+#include "shared/shading_constants.h"
+
+layout(binding = SURFACE_UNIT) uniform usampler2D surfaceTexture;
+layout(binding = DEPTH_UNIT) uniform sampler2D depthTexture;
+layout(binding = LIGHTS_UNIT) uniform samplerBuffer lightRecords;
+layout(binding = CONES_UNIT) uniform samplerBuffer coneRecords;
+layout(binding = ALBEDO_UNIT) uniform sampler2D albedoTexture;
+
+#define AlbedoTable sampler2D
+
+// lib/shading/directional_albedo.h makes the table and says how it is laid out.
+float directionalAlbedo(sampler2D table, float nDotV, float alpha) {
+    ivec2 last = textureSize(table, 0) - 1;
+    vec2 position = vec2(nDotV * (1.0 + alpha) / (nDotV + alpha), (alpha - MIN_ALPHA) / (1.0 - MIN_ALPHA));
+    vec2 texel = clamp(position, 0.0, 1.0) * vec2(last);
+    ivec2 low = min(ivec2(texel), last - 1);
+    vec2 weight = texel - vec2(low);
+    float a = mix(texelFetch(table, low, 0).r, texelFetch(table, low + ivec2(1, 0), 0).r, weight.x);
+    float b = mix(texelFetch(table, low + ivec2(0, 1), 0).r, texelFetch(table, low + ivec2(1, 1), 0).r, weight.x);
+    return mix(a, b, weight.y);
+}
+
+float fastDivide(float a, float b) { return a / b; }
+
+#include "shared/shading.h"
+
+LocalLight localLightOf(vec4 place, vec4 intensity) { return LocalLight(place.xyz, place.w, intensity.rgb); }
+
+LocalLight fetchLight(int index) {
+    return localLightOf(texelFetch(lightRecords, index * LIGHT_TEXELS), texelFetch(lightRecords, index * LIGHT_TEXELS + 1));
+}
+
+LightCone lightConeOf(vec4 record) { return LightCone(record.xyz, record.w); }
+
+// The cone of a light of `fetchLight` that is a spot.
+LightCone fetchCone(int index) { return lightConeOf(texelFetch(coneRecords, index - frame.lightCounts.x)); }
+
+// Is the point within the light's range?
+bool isLit(vec3 position, LocalLight light) {
+    vec3 d = light.position - position;
+    return dot(d, d) * light.inverseRange2 < 1.0;
+}
+
+// A pixel of the G-buffer. `lit` is false on the background and on unlit surfaces, where `surface` and `position` are undefined but finite.
+struct PixelSurface {
+    bool lit;
+    GBufferSurface surface;
+    vec3 position;
+};
+
+PixelSurface fetchSurface(ivec2 pixel) {
+    PixelSurface result;
+    uvec2 texel = texelFetch(surfaceTexture, pixel, 0).xy;
+    float depth = texelFetch(depthTexture, pixel, 0).x;
+    result.lit = texel.y != 0u;
+    result.surface = unpackSurface(texel);
+    result.position = worldPosition(pixel, result.lit ? depth : 1.0);
+    return result;
+}
+
+#ifdef BRDF
+ShadingPoint shadingPointOf(PixelSurface pixel) {
+    return shadingPoint(BRDF, pixel.surface.lobes, pixel.surface.normal, pixel.position, frame.eye.xyz, albedoTexture);
+}
+
+vec3 directionalLight(ShadingPoint point, int index) {
+    return directionalLightRadiance(BRDF, point, texelFetch(lightRecords, index * LIGHT_TEXELS).xyz,
+                                    texelFetch(lightRecords, index * LIGHT_TEXELS + 1).rgb);
+}
+#endif

@@ -1,0 +1,38 @@
+// The G-buffer's encoding, read by C++ and GLSL both: the only place that packs and unpacks it, except that the tile kernels unpack vectors of pixels
+// (lib/render/lighting/tiled/tile_shading.h). The includer has GLSL's vectors, GBufferSurface and the sRGB curve.
+//   word 0: base colour, sRGB-encoded, 8 bits a channel (R lowest); metallic, 8 bits
+//   word 1: octahedral normal, 12 bits an axis (codes 1 to 4095, so that the word is never 0); perceptual roughness, 8 bits
+
+const float NORMAL_MAX = 2047.0f;     // code of 1, from the centre
+const float NORMAL_CENTER = 2048.0f;  // code of 0
+
+// Folds the lower half of the octahedron outwards; its own inverse. Cigolle et al., "A survey of efficient representations for independent unit vectors",
+// 2014.
+SHARED_FUNCTION vec2 octahedralFold(vec2 p) {
+    return (1.0f - abs(vec2(p.y, p.x))) * vec2(p.x >= 0.0f ? 1.0f : -1.0f, p.y >= 0.0f ? 1.0f : -1.0f);
+}
+
+SHARED_FUNCTION uint packBaseColor(vec3 baseColor, float metallic) {
+    vec3 color = clamp(baseColor, 0.0f, 1.0f);
+    return packUnorm4x8(vec4(srgbEncode(color.x), srgbEncode(color.y), srgbEncode(color.z), metallic));
+}
+
+SHARED_FUNCTION uint packNormalRoughness(vec3 normal, float roughness) {
+    vec2 p = vec2(normal.x, normal.y) / max(abs(normal.x) + abs(normal.y) + abs(normal.z), 1.0e-20f);
+    if (normal.z < 0.0f) p = octahedralFold(p);
+    uvec2 code = uvec2(floor(clamp(p, -1.0f, 1.0f) * NORMAL_MAX + (NORMAL_CENTER + 0.5f)));
+    return code.x | code.y << 12 | uint(floor(clamp(roughness, 0.0f, 1.0f) * 255.0f + 0.5f)) << 24;
+}
+
+SHARED_FUNCTION GBufferSurface unpackSurfaceWords(uint word0, uint word1) {
+    GBufferSurface surface;
+    vec4 color = unpackUnorm4x8(word0);
+    surface.lobes.baseColor = vec3(srgbDecode(color.x), srgbDecode(color.y), srgbDecode(color.z));
+    surface.lobes.metallic = color.w;
+    vec2 p = (vec2(float(word1 & 0xfffu), float(word1 >> 12 & 0xfffu)) - NORMAL_CENTER) * (1.0f / NORMAL_MAX);
+    float z = 1.0f - abs(p.x) - abs(p.y);
+    if (z < 0.0f) p = octahedralFold(p);
+    surface.normal = normalize(vec3(p.x, p.y, z));
+    surface.lobes.roughness = float(word1 >> 24) * (1.0f / 255.0f);
+    return surface;
+}
