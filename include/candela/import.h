@@ -12,7 +12,7 @@ namespace candela {
 
 struct ImportReport {
     std::string plugin;              ///< Name of the plugin that read the scene.
-    std::vector<std::string> notes;  ///< What of the file is not drawn or not used, a line each.
+    std::vector<std::string> notes;  ///< Parts of the file that are not drawn or not used, a line each.
 };
 
 struct ImportedScene {
@@ -20,12 +20,13 @@ struct ImportedScene {
     ImportReport report;
 };
 
-/// Called with the share done, 0 to 1; returning false cancels the import.
+/// Called with the fraction done, 0 to 1, on the thread that called `importScene`. Returning false cancels
+/// the import; an exception reaches the caller of `importScene`.
 using ImportProgress = std::function<bool(double)>;
 
 /// Reads a scene through the plugin that takes its scheme ("plaza:4096") or its file name ending
-/// ("room.glb"). What comes back has passed `validate`. Throws `Error`: badInput or unsupported with the
-/// file, the element and the reason; environment when the file can not be read; cancelled.
+/// ("room.glb"). The scene has passed `validate`. Throws `Error`: badInput or unsupported with the file, the
+/// element and the reason, badInput for an empty URI; environment when the file cannot be read; cancelled.
 CANDELA_API ImportedScene importScene(const PluginRegistry& plugins, const std::string& uri,
                                       const ImportProgress& progress = {});
 

@@ -8,12 +8,15 @@
  * `struct_size` gains members at its end; who fills a struct sets `struct_size` to its own `sizeof`. A member
  * that lies beyond the sender's `struct_size` is taken as zero. Structs without `struct_size` never change
  * within a major version.
- *  - Memory: whoever allocates frees. The host copies what is pushed before the call returns; what the host
+ *  - Memory: whoever allocates frees. The host copies what is added before the call returns; what the host
  * lends (file bytes, strings) is valid until `import_scene` returns.
  *  - Errors: no C++ exception crosses this border. A host function that returns a negative index or a status
  * other than CANDELA_OK has recorded its reason; the importer then returns CANDELA_FAILED. The host treats
  * the import as failed even if the importer goes on.
- *  - What came after version 1.0 says so. An importer checks that the host's `struct_size` reaches so far.
+ *  - Members that came after version 1.0 say so. Before a plugin uses one of them, it checks that the host's
+ * `struct_size` reaches behind it.
+ *  - Threads: the functions of the host are called on the thread that called the plugin, and not from a body
+ * that `parallel_for` runs.
  *  - Units and conventions: metres, right-handed, +Y up, a camera or a spot looks along -Z of its node,
  * angles in radians, matrices column-major, counter-clockwise front faces, colours linear with Rec.709
  * primaries, texture coordinates with (0, 0) at the first texel of the first row.
@@ -30,11 +33,11 @@ extern "C" {
 #endif
 
 #define CANDELA_PLUGIN_MAJOR 1u
-#define CANDELA_PLUGIN_MINOR 1u
+#define CANDELA_PLUGIN_MINOR 2u
 
 typedef enum candela_status { CANDELA_OK = 0, CANDELA_FAILED = 1 } candela_status;
 
-/* ---- What an importer pushes */
+/* ---- What an importer adds to the scene */
 typedef enum candela_pixel_format {
     CANDELA_PIXELS_RGBA8 = 0,  /* 4 × uint8_t, normalised; sRGB or linear, as the texture's use says */
     CANDELA_PIXELS_RGBA16 = 1, /* 4 × uint16_t, normalised, host byte order */
@@ -65,10 +68,10 @@ typedef enum candela_filter {
     CANDELA_FILTER_NEAREST_MIPMAP_LINEAR = 5
 } candela_filter;
 
-/* A use of an image. The coordinate is uv' = offset + rotate(rotation) × (scale × uv), as
+/* How a material samples an image. The coordinate is uv' = offset + rotate(rotation) × (scale × uv), as
  * KHR_texture_transform. */
 typedef struct candela_texture {
-    int32_t image;   /* index of a pushed image, -1 for none: the rest is then ignored */
+    int32_t image;   /* index of an added image, -1 for none: the rest is then ignored */
     uint32_t uv_set; /* 0 or 1 */
     candela_wrap wrap_s, wrap_t;
     candela_filter min_filter;
@@ -107,7 +110,7 @@ typedef struct candela_material {
 /* A run of a mesh's indices drawn with one material. */
 typedef struct candela_submesh {
     uint32_t first_index, index_count; /* whole triangles, or whole polygons where the mesh has face_sizes */
-    int32_t material; /* index of a pushed material, -1: the default material (white, rough, no metal) */
+    int32_t material; /* index of an added material, -1: the default material (white, rough, no metal) */
 } candela_submesh;
 
 /* Triangles. Arrays hold vertex_count elements; a NULL array is absent. Where normals are absent the host
@@ -191,32 +194,33 @@ typedef struct candela_cage {
     const uint32_t* corner_vertices;
     const float* corner_sharpness;
     uint32_t hole_count;
-    const uint32_t* holes;         /* faces that have no surface, but shape that of their neighbours */
-    const int32_t* face_materials; /* a pushed material a face, -1: the default; NULL: -1 for all */
+    const uint32_t* holes;         /* faces without a surface; they shape that of their neighbours */
+    const int32_t* face_materials; /* a material for each face, -1: the default; NULL: -1 for all */
     uint32_t level;                /* 1 to 8: refine to this level; 0: by the size on the screen */
-    /* What moves the cage besides its node; a subdivider does not look at it. */
-    uint32_t influence_count;   /* joints a vertex; 0: no skin moves it */
-    const uint32_t* joints;     /* influence_count a vertex: indices into the skin's joints */
-    const float* joint_weights; /* influence_count a vertex, 0 or more; the host brings their sum to 1 */
+    /* What deforms the cage; a subdivider does not read it. */
+    uint32_t influence_count; /* joints of each vertex; 0: no skin deforms the cage */
+    const uint32_t* joints;   /* influence_count for each vertex: indices into the skin's joints */
+    const float*
+        joint_weights; /* influence_count for each vertex, 0 or more; the host divides by their sum */
     uint32_t morph_target_count;
     const float* morph_offsets; /* target after target, 3 a vertex, metres */
 } candela_cage;
 
-/* The joints that a cage's influences mean. */
+/* The joints that the influences of a cage refer to. */
 typedef struct candela_skin {
     uint32_t struct_size;
     const char* name;
     uint32_t joint_count;               /* 1 or more */
-    const int32_t* joints;              /* pushed nodes */
-    const float* inverse_bind_matrices; /* 16 a joint, column-major, affine; NULL: identity */
+    const int32_t* joints;              /* indices of added nodes */
+    const float* inverse_bind_matrices; /* 16 numbers for each joint, column-major, affine; NULL: identity */
 } candela_skin;
 
-/* That a node shows a cage. A skinned cage stands where its joints are, not where its node is. */
+/* An instance of a cage at a node. A skinned cage is placed by its joints and not by its node. */
 typedef struct candela_cage_instance {
     uint32_t struct_size;
-    int32_t node;                /* index of a pushed node; a node shows one cage at most */
-    int32_t cage;                /* index of a pushed cage */
-    int32_t skin;                /* index of a pushed skin, -1 for none */
+    int32_t node;                /* index of an added node; one cage instance a node at most */
+    int32_t cage;                /* index of an added cage */
+    int32_t skin;                /* index of an added skin, -1 for none */
     uint32_t morph_weight_count; /* the cage's morph_target_count, or 0: all weights are 0 */
     const float* morph_weights;
 } candela_cage_instance;
@@ -226,7 +230,7 @@ typedef struct candela_camera {
     const char* name;
     float vertical_fov; /* radians, over 0 and under pi */
     float near_plane;   /* metres, over 0; 0 for the host's default. The far plane is at infinity. */
-    int32_t node;       /* index of a pushed node whose frame the camera stands in, -1: the world's */
+    int32_t node;       /* index of an added node that places the camera, -1: the camera is in world space */
 } candela_camera;
 
 typedef enum candela_light_type {
@@ -240,34 +244,34 @@ typedef struct candela_light {
     uint32_t struct_size;
     const char* name;
     candela_light_type type;
-    float color[3];  /* linear Rec.709, 0 or more */
-    float intensity; /* candela for point and spot lights, lux for a directional light; 0 or more */
-    float range;     /* metres; 0: none given, so the renderer sets one from its irradiance threshold */
+    float color[3];         /* linear Rec.709, 0 or more */
+    float intensity;        /* candela for point and spot lights, lux for a directional light; 0 or more */
+    float range;            /* metres; 0: the renderer derives one from its irradiance threshold */
     float inner_cone_angle; /* spot: radians, 0 or more and less than outer_cone_angle */
     float outer_cone_angle; /* spot: radians, at most pi / 2 */
-    float position[3];      /* in the node's frame; directional: ignored */
-    float direction[3];     /* in the node's frame, any length but 0: where the light goes; point: ignored */
-    int32_t node;           /* index of a pushed node, -1: the world's frame */
+    float position[3];      /* in the node's space; directional: ignored */
+    float direction[3]; /* in the node's space, of any length but 0: where the light goes; point: ignored */
+    int32_t node;       /* index of an added node, -1: world space */
 } candela_light;
 
-/* A node of the hierarchy. Parents are pushed before their children. The local matrix is `matrix` where it is
+/* A node of the hierarchy. Parents are added before their children. The local matrix is `matrix` where it is
  * not NULL, and translation × rotation × scale otherwise. */
 typedef struct candela_node {
     uint32_t struct_size;
     const char* name;
-    int32_t parent; /* index of a pushed node, -1 for a root */
+    int32_t parent; /* index of an added node, -1 for a root */
     float translation[3];
     float rotation[4]; /* unit quaternion x, y, z, w */
     float scale[3];
     const float* matrix; /* 16 numbers, column-major, affine */
-    int32_t mesh;        /* index of a pushed mesh, -1 for none */
+    int32_t mesh;        /* index of an added mesh, -1 for none */
 } candela_node;
 
 typedef enum candela_animation_path {
     CANDELA_ANIMATE_TRANSLATION = 0, /* 3 numbers a key */
     CANDELA_ANIMATE_ROTATION = 1,    /* 4 numbers a key: quaternion x, y, z, w */
     CANDELA_ANIMATE_SCALE = 2,       /* 3 numbers a key */
-    /* since 1.1: as many numbers a key as the cage has morph targets that the node shows */
+    /* since 1.1: a number for each morph target of the node's cage */
     CANDELA_ANIMATE_MORPH_WEIGHTS = 3
 } candela_animation_path;
 
@@ -278,11 +282,11 @@ typedef enum candela_interpolation {
 } candela_interpolation;
 
 typedef struct candela_animation_channel {
-    int32_t node; /* index of a pushed node, without `matrix` unless the path is MORPH_WEIGHTS */
+    int32_t node; /* index of an added node, without `matrix` unless the path is MORPH_WEIGHTS */
     candela_animation_path path;
     candela_interpolation interpolation;
     uint32_t key_count;  /* 1 or more */
-    const float* times;  /* seconds, 0 or more, strictly growing */
+    const float* times;  /* seconds, 0 or more, strictly increasing */
     const float* values; /* key_count × numbers a key (× 3 for cubic splines) */
 } candela_animation_channel;
 
@@ -299,8 +303,12 @@ typedef struct candela_bytes {
     uint64_t size;
 } candela_bytes;
 
-/* What the host does for an importer. Each function takes the `self` of this struct. The add functions return
- * the index of the element (0, 1, 2, ... for each kind), or -1 when the host refuses it. */
+/* The body of a parallel loop. `index` is below the loop's count. `worker` is below the host's
+ * `worker_count` and differs between calls that run at the same time. The body must not throw. */
+typedef void (*candela_parallel_body)(void* context, uint32_t index, uint32_t worker);
+
+/* What the host does for an importer. Each function takes the `self` of this struct. The functions that add
+ * an element return its index (0, 1, 2, ... for each kind), or -1 when the host refuses it. */
 typedef struct candela_host {
     uint32_t struct_size;
     void* self;
@@ -312,10 +320,10 @@ typedef struct candela_host {
     /* Records why the import fails; `element` names the part at fault, such as "mesh 3 'wheel', primitive 0".
      */
     void (*fail)(void* self, const char* element, const char* reason);
-    /* Adds a line to the load report: something of the file that is not drawn or not used. */
+    /* Adds a line to the import report: something of the file that is not drawn or not used. */
     void (*note)(void* self, const char* text);
-    /* Tells how far the import is, 0 to 1. Anything but CANDELA_OK asks the importer to stop and return
-     * CANDELA_FAILED. */
+    /* Reports the progress of the import, 0 to 1. Anything but CANDELA_OK asks the importer to stop and
+     * return CANDELA_FAILED. */
     candela_status (*progress)(void* self, double fraction);
 
     int32_t (*add_image)(void* self, const candela_image* image);
@@ -329,36 +337,43 @@ typedef struct candela_host {
     /* since 1.1 */
     int32_t (*add_cage)(void* self, const candela_cage* cage);
     int32_t (*add_skin)(void* self, const candela_skin* skin);
-    candela_status (*show_cage)(void* self, const candela_cage_instance* shown);
+    candela_status (*add_cage_instance)(void* self, const candela_cage_instance* instance);
+
+    /* since 1.2 */
+    uint32_t
+        worker_count; /* the largest number of calls that `parallel_for` runs at the same time; 1 or more */
+    /* Calls `body(context, index, worker)` for each index below `count`, in no particular order, on the
+     * threads of the host. Returns when all calls have returned. */
+    void (*parallel_for)(void* self, uint32_t count, candela_parallel_body body, void* context);
 } candela_host;
 
 /* ---- The subdivider (since 1.1) */
-/* Sparse rows of weights: row r has the entries row_starts[r] to row_starts[r + 1] - 1. What a row makes is
- * the sum over its entries of weight × the cage's point (or texture coordinate) of that column. */
+/* Stencils: stencil i has the entries offsets[i] to offsets[i + 1] - 1. Its value is the sum over its entries
+ * of weight × control point (or texture coordinate of the cage). */
 typedef struct candela_stencil_table {
-    uint32_t row_count;
-    const uint32_t* row_starts; /* row_count + 1, the first one 0, none less than the one before */
-    const uint32_t* columns;    /* one an entry */
-    const float* weights;       /* the limit value */
-    const float* du_weights;    /* its derivative along the first parameter of the face */
-    const float* dv_weights;    /* its derivative along the second */
+    uint32_t stencil_count;
+    const uint32_t* offsets;         /* stencil_count + 1: the first one 0, not decreasing */
+    const uint32_t* control_indices; /* one an entry: a vertex of the cage, or one of its uvs */
+    const float* weights;            /* of the limit value */
+    const float* du_weights;         /* of its derivative along the first parameter of the face */
+    const float* dv_weights;         /* of its derivative along the second */
 } candela_stencil_table;
 
-/* A refined cage. It has `point_count` distinct limit points and `vertex_count` vertices to draw: vertex i
- * lies at point i for i < point_count; the others are twins, which share a point but not its tangents or
- * texture coordinates: they stand on the other side of a crease or of a texture seam. Faces that meet at an
- * edge name the same points along it. du × dv points outwards. */
+/* A refined cage. It has `point_count` distinct limit points and `vertex_count` vertices to draw. Vertex i
+ * lies at point i for i < point_count. The others are seam vertices: each shares the position of a point, but
+ * has tangents or texture coordinates of its own, on the other side of a crease or of a texture seam. Faces
+ * that meet at an edge have the same points along it. du × dv points outwards. */
 typedef struct candela_refined_cage {
     uint32_t struct_size;
     uint32_t point_count, vertex_count;
-    const uint32_t* seam_points;     /* vertex_count - point_count: the point of each twin */
-    candela_stencil_table positions; /* a row a vertex, of the cage's vertices; a twin takes the position of
-                                      its point and only the derivatives of its own row */
-    candela_stencil_table uvs; /* a row a vertex, of the cage's uvs; row_count 0 for a cage without uvs */
-    uint32_t face_size;        /* 4, or 3 for the Loop scheme */
+    const uint32_t* seam_points;     /* vertex_count - point_count: the point of each seam vertex */
+    candela_stencil_table positions; /* a stencil a vertex, of the cage's vertices; a seam vertex has the
+                                      * position of its point and only the derivatives of its own stencil */
+    candela_stencil_table uvs;       /* a stencil a vertex, of the cage's uvs; empty for a cage without uvs */
+    uint32_t face_size;              /* 4, or 3 for the Loop scheme */
     uint32_t face_count;
     const uint32_t* face_vertices; /* face_size a face, counter-clockwise */
-    const uint32_t* cage_faces;    /* the face of the cage that each stems from */
+    const uint32_t* cage_faces;    /* the face of the cage that each face is part of */
 } candela_refined_cage;
 
 /* What the host does for a subdivider. */
@@ -367,8 +382,11 @@ typedef struct candela_refinement {
     void* self;
     /* Records why the cage is rejected; `element` names the part at fault, such as "face 7" or "edge 3-8". */
     void (*fail)(void* self, const char* element, const char* reason);
-    /* Hands over the result, which the host checks and copies before it returns. Called once. */
-    candela_status (*deliver)(void* self, const candela_refined_cage* refined);
+    /* Sets the result, which the host checks and copies before it returns. Called once. */
+    candela_status (*set_result)(void* self, const candela_refined_cage* refined);
+    /* since 1.2: as those of candela_host */
+    uint32_t worker_count;
+    void (*parallel_for)(void* self, uint32_t count, candela_parallel_body body, void* context);
 } candela_refinement;
 
 typedef struct candela_subdivider {

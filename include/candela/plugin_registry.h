@@ -12,7 +12,7 @@
 
 namespace candela {
 
-/// What became of one file that the registry found.
+/// The result of loading one file that the registry found.
 enum class PluginState {
     loaded,
     notALibrary,     ///< The dynamic loader refuses the file.
@@ -23,7 +23,7 @@ enum class PluginState {
     duplicate,       ///< A plugin of that name was loaded before, from an earlier folder.
 };
 
-/// The state's name in words, such as "no entry point".
+/// The name of the state, such as "no entry point".
 CANDELA_API const char* toString(PluginState state);
 
 struct PluginReport {
@@ -32,13 +32,13 @@ struct PluginReport {
     std::string detail;                            ///< Why, in one line; empty when loaded.
     std::string name, version, description;        ///< Of the plugin, where its description could be read.
     std::vector<std::string> extensions, schemes;  ///< What its importer takes.
-    bool subdivides = false;                       ///< It offers a subdivider.
+    bool subdivides = false;                       ///< Whether it has a subdivider.
 };
 
 /// The plugins of this process. Searched in this order, the first plugin of a name wins: the folders given,
 /// those of `CANDELA_PLUGIN_PATH` (colon-separated), `candela-plugins` beside the library's file, the install
 /// folder. Never the working directory. Plugins stay loaded as long as the registry, or any copy of it,
-/// lives.
+/// lives. A registry that was moved from throws `Error` (badInput) when it is asked.
 class CANDELA_API PluginRegistry {
   public:
     /// Searches and loads. A folder named in `folders` or in the environment that does not exist throws
@@ -52,11 +52,13 @@ class CANDELA_API PluginRegistry {
     const candela_plugin* importerForExtension(const std::string& extension) const;
     /// The importer for a URI scheme (lower case), or nullptr.
     const candela_plugin* importerForScheme(const std::string& scheme) const;
-    /// The first plugin that refines cages, in search order; none where there is none.
+    /// The first plugin with a subdivider, in search order; none without one.
     std::optional<Subdivider> subdivider() const;
 
   private:
     struct State;
+    const State& state() const;
+
     std::shared_ptr<const State> state_;
 };
 

@@ -14,19 +14,22 @@ namespace candela {
 /// keep the plugin loaded.
 class CANDELA_API Subdivider {
   public:
-    /// The plugin's name.
+    /// The plugin's name. Throws `Error` (badInput) when this was moved from.
     const std::string& name() const;
 
-    /// Refines a cage that has passed `validate` to `level` (1 to `maxSubdivisionLevel`). What comes
-    /// back has been checked: sizes, indices, finite weights. May be called from several threads at once.
-    /// Throws `Error`: badInput that names the cage and its face, edge or vertex when the plugin rejects it;
-    /// limit when memory or 32-bit indices do not hold the result.
+    /// Refines a cage to `level`, 1 to `maxSubdivisionLevel`. The result has been checked: sizes, indices,
+    /// finite weights. May be called from several threads at once. Throws `Error`: badInput when the level is
+    /// out of range, when the cage breaks a rule of `validate` (materials are not looked at) or the plugin
+    /// rejects it, naming the cage and its face, edge or vertex; limit when memory or 32-bit indices do not
+    /// hold the result. A subdivider that was moved from throws badInput.
     RefinedCage refine(const Cage& cage, std::uint32_t level) const;
 
     struct State;  ///< Private to the library.
     explicit Subdivider(std::shared_ptr<const State> state);
 
   private:
+    const State& state() const;
+
     std::shared_ptr<const State> state_;
 };
 

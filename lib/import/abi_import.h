@@ -7,27 +7,33 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace candela {
 
 /// Takes a note for the load report.
 using NoteSink = std::function<void(const std::string&)>;
 
-// What a plugin pushed, checked and copied. The struct is the host's copy of this version's size; the arrays
-// and strings that it points to are the plugin's. `scene` is what was pushed so far: all indices have to lie
-// within. Each throws `Error` (badInput) that begins with the element.
+// Elements that a plugin adds, checked and copied. `source` is the host's copy of the struct, of this
+// version's size; the arrays and strings that it points to are the plugin's. Indices have to refer to
+// elements that `scene` has already. Each function throws `Error` (badInput) whose text begins with the
+// element.
 
-Image imageFrom(const candela_image& pushed, const AbiReader& element);
-Material materialFrom(const candela_material& pushed, const AbiReader& element, const Scene& scene);
-Mesh meshFrom(const candela_mesh& pushed, const AbiReader& element, const Scene& scene, const NoteSink& note);
-Cage cageFrom(const candela_cage& pushed, const AbiReader& element, const Scene& scene);
-Skin skinFrom(const candela_skin& pushed, const AbiReader& element, const Scene& scene);
-Node nodeFrom(const candela_node& pushed, const AbiReader& element, const Scene& scene);
-Camera cameraFrom(const candela_camera& pushed, const AbiReader& element, const Scene& scene);
-Light lightFrom(const candela_light& pushed, const AbiReader& element, const Scene& scene);
-Animation animationFrom(const candela_animation& pushed, const AbiReader& element, const Scene& scene);
+Image imageFrom(const candela_image& source, const AbiReader& element);
+Material materialFrom(const candela_material& source, const AbiReader& element, const Scene& scene);
+Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene& scene, const NoteSink& note);
+Cage cageFrom(const candela_cage& source, const AbiReader& element, const Scene& scene);
+Skin skinFrom(const candela_skin& source, const AbiReader& element, const Scene& scene);
+Node nodeFrom(const candela_node& source, const AbiReader& element, const Scene& scene);
+Camera cameraFrom(const candela_camera& source, const AbiReader& element, const Scene& scene);
+Light lightFrom(const candela_light& source, const AbiReader& element, const Scene& scene);
+Animation animationFrom(const candela_animation& source, const AbiReader& element, const Scene& scene);
 
-/// Lets the pushed node show the pushed cage.
-void showCage(const candela_cage_instance& pushed, Scene& scene);
+/// Adds an instance of a cage to its node.
+void addCageInstance(const candela_cage_instance& source, Scene& scene);
+
+/// Adds the attributes that a plugin may leave out: flat normals, and tangents for meshes with a normal
+/// texture. `notes` gets what could not be made.
+void addMissingAttributes(Scene& scene, std::vector<std::string>& notes);
 
 }  // namespace candela

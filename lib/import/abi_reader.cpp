@@ -1,22 +1,39 @@
 #include "import/abi_reader.h"
 
-#include "import/large_array.h"
-
 #include <candela/error.h>
 
+#include <sys/mman.h>
+#include <unistd.h>
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace candela {
+
+void adviseLargePages(void* memory, std::size_t bytes) noexcept {
+#if defined(MADV_HUGEPAGE)
+    // Two large pages of the usual size: at least one of them lies within.
+    constexpr std::size_t minBytes = std::size_t{4} << 20;
+    if (bytes < minBytes) return;
+    const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+    const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
+    const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
+    // Where the system refuses, copying only takes longer.
+    ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#else
+    static_cast<void>(memory);
+    static_cast<void>(bytes);
+#endif
+}
+
 namespace {
 
-constexpr std::size_t longestNameShown = 80;
-// Matrices that went through text or single-precision products end a little beside (0, 0, 0, 1).
+// What matrices need that were written as text, or multiplied in single precision.
 constexpr float affineTolerance = 1e-5f;
 
-// Without a branch at each number, so that the compiler makes vector code of it: a subdivider's tables have
-// many millions of numbers.
+// Without a branch for each number, so that the compiler vectorises it: the tables of a subdivider have many
+// millions of numbers.
 bool allAreFinite(const float* numbers, std::size_t count) {
     constexpr std::uint32_t exponent = 0x7F800000;
     std::uint32_t broken = 0;
@@ -32,14 +49,16 @@ bool allAreFinite(const float* numbers, std::size_t count) {
 AbiReader::AbiReader(const char* kind, std::optional<std::size_t> index, const char* name)
     : kind_(kind), index_(index), name_(validUtf8(name)) {}
 
+ErrorContext AbiReader::context() const {
+    return {kind_, index_, name_};
+}
+
 std::string AbiReader::label() const {
-    const std::string numbered = index_ ? joined(kind_, " ", *index_) : std::string(kind_);
-    if (name_.empty()) return numbered;
-    return joined(numbered, " '", oneLine(name_, longestNameShown), "'");
+    return context().label();
 }
 
 void AbiReader::refuse(const std::string& text) const {
-    throw Error(ErrorKind::badInput, "", label() + ": " + text);
+    context().refuse(text);
 }
 
 float AbiReader::finite(const char* member, float value) const {
@@ -105,7 +124,7 @@ std::optional<std::uint32_t> AbiReader::reference(const char* member, std::int32
                                                   std::size_t count) const {
     if (index == -1) return std::nullopt;
     if (index < 0 || static_cast<std::size_t>(index) >= count)
-        refuse(joined(member, " is ", index, ", but ", count, " were pushed so far and -1 is none"));
+        refuse(joined(member, " is ", index, ", but ", count, " were added so far and -1 is none"));
     return static_cast<std::uint32_t>(index);
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 
-#include "import/plugin_struct.h"
+#include "import/plugin_abi.h"
 #include "import/text.h"
+#include "scene/validate/error_context.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,13 +16,40 @@
 
 namespace candela {
 
-/// A pushed element as messages name it ("mesh 3 'wheel'"), with the checks that every kind of element needs.
-/// A check that fails throws `Error` (badInput) without a path; its text begins with the element.
+/// Asks the system to back memory that was not yet written to by large pages, where it is large enough for
+/// them: the page faults of small pages take longer than the copy. Does nothing where the system has no large
+/// pages.
+void adviseLargePages(void* memory, std::size_t bytes) noexcept;
+
+/// Reserves room for an array of up to many millions of elements that is filled next.
+template <class T>
+void reserveLarge(std::vector<T>& array, std::size_t count) {
+    array.clear();
+    array.reserve(count);
+    adviseLargePages(array.data(), count * sizeof(T));
+}
+
+/// Copies an array in blocks, and calls `visit(block, size)` for each of them while it is in the cache.
+template <class T, class Visit>
+void copyInBlocks(const T* from, std::size_t count, std::vector<T>& out, Visit visit) {
+    constexpr std::size_t blockSize = 8192;
+    reserveLarge(out, count);
+    for (std::size_t at = 0; at < count; at += blockSize) {
+        const std::size_t size = std::min(blockSize, count - at);
+        out.insert(out.end(), from + at, from + at + size);
+        visit(out.data() + at, size);
+    }
+}
+
+/// Reads the members of an element that a plugin adds ("mesh 3 'wheel'"), with the checks that every kind of
+/// element needs. A failed check throws `Error` (badInput) without a path; its text begins with the element.
 class AbiReader {
   public:
     /// Without an index the label is "cage 'body'".
     AbiReader(const char* kind, std::optional<std::size_t> index, const char* name);
 
+    /// As errors name the element. Valid as long as this.
+    ErrorContext context() const;
     std::string label() const;
     /// The element's name as valid UTF-8.
     const std::string& name() const { return name_; }
@@ -68,14 +98,14 @@ class AbiReader {
     /// The last row of `matrix` has to be 0, 0, 0, 1 but for rounding, and is so exactly in what is returned.
     glm::mat4 affine(const std::string& member, glm::mat4 matrix) const;
 
-    /// An index into `count` pushed elements of a kind ("material"); -1 is none.
+    /// An index of one of the `count` elements of a kind that were added so far; -1 is none.
     std::optional<std::uint32_t> reference(const char* member, std::int32_t index, std::size_t count) const;
 
   private:
     void requireFinite(const char* member, const float* numbers, std::size_t count,
                        std::size_t components) const;
 
-    // The label is made when it is needed: most elements of a scene with a million lights are never named.
+    // The label is made on demand: of a million lights hardly one is ever named.
     const char* kind_;
     std::optional<std::size_t> index_;
     std::string name_;

@@ -18,7 +18,7 @@ namespace candela {
 namespace fs = std::filesystem;
 namespace {
 
-// glTF's binary container ends at 4 GiB. The limit keeps a sparse file of petabytes from taking all memory.
+// glTF's binary container ends at 4 GiB. The limit protects memory from huge sparse files.
 constexpr std::int64_t maxFileBytes = std::int64_t{16} << 30;
 
 class Descriptor {
@@ -43,9 +43,8 @@ std::string systemMessage(int error) {
     throw Error(kind, "", joined("file '", oneLine(path), "': ", text));
 }
 
-// A first look at the letters of the path alone, for the clearest message. Links are judged on the opened
-// file.
-void checkLetters(const std::string& path) {
+// Checks the text of the path alone, for the clearest message. Links are checked on the opened file.
+void checkText(const std::string& path) {
     if (path.empty()) refuse(ErrorKind::badInput, path, "the path is empty");
     if (path.front() == '/')
         refuse(ErrorKind::badInput, path,
@@ -81,9 +80,9 @@ FileAccess::Bytes readAll(int descriptor, std::size_t size, const std::string& p
     return bytes;
 }
 
-// The file is opened only by name at first (O_PATH), which touches no device and waits for no pipe. What was
-// opened is judged by where it lies and what it is, and that same file is then opened for reading: nobody can
-// put another in its place in between.
+// The file is first opened without reading (O_PATH), which touches no device and waits for no pipe. Its path
+// and type are checked, and the same file is then opened for reading, so that it cannot be replaced in
+// between.
 FileAccess::Bytes readWithin(int folder, const std::string& path) {
     const Descriptor named(::openat(folder, path.c_str(), O_PATH | O_CLOEXEC));
     if (named.number() < 0) refuse(ErrorKind::environment, path, systemMessage(errno));
@@ -118,7 +117,7 @@ FileAccess::~FileAccess() {
 std::span<const std::byte> FileAccess::read(const std::string& path) {
     auto file = files_.find(path);
     if (file == files_.end()) {
-        checkLetters(path);
+        checkText(path);
         file = files_.emplace(path, readWithin(folder_, path)).first;
     }
     return {file->second.data.get(), file->second.size};

@@ -9,8 +9,8 @@
 
 namespace candela {
 
-/// Reads the files of one scene's folder and of nothing beyond it. What was read is kept until the object
-/// dies, and a file asked for twice is read once.
+/// Reads the files of one scene's folder, and no others. Each file is read once, and kept until the object is
+/// destroyed.
 class FileAccess {
   public:
     /// Throws `Error` (environment) when the folder can not be opened.
@@ -24,15 +24,14 @@ class FileAccess {
     /// file; environment when the file is absent or can not be read; limit when it is too large.
     std::span<const std::byte> read(const std::string& path);
 
-    /// The bytes of a file. An array and not a vector, which would write zeros over it all before it is read
-    /// into.
+    /// The bytes of a file. An array and not a vector, which would first fill it with zeros.
     struct Bytes {
         std::unique_ptr<std::byte[]> data;
         std::size_t size = 0;
     };
 
   private:
-    int folder_ = -1;  // Descriptor of the folder: it can be renamed, but not exchanged under us.
+    int folder_ = -1;  // A descriptor, so that the folder can be renamed, but not replaced.
     std::map<std::string, Bytes> files_;
 };
 

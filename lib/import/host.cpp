@@ -1,6 +1,8 @@
 #include "import/host.h"
 
+#include "base/thread_pool.h"
 #include "import/abi_import.h"
+#include "import/plugin_abi.h"
 #include "import/text.h"
 
 #include <candela/error.h>
@@ -22,8 +24,7 @@ std::string textOr(const char* text, const char* otherwise) {
     return text && *text ? oneLine(text) : std::string(otherwise);
 }
 
-// The failure that is in flight, as the caller is to see it: with the URI, and never a bare standard
-// exception.
+// The exception in flight as the caller gets it: an `Error` with the URI.
 std::exception_ptr currentFailure(const std::string& uri, const char* what) noexcept {
     try {
         try {
@@ -58,7 +59,7 @@ void ImportHost::record(std::exception_ptr failure) noexcept {
     if (!failure_) failure_ = std::move(failure);
 }
 
-// Runs an action on behalf of the plugin. After the first failure nothing runs any more.
+// Runs an action of the plugin. After the first failure it runs none.
 template <class Action>
 bool ImportHost::guarded(const char* what, Action action) noexcept {
     if (failure_) return false;
@@ -71,29 +72,29 @@ bool ImportHost::guarded(const char* what, Action action) noexcept {
     }
 }
 
-template <class Pushed, class Element, class Convert>
-std::int32_t ImportHost::add(const char* kind, const Pushed* pushed, std::vector<Element>& elements,
+template <class Source, class Element, class Convert>
+std::int32_t ImportHost::add(const char* kind, const Source* source, std::vector<Element>& elements,
                              Convert convert) noexcept {
     const std::size_t index = elements.size();
     const bool added = guarded(kind, [&] {
         if (index >= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
             throw Error(ErrorKind::limit, uri_,
                         joined("there are more than ", index, " elements of the kind ", kind));
-        if (!pushed) AbiReader(kind, index, nullptr).refuse("the pushed struct is NULL");
-        const auto copy = copyOf(pushed);
-        if (!copy) AbiReader(kind, index, nullptr).refuse("struct_size " + sizeFault(pushed));
+        if (!source) AbiReader(kind, index, nullptr).refuse("the struct is NULL");
+        const auto copy = copyOf(source);
+        if (!copy) AbiReader(kind, index, nullptr).refuse("struct_size " + sizeFault(source));
         elements.push_back(convert(*copy, AbiReader(kind, index, copy->name)));
     });
     return added ? static_cast<std::int32_t>(index) : -1;
 }
 
-candela_status ImportHost::showCage(const candela_cage_instance* shown) noexcept {
-    const bool done = guarded("showing a cage", [&] {
-        const AbiReader call("show_cage", std::nullopt, nullptr);
-        if (!shown) call.refuse("the pushed struct is NULL");
-        const auto copy = copyOf(shown);
-        if (!copy) call.refuse("struct_size " + sizeFault(shown));
-        candela::showCage(*copy, scene_);
+candela_status ImportHost::addCageInstance(const candela_cage_instance* instance) noexcept {
+    const bool done = guarded("a cage instance", [&] {
+        const AbiReader call("add_cage_instance", std::nullopt, nullptr);
+        if (!instance) call.refuse("the struct is NULL");
+        const auto copy = copyOf(instance);
+        if (!copy) call.refuse("struct_size " + sizeFault(instance));
+        candela::addCageInstance(*copy, scene_);
     });
     return done ? CANDELA_OK : CANDELA_FAILED;
 }
@@ -113,8 +114,8 @@ candela_status ImportHost::readFile(const char* path, candela_bytes* out) noexce
     return done ? CANDELA_OK : CANDELA_FAILED;
 }
 
-// True to go on. What the caller's own callback throws is handed on to the caller as it is.
-bool ImportHost::askedToGoOn(double fraction) noexcept {
+// False: cancelled. What the caller's own callback throws reaches the caller unchanged.
+bool ImportHost::continues(double fraction) noexcept {
     try {
         return !progress_ || progress_(fraction);
     } catch (...) {
@@ -124,13 +125,13 @@ bool ImportHost::askedToGoOn(double fraction) noexcept {
 }
 
 candela_status ImportHost::progress(double fraction) noexcept {
-    const bool goOn = guarded("the progress of the import", [&] {
+    const bool proceed = guarded("the progress of the import", [&] {
         if (!(fraction >= 0.0 && fraction <= 1.0))
             throw Error(ErrorKind::badInput, uri_,
-                        joined("progress: ", fraction, " was told, but 0 to 1 was expected"));
-        if (!askedToGoOn(fraction)) throw Error(ErrorKind::cancelled, uri_, "the import was cancelled");
+                        joined("progress: ", fraction, " was reported, but 0 to 1 was expected"));
+        if (!continues(fraction)) throw Error(ErrorKind::cancelled, uri_, "the import was cancelled");
     });
-    return goOn ? CANDELA_OK : CANDELA_FAILED;
+    return proceed ? CANDELA_OK : CANDELA_FAILED;
 }
 
 void ImportHost::fail(const char* element, const char* reason) noexcept {
@@ -147,15 +148,15 @@ void ImportHost::note(const std::string& text) {
         ++notesLeftOut_;
 }
 
-// The C functions of the table. Each turns `self` back into the object.
+// The C functions of the interface. `self` is the object.
 struct ImportHost::Functions {
     static ImportHost& from(void* self) { return *static_cast<ImportHost*>(self); }
 
-    // A conversion that checks its indices against what was pushed so far.
-    template <class Element, class Pushed>
-    static auto inScene(void* self, Element (*convert)(const Pushed&, const AbiReader&, const Scene&)) {
-        return [self, convert](const Pushed& pushed, const AbiReader& element) {
-            return convert(pushed, element, from(self).scene_);
+    // A conversion that checks its indices against the elements added so far.
+    template <class Element, class Source>
+    static auto inScene(void* self, Element (*convert)(const Source&, const AbiReader&, const Scene&)) {
+        return [self, convert](const Source& source, const AbiReader& element) {
+            return convert(source, element, from(self).scene_);
         };
     }
 
@@ -177,8 +178,8 @@ struct ImportHost::Functions {
         return from(self).add("material", material, from(self).scene_.materials, inScene(self, materialFrom));
     }
     static std::int32_t addMesh(void* self, const candela_mesh* mesh) {
-        const auto convert = [&](const candela_mesh& pushed, const AbiReader& element) {
-            return meshFrom(pushed, element, from(self).scene_,
+        const auto convert = [&](const candela_mesh& source, const AbiReader& element) {
+            return meshFrom(source, element, from(self).scene_,
                             [&](const std::string& text) { from(self).note(text); });
         };
         return from(self).add("mesh", mesh, from(self).scene_.meshes, convert);
@@ -203,8 +204,12 @@ struct ImportHost::Functions {
     static std::int32_t addSkin(void* self, const candela_skin* skin) {
         return from(self).add("skin", skin, from(self).scene_.skins, inScene(self, skinFrom));
     }
-    static candela_status showCage(void* self, const candela_cage_instance* shown) {
-        return from(self).showCage(shown);
+    static candela_status addCageInstance(void* self, const candela_cage_instance* instance) {
+        return from(self).addCageInstance(instance);
+    }
+
+    static void parallelFor(void* self, std::uint32_t count, candela_parallel_body body, void* context) {
+        runParallelLoop(*from(self).pool_, count, body, context);
     }
 
     static candela_host table(ImportHost* self) {
@@ -224,13 +229,18 @@ struct ImportHost::Functions {
         host.add_animation = addAnimation;
         host.add_cage = addCage;
         host.add_skin = addSkin;
-        host.show_cage = showCage;
+        host.add_cage_instance = addCageInstance;
+        host.worker_count = self->pool_->size();
+        host.parallel_for = parallelFor;
         return host;
     }
 };
 
 ImportHost::ImportHost(std::string uri, std::unique_ptr<FileAccess> files, ImportProgress progress)
-    : uri_(std::move(uri)), files_(std::move(files)), progress_(std::move(progress)) {
+    : uri_(std::move(uri)),
+      files_(std::move(files)),
+      progress_(std::move(progress)),
+      pool_(ThreadPool::shared()) {
     interface_ = Functions::table(this);
 }
 

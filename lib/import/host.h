@@ -14,21 +14,22 @@
 
 namespace candela {
 
-/// What stands behind `candela_host` for one import. It checks and copies what the plugin pushes, and keeps
-/// the first thing that goes wrong; from then on it refuses everything. No exception leaves the functions of
+class ThreadPool;
+
+/// Implements `candela_host` for one import. It checks and copies the elements that the plugin adds, and
+/// keeps the first failure; from then on it refuses everything. No exception leaves the functions of
 /// `interface()`.
 class ImportHost {
   public:
-    /// `files` is null for a procedural scene, which has no folder. `uri` is what errors name as the file at
-    /// fault.
+    /// `files` is null for a procedural scene, which has no folder. Errors name `uri` as the file at fault.
     ImportHost(std::string uri, std::unique_ptr<FileAccess> files, ImportProgress progress);
     ImportHost(const ImportHost&) = delete;
     ImportHost& operator=(const ImportHost&) = delete;
 
     const candela_host& interface() const { return interface_; }
 
-    /// Throws what went wrong first: an `Error` that names the URI, or what the caller's own progress
-    /// callback threw. Does nothing when all went well.
+    /// Throws the first failure: an `Error` that names the URI, or what the caller's progress callback threw.
+    /// Does nothing without a failure.
     void rethrowFailure() const;
 
     Scene takeScene() { return std::move(scene_); }
@@ -39,13 +40,13 @@ class ImportHost {
 
     template <class Action>
     bool guarded(const char* what, Action action) noexcept;
-    template <class Pushed, class Element, class Convert>
-    std::int32_t add(const char* kind, const Pushed* pushed, std::vector<Element>& elements,
+    template <class Source, class Element, class Convert>
+    std::int32_t add(const char* kind, const Source* source, std::vector<Element>& elements,
                      Convert convert) noexcept;
 
-    candela_status showCage(const candela_cage_instance* shown) noexcept;
+    candela_status addCageInstance(const candela_cage_instance* instance) noexcept;
     candela_status readFile(const char* path, candela_bytes* out) noexcept;
-    bool askedToGoOn(double fraction) noexcept;
+    bool continues(double fraction) noexcept;
     candela_status progress(double fraction) noexcept;
     void fail(const char* element, const char* reason) noexcept;
     void note(const std::string& text);
@@ -58,6 +59,7 @@ class ImportHost {
     std::vector<std::string> notes_;
     std::size_t notesLeftOut_ = 0;
     std::exception_ptr failure_;
+    std::shared_ptr<ThreadPool> pool_;
     candela_host interface_{};
 };
 

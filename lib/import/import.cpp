@@ -1,7 +1,7 @@
 #include <candela/import.h>
 
+#include "import/abi_import.h"
 #include "import/file_access.h"
-#include "import/finish_scene.h"
 #include "import/host.h"
 #include "import/scene_source.h"
 #include "import/text.h"
@@ -22,8 +22,7 @@ std::unique_ptr<FileAccess> filesOf(const SceneSource& source) {
     throw Error(ErrorKind::badInput, uri, joined("the plugin '", source.plugin->name, "' ", how));
 }
 
-// A plugin must not throw. Where it does all the same and the exception can be caught, it is an error like
-// others.
+// A plugin must not throw. An exception that can be caught becomes an error like others.
 void callImporter(const SceneSource& source, const std::string& uri, const ImportHost& host) {
     candela_request request{};
     request.struct_size = sizeof request;

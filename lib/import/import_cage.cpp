@@ -1,15 +1,54 @@
 #include "import/abi_import.h"
-#include "import/import_cage_deformation.h"
 
 #include <candela/error.h>
 
 #include <array>
 #include <limits>
+#include <span>
+#include <utility>
 
 namespace candela {
 namespace {
 
-void takeRules(const candela_cage& pushed, const AbiReader& element, Cage& cage) {
+void normalizeWeights(std::span<float> weights, std::size_t vertex, const AbiReader& element) {
+    double sum = 0.0;
+    for (const float weight : weights) {
+        if (weight < 0.0f)
+            element.refuse(
+                joined("vertex ", vertex, " has the joint weight ", weight, ", but 0 or more was expected"));
+        sum += double{weight};
+    }
+    if (!(sum > 0.0)) element.refuse(joined("vertex ", vertex, " has joint weights that are all 0"));
+    for (float& weight : weights) weight = static_cast<float>(double{weight} / sum);
+}
+
+// The joints and weights of all vertices; the weights of each vertex are normalised.
+void takeInfluences(const candela_cage& source, const AbiReader& element, Cage& cage) {
+    const std::size_t each = source.influence_count, vertices = cage.positions.size();
+    element.counts("joints", source.joints, each * vertices, cage.joints);
+    element.numbers("joint_weight", source.joint_weights, each * vertices, cage.jointWeights);
+    cage.influenceCount = source.influence_count;
+    if (each == 0) return;
+    for (std::size_t vertex = 0; vertex < vertices; ++vertex)
+        normalizeWeights(std::span(cage.jointWeights).subspan(vertex * each, each), vertex, element);
+}
+
+void takeMorphTargets(const candela_cage& source, const AbiReader& element, Cage& cage) {
+    const std::size_t count = source.morph_target_count, vertices = cage.positions.size();
+    if (count == 0) return;
+    if (vertices == 0)
+        element.refuse(joined("morph_target_count is ", count, ", but there are no vertices to move"));
+    if (!source.morph_offsets)
+        element.refuse(joined("morph_offsets is NULL, but morph_target_count is ", count));
+    for (std::size_t target = 0; target < count; ++target) {
+        const std::string member = joined("morph target ", target, ": offset");
+        cage.morphTargets.emplace_back();
+        element.numbers(member.c_str(), source.morph_offsets + target * vertices * 3, vertices,
+                        cage.morphTargets.back().offsets);
+    }
+}
+
+void takeRules(const candela_cage& source, const AbiReader& element, Cage& cage) {
     constexpr std::array schemes{SubdivisionScheme::catmullClark, SubdivisionScheme::loop,
                                  SubdivisionScheme::bilinear};
     constexpr std::array boundaries{BoundaryInterpolation::none, BoundaryInterpolation::edges,
@@ -20,19 +59,20 @@ void takeRules(const candela_cage& pushed, const AbiReader& element, Cage& cage)
         FaceVaryingInterpolation::boundaries,   FaceVaryingInterpolation::all};
     constexpr std::array creaseMethods{CreaseMethod::uniform, CreaseMethod::chaikin};
     constexpr std::array triangleRules{TriangleSubdivision::catmullClark, TriangleSubdivision::smooth};
-    const auto chosen = [&](const char* member, const auto& value, const auto& choices) {
-        return choices[element.enumerator(member, value, static_cast<std::uint32_t>(choices.size()))];
+    const auto translated = [&](const char* member, const auto& value, const auto& enumerators) {
+        return enumerators[element.enumerator(member, value, static_cast<std::uint32_t>(enumerators.size()))];
     };
-    cage.scheme = chosen("scheme", pushed.scheme, schemes);
-    cage.boundaryInterpolation = chosen("boundary_interpolation", pushed.boundary_interpolation, boundaries);
+    cage.scheme = translated("scheme", source.scheme, schemes);
+    cage.boundaryInterpolation =
+        translated("boundary_interpolation", source.boundary_interpolation, boundaries);
     cage.faceVaryingInterpolation =
-        chosen("face_varying_interpolation", pushed.face_varying_interpolation, faceVaryings);
-    cage.creaseMethod = chosen("crease_method", pushed.crease_method, creaseMethods);
-    cage.triangleSubdivision = chosen("triangle_subdivision", pushed.triangle_subdivision, triangleRules);
-    if (pushed.level > maxSubdivisionLevel)
+        translated("face_varying_interpolation", source.face_varying_interpolation, faceVaryings);
+    cage.creaseMethod = translated("crease_method", source.crease_method, creaseMethods);
+    cage.triangleSubdivision = translated("triangle_subdivision", source.triangle_subdivision, triangleRules);
+    if (source.level > maxSubdivisionLevel)
         element.refuse(
-            joined("level is ", pushed.level, ", but 0 to ", maxSubdivisionLevel, " was expected"));
-    if (pushed.level > 0) cage.level = pushed.level;
+            joined("level is ", source.level, ", but 0 to ", maxSubdivisionLevel, " was expected"));
+    if (source.level > 0) cage.level = source.level;
 }
 
 // Refuses a corner whose index is not below `count`; of several faults the first is named.
@@ -48,13 +88,13 @@ void checkCorners(const std::vector<std::uint32_t>& indices, std::uint32_t count
 
 // Returns the number of all corners. A face with more corners than there are vertices would pass twice
 // through one of them.
-std::uint64_t takeFaceSizes(const candela_cage& pushed, const AbiReader& element, Cage& cage) {
-    element.counts("face_sizes", pushed.face_sizes, pushed.face_count, cage.faceSizes);
+std::uint64_t takeFaceSizes(const candela_cage& source, const AbiReader& element, Cage& cage) {
+    element.counts("face_sizes", source.face_sizes, source.face_count, cage.faceSizes);
     std::uint64_t corners = 0;
     for (std::size_t face = 0; face < cage.faceSizes.size(); ++face) {
         const std::uint32_t size = cage.faceSizes[face];
-        if (size < 3 || size > pushed.vertex_count)
-            element.refuse(joined("face ", face, " has ", size, " corners, but 3 to ", pushed.vertex_count,
+        if (size < 3 || size > source.vertex_count)
+            element.refuse(joined("face ", face, " has ", size, " corners, but 3 to ", source.vertex_count,
                                   ", the number of vertices, were expected"));
         corners += size;
     }
@@ -65,14 +105,14 @@ std::uint64_t takeFaceSizes(const candela_cage& pushed, const AbiReader& element
     return corners;
 }
 
-void takeFaces(const candela_cage& pushed, const AbiReader& element, Cage& cage) {
-    const std::uint64_t corners = takeFaceSizes(pushed, element, cage);
-    element.counts("face_vertices", pushed.face_vertices, corners, cage.faceVertices);
-    checkCorners(cage.faceVertices, pushed.vertex_count, "vertex", element, cage);
-    if (pushed.uv_count == 0) return;
-    element.numbers("uv", pushed.uvs, pushed.uv_count, cage.uvs);
-    element.counts("face_uvs", pushed.face_uvs, corners, cage.faceUvs);
-    checkCorners(cage.faceUvs, pushed.uv_count, "uv", element, cage);
+void takeFaces(const candela_cage& source, const AbiReader& element, Cage& cage) {
+    const std::uint64_t corners = takeFaceSizes(source, element, cage);
+    element.counts("face_vertices", source.face_vertices, corners, cage.faceVertices);
+    checkCorners(cage.faceVertices, source.vertex_count, "vertex", element, cage);
+    if (source.uv_count == 0) return;
+    element.numbers("uv", source.uvs, source.uv_count, cage.uvs);
+    element.counts("face_uvs", source.face_uvs, corners, cage.faceUvs);
+    checkCorners(cage.faceUvs, source.uv_count, "uv", element, cage);
 }
 
 void checkVertex(std::uint32_t vertex, const char* what, std::size_t index, const AbiReader& element,
@@ -82,12 +122,12 @@ void checkVertex(std::uint32_t vertex, const char* what, std::size_t index, cons
             joined(what, " ", index, " names vertex ", vertex, ", but there are ", cage.positions.size()));
 }
 
-void takeCreases(const candela_cage& pushed, const AbiReader& element, Cage& cage) {
+void takeCreases(const candela_cage& source, const AbiReader& element, Cage& cage) {
     std::vector<std::uint32_t> ends;
     std::vector<float> sharpness;
-    element.counts("crease_edges", pushed.crease_edges, 2 * std::size_t{pushed.crease_count}, ends);
-    element.numbers("crease_sharpness", pushed.crease_sharpness, pushed.crease_count, sharpness);
-    for (std::size_t i = 0; i < pushed.crease_count; ++i) {
+    element.counts("crease_edges", source.crease_edges, 2 * std::size_t{source.crease_count}, ends);
+    element.numbers("crease_sharpness", source.crease_sharpness, source.crease_count, sharpness);
+    for (std::size_t i = 0; i < source.crease_count; ++i) {
         const Crease crease{ends[2 * i], ends[2 * i + 1], sharpness[i]};
         checkVertex(crease.vertex0, "crease", i, element, cage);
         checkVertex(crease.vertex1, "crease", i, element, cage);
@@ -98,12 +138,12 @@ void takeCreases(const candela_cage& pushed, const AbiReader& element, Cage& cag
     }
 }
 
-void takeCorners(const candela_cage& pushed, const AbiReader& element, Cage& cage) {
+void takeCorners(const candela_cage& source, const AbiReader& element, Cage& cage) {
     std::vector<std::uint32_t> vertices;
     std::vector<float> sharpness;
-    element.counts("corner_vertices", pushed.corner_vertices, pushed.corner_count, vertices);
-    element.numbers("corner_sharpness", pushed.corner_sharpness, pushed.corner_count, sharpness);
-    for (std::size_t i = 0; i < pushed.corner_count; ++i) {
+    element.counts("corner_vertices", source.corner_vertices, source.corner_count, vertices);
+    element.numbers("corner_sharpness", source.corner_sharpness, source.corner_count, sharpness);
+    for (std::size_t i = 0; i < source.corner_count; ++i) {
         checkVertex(vertices[i], "corner", i, element, cage);
         if (sharpness[i] < 0.0f)
             element.refuse(joined("vertex ", vertices[i], ": its sharpness is ", sharpness[i],
@@ -112,20 +152,20 @@ void takeCorners(const candela_cage& pushed, const AbiReader& element, Cage& cag
     }
 }
 
-void takeHoles(const candela_cage& pushed, const AbiReader& element, Cage& cage) {
-    element.counts("holes", pushed.holes, pushed.hole_count, cage.holes);
+void takeHoles(const candela_cage& source, const AbiReader& element, Cage& cage) {
+    element.counts("holes", source.holes, source.hole_count, cage.holes);
     for (std::size_t i = 0; i < cage.holes.size(); ++i)
-        if (cage.holes[i] >= pushed.face_count)
+        if (cage.holes[i] >= source.face_count)
             element.refuse(
-                joined("hole ", i, " is face ", cage.holes[i], ", but there are ", pushed.face_count));
+                joined("hole ", i, " is face ", cage.holes[i], ", but there are ", source.face_count));
 }
 
-void takeMaterials(const candela_cage& pushed, const AbiReader& element, const Scene& scene, Cage& cage) {
-    if (!pushed.face_materials) return;
-    cage.faceMaterials.resize(pushed.face_count);
-    for (std::uint32_t face = 0; face < pushed.face_count; ++face) {
-        const std::int32_t index = pushed.face_materials[face];
-        // Named only where it is at fault: there may be millions of faces.
+void takeMaterials(const candela_cage& source, const AbiReader& element, const Scene& scene, Cage& cage) {
+    if (!source.face_materials) return;
+    cage.faceMaterials.resize(source.face_count);
+    for (std::uint32_t face = 0; face < source.face_count; ++face) {
+        const std::int32_t index = source.face_materials[face];
+        // The label is made only for a fault: there may be millions of faces.
         if (index < -1 || index >= static_cast<std::int64_t>(scene.materials.size()))
             element.reference(joined("face ", face, ": material").c_str(), index, scene.materials.size());
         if (index >= 0) cage.faceMaterials[face] = static_cast<std::uint32_t>(index);
@@ -134,19 +174,80 @@ void takeMaterials(const candela_cage& pushed, const AbiReader& element, const S
 
 }  // namespace
 
-Cage cageFrom(const candela_cage& pushed, const AbiReader& element, const Scene& scene) {
+Cage cageFrom(const candela_cage& source, const AbiReader& element, const Scene& scene) {
     Cage cage;
     cage.name = element.name();
-    takeRules(pushed, element, cage);
-    element.numbers("position", pushed.positions, pushed.vertex_count, cage.positions);
-    takeFaces(pushed, element, cage);
-    takeCreases(pushed, element, cage);
-    takeCorners(pushed, element, cage);
-    takeHoles(pushed, element, cage);
-    takeMaterials(pushed, element, scene, cage);
-    takeInfluences(pushed, element, cage);
-    takeMorphTargets(pushed, element, cage);
+    takeRules(source, element, cage);
+    element.numbers("position", source.positions, source.vertex_count, cage.positions);
+    takeFaces(source, element, cage);
+    takeCreases(source, element, cage);
+    takeCorners(source, element, cage);
+    takeHoles(source, element, cage);
+    takeMaterials(source, element, scene, cage);
+    takeInfluences(source, element, cage);
+    takeMorphTargets(source, element, cage);
     return cage;
+}
+
+namespace {
+
+AbiReader cageElement(const Scene& scene, std::uint32_t index) {
+    return {"cage", index, scene.cages[index].name.c_str()};
+}
+
+void takeMorphWeights(const candela_cage_instance& source, const AbiReader& node, const Cage& cage,
+                      const std::string& cageLabel, CageInstance& instance) {
+    if (source.morph_weight_count == 0) return;
+    if (source.morph_weight_count != cage.morphTargets.size())
+        node.refuse(joined("morph_weight_count is ", source.morph_weight_count, ", but ", cageLabel, " has ",
+                           cage.morphTargets.size(), " morph targets"));
+    node.numbers("morph_weight", source.morph_weights, source.morph_weight_count, instance.morphWeights);
+}
+
+}  // namespace
+
+void addCageInstance(const candela_cage_instance& source, Scene& scene) {
+    const AbiReader call("add_cage_instance", std::nullopt, nullptr);
+    const auto index = call.reference("node", source.node, scene.nodes.size());
+    if (!index) call.refuse("node is -1, but a node was expected");
+    Node& node = scene.nodes[*index];
+    const AbiReader element("node", *index, node.name.c_str());
+    const auto cageIndex = element.reference("cage", source.cage, scene.cages.size());
+    if (!cageIndex) element.refuse("cage is -1, but a cage was expected");
+    if (node.cage)
+        element.refuse(joined("it has an instance of ", cageElement(scene, node.cage->cage).label(),
+                              " already, and can not have another"));
+    const Cage& cage = scene.cages[*cageIndex];
+    const std::string cageLabel = cageElement(scene, *cageIndex).label();
+    CageInstance instance;
+    instance.cage = *cageIndex;
+    instance.skin = element.reference("skin", source.skin, scene.skins.size());
+    takeMorphWeights(source, element, cage, cageLabel, instance);
+    node.cage = std::move(instance);
+}
+
+Skin skinFrom(const candela_skin& source, const AbiReader& element, const Scene& scene) {
+    Skin skin;
+    skin.name = element.name();
+    const std::uint32_t count = source.joint_count;
+    if (count == 0) element.refuse("joint_count is 0, but 1 or more was expected");
+    if (!source.joints) element.refuse(joined("joints is NULL, but joint_count is ", count));
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::string member = joined("joint ", i);
+        const auto node = element.reference(member.c_str(), source.joints[i], scene.nodes.size());
+        if (!node) element.refuse(member + " is -1, but a node was expected");
+        skin.joints.push_back(*node);
+    }
+    if (!source.inverse_bind_matrices) {
+        skin.inverseBindMatrices.assign(count, glm::mat4(1.0f));
+        return skin;
+    }
+    element.numbers("inverse_bind_matrix", source.inverse_bind_matrices, count, skin.inverseBindMatrices);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        glm::mat4& matrix = skin.inverseBindMatrices[i];
+        matrix = element.affine(joined("inverse_bind_matrix ", i), matrix);
+    }
+    return skin;
 }
 
 }  // namespace candela

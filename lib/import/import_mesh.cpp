@@ -1,42 +1,166 @@
 #include "import/abi_import.h"
-#include "import/import_polygons.h"
-#include "import/mesh_repair.h"
 
+#include "import/abi_reader.h"
+#include "scene/geometry/normals.h"
+#include "scene/geometry/perpendicular.h"
+#include "scene/geometry/tangents.h"
+#include "scene/geometry/triangulate.h"
+
+#include <candela/error.h>
+#include <candela/mesh.h>
+#include <candela/plugin.h>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <optional>
+#include <vector>
 
 namespace candela {
 namespace {
 
-void takeVertices(const candela_mesh& pushed, const AbiReader& element, Mesh& mesh) {
-    const std::uint32_t count = pushed.vertex_count;
-    element.numbers("position", pushed.positions, count, mesh.positions);
+/// The faces of a mesh that has `face_sizes`. Corners are counted face after face.
+class PolygonFaces {
+  public:
+    /// Refuses faces of less than three corners, and sizes that do not add up to index_count.
+    PolygonFaces(const candela_mesh& source, const AbiReader& element);
+
+    /// Triangulates the faces. The mesh's indices are a vertex a corner, and in range.
+    void triangulateFaces(Mesh& mesh) const;
+
+    /// `run`, whose corners have to begin and end between two faces, in indices of the triangulated mesh.
+    /// Messages call it `label`: "submesh 0".
+    Submesh translated(const Submesh& run, const std::string& label) const;
+
+  private:
+    std::uint32_t faceBeginningAt(std::uint64_t corner, const std::string& what) const;
+    std::uint32_t indexOf(std::uint32_t face) const;
+
+    const AbiReader& element_;
+    std::vector<std::uint32_t> starts_;  // The first corner of each face, and the number of all corners.
+};
+
+PolygonFaces::PolygonFaces(const candela_mesh& source, const AbiReader& element) : element_(element) {
+    starts_.reserve(std::size_t{source.face_count} + 1);
+    std::uint64_t end = 0;
+    for (std::uint32_t face = 0; face < source.face_count; ++face) {
+        const std::uint32_t size = source.face_sizes[face];
+        if (size < 3)
+            element.refuse(joined("face ", face, " has ", size, " corners, but 3 or more were expected"));
+        starts_.push_back(static_cast<std::uint32_t>(end));
+        end += size;
+        // A larger `end` does not fit `starts_`.
+        if (end > source.index_count) break;
+    }
+    if (end != source.index_count)
+        element.refuse(joined("its face_sizes add up to ", end > source.index_count ? "more than " : "",
+                              std::min<std::uint64_t>(end, source.index_count), ", but index_count is ",
+                              source.index_count));
+    starts_.push_back(source.index_count);
+    if (3 * (end - 2 * std::uint64_t{source.face_count}) > std::numeric_limits<std::uint32_t>::max())
+        throw Error(ErrorKind::limit, "",
+                    element.label() + ": triangulated it has more indices than 32 bits can count");
+}
+
+void PolygonFaces::triangulateFaces(Mesh& mesh) const {
+    const auto faces = static_cast<std::uint32_t>(starts_.size() - 1);
+    std::vector<std::uint32_t> cut, triangles;
+    std::vector<glm::vec3> corners;
+    cut.reserve(indexOf(faces));
+    for (std::uint32_t face = 0; face < faces; ++face) {
+        const std::uint32_t* vertices = mesh.indices.data() + starts_[face];
+        corners.clear();
+        triangles.clear();
+        for (std::uint32_t i = 0; i < starts_[face + 1] - starts_[face]; ++i)
+            corners.push_back(mesh.positions[vertices[i]]);
+        triangulate(corners, triangles);
+        for (const std::uint32_t corner : triangles) cut.push_back(vertices[corner]);
+    }
+    mesh.indices = std::move(cut);
+}
+
+// A face of n corners is n - 2 triangles.
+std::uint32_t PolygonFaces::indexOf(std::uint32_t face) const {
+    return 3 * (starts_[face] - 2 * face);
+}
+
+std::uint32_t PolygonFaces::faceBeginningAt(std::uint64_t corner, const std::string& what) const {
+    const auto after = std::upper_bound(starts_.begin(), starts_.end(), corner);
+    const auto face = static_cast<std::uint32_t>(after - starts_.begin() - 1);
+    if (starts_[face] != corner)
+        element_.refuse(joined(what, corner, ", which is within face ", face, ", but a border was expected"));
+    return face;
+}
+
+Submesh PolygonFaces::translated(const Submesh& run, const std::string& label) const {
+    const std::uint64_t end = std::uint64_t{run.firstIndex} + run.indexCount;
+    if (end > starts_.back())
+        element_.refuse(
+            joined(label, " ends at index ", end, ", but there are ", starts_.back(), " indices"));
+    const std::uint32_t first = indexOf(faceBeginningAt(run.firstIndex, label + " begins at index "));
+    const std::uint32_t last = indexOf(faceBeginningAt(end, label + " ends at index "));
+    return {first, last - first, run.material};
+}
+
+// Lengths are computed in double precision, where the square of no float overflows or vanishes.
+
+// Normalises the normals. One of length 0 becomes the normal of a face that uses the vertex. Returns the
+// number of those.
+std::size_t repairNormals(Mesh& mesh) {
+    if (mesh.normals.empty()) return 0;
+    const std::size_t replaced = replaceZeroNormals(mesh);
+    for (glm::vec3& normal : mesh.normals) normal = glm::vec3(glm::normalize(glm::dvec3(normal)));
+    return replaced;
+}
+
+// Normalises the tangents, and sets their signs to -1 or 1 (0 counts as 1). One of length 0 becomes a
+// direction perpendicular to the normal, which has unit length. Returns the number of those.
+std::size_t repairTangents(Mesh& mesh) {
+    std::size_t replaced = 0;
+    for (std::size_t i = 0; i < mesh.tangents.size(); ++i) {
+        glm::vec4& tangent = mesh.tangents[i];
+        glm::dvec3 direction(tangent);
+        if (!(glm::length(direction) > 0.0)) {
+            direction = anyPerpendicular(glm::dvec3(mesh.normals[i]));
+            ++replaced;
+        }
+        tangent = glm::vec4(glm::vec3(glm::normalize(direction)), tangent.w < 0.0f ? -1.0f : 1.0f);
+    }
+    return replaced;
+}
+
+void takeVertices(const candela_mesh& source, const AbiReader& element, Mesh& mesh) {
+    const std::uint32_t count = source.vertex_count;
+    element.numbers("position", source.positions, count, mesh.positions);
     const auto takeOptional = [&](const char* member, const float* from, auto& to) {
         if (from) element.numbers(member, from, count, to);
     };
-    takeOptional("normal", pushed.normals, mesh.normals);
-    takeOptional("tangent", pushed.tangents, mesh.tangents);
-    takeOptional("uv0", pushed.uv0, mesh.uv0);
-    takeOptional("uv1", pushed.uv1, mesh.uv1);
-    takeOptional("color", pushed.colors, mesh.colors);
+    takeOptional("normal", source.normals, mesh.normals);
+    takeOptional("tangent", source.tangents, mesh.tangents);
+    takeOptional("uv0", source.uv0, mesh.uv0);
+    takeOptional("uv1", source.uv1, mesh.uv1);
+    takeOptional("color", source.colors, mesh.colors);
 }
 
-void checkCounts(const candela_mesh& pushed, const AbiReader& element) {
-    const std::uint32_t count = pushed.index_count;
-    if (count > 0 && !pushed.indices) element.refuse(joined("indices is NULL, but index_count is ", count));
-    if (pushed.face_sizes) return;
+void checkCounts(const candela_mesh& source, const AbiReader& element) {
+    const std::uint32_t count = source.index_count;
+    if (count > 0 && !source.indices) element.refuse(joined("indices is NULL, but index_count is ", count));
+    if (source.face_sizes) return;
     if (count % 3 != 0)
         element.refuse(joined("index_count is ", count, ", but a multiple of 3 was expected"));
-    if (pushed.face_count > 0 && pushed.face_count != count / 3)
+    if (source.face_count > 0 && source.face_count != count / 3)
         element.refuse(joined("face_sizes is NULL, which makes ", count / 3, " triangles, but face_count is ",
-                              pushed.face_count));
+                              source.face_count));
 }
 
-void takeIndices(const candela_mesh& pushed, const AbiReader& element, Mesh& mesh) {
-    element.counts("indices", pushed.indices, pushed.index_count, mesh.indices);
+void takeIndices(const candela_mesh& source, const AbiReader& element, Mesh& mesh) {
+    element.counts("indices", source.indices, source.index_count, mesh.indices);
     for (std::size_t i = 0; i < mesh.indices.size(); ++i)
-        if (mesh.indices[i] >= pushed.vertex_count)
+        if (mesh.indices[i] >= source.vertex_count)
             element.refuse(joined("index ", i, " is ", mesh.indices[i], ", but there are ",
-                                  pushed.vertex_count, " vertices"));
+                                  source.vertex_count, " vertices"));
 }
 
 void checkRun(const Submesh& run, const std::string& label, const AbiReader& element,
@@ -52,36 +176,42 @@ void checkRun(const Submesh& run, const std::string& label, const AbiReader& ele
         element.refuse(joined(label, " ends at index ", end, ", but there are ", indexCount, " indices"));
 }
 
-void takeSubmeshes(const candela_mesh& pushed, const AbiReader& element, const Scene& scene,
-                   const std::optional<PushedPolygons>& polygons, Mesh& mesh) {
-    if (pushed.submesh_count > 0 && !pushed.submeshes)
-        element.refuse(joined("submeshes is NULL, but submesh_count is ", pushed.submesh_count));
-    if (pushed.submesh_count == 0 && pushed.index_count > 0)
-        element.refuse(joined("no submesh draws its ", pushed.index_count, " indices"));
-    for (std::uint32_t i = 0; i < pushed.submesh_count; ++i) {
+// What a mesh without submeshes is drawn as: all of it, with the default material.
+Submesh wholeMesh(const candela_mesh& source, const std::optional<PolygonFaces>& polygons) {
+    const Submesh whole{0, source.index_count, std::nullopt};
+    return polygons ? polygons->translated(whole, "the mesh") : whole;
+}
+
+void takeSubmeshes(const candela_mesh& source, const AbiReader& element, const Scene& scene,
+                   const std::optional<PolygonFaces>& polygons, Mesh& mesh) {
+    if (source.submesh_count > 0 && !source.submeshes)
+        element.refuse(joined("submeshes is NULL, but submesh_count is ", source.submesh_count));
+    if (source.submesh_count == 0 && source.index_count > 0)
+        mesh.submeshes.push_back(wholeMesh(source, polygons));
+    for (std::uint32_t i = 0; i < source.submesh_count; ++i) {
         const std::string label = joined("submesh ", i), member = label + ": material";
         candela_submesh from{};
-        std::memcpy(&from, pushed.submeshes + i, sizeof from);
+        std::memcpy(&from, source.submeshes + i, sizeof from);
         const Submesh run{from.first_index, from.index_count,
                           element.reference(member.c_str(), from.material, scene.materials.size())};
-        if (!polygons) checkRun(run, label, element, pushed.index_count);
+        if (!polygons) checkRun(run, label, element, source.index_count);
         mesh.submeshes.push_back(polygons ? polygons->translated(run, label) : run);
     }
 }
 
 }  // namespace
 
-Mesh meshFrom(const candela_mesh& pushed, const AbiReader& element, const Scene& scene,
+Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene& scene,
               const NoteSink& note) {
     Mesh mesh;
     mesh.name = element.name();
-    takeVertices(pushed, element, mesh);
-    checkCounts(pushed, element);
-    std::optional<PushedPolygons> polygons;
-    if (pushed.face_sizes) polygons.emplace(pushed, element);
-    takeIndices(pushed, element, mesh);
-    takeSubmeshes(pushed, element, scene, polygons, mesh);
-    if (polygons) polygons->cut(mesh);
+    takeVertices(source, element, mesh);
+    checkCounts(source, element);
+    std::optional<PolygonFaces> polygons;
+    if (source.face_sizes) polygons.emplace(source, element);
+    takeIndices(source, element, mesh);
+    takeSubmeshes(source, element, scene, polygons, mesh);
+    if (polygons) polygons->triangulateFaces(mesh);
     const auto noteCount = [&](std::size_t count, const char* text) {
         if (count > 0) note(joined(element.label(), ": ", count, text));
     };
@@ -89,10 +219,48 @@ Mesh meshFrom(const candela_mesh& pushed, const AbiReader& element, const Scene&
               " normals of length 0 were replaced by the normal of a face that uses them");
     if (mesh.normals.empty() && !mesh.tangents.empty()) {
         mesh.tangents.clear();
-        note(element.label() + ": its tangents are not used, for it has no normals");
+        note(element.label() + ": its tangents are not used: it has no normals");
     }
     noteCount(repairTangents(mesh), " tangents of length 0 were replaced by one perpendicular to the normal");
     return mesh;
+}
+
+namespace {
+
+// The texture coordinates that the normal textures of a mesh use; none without such a texture. Where two
+// materials of a mesh differ, the first one counts: a vertex has only one tangent.
+std::optional<std::uint32_t> normalTextureUvSet(const Scene& scene, const Mesh& mesh) {
+    for (const Submesh& submesh : mesh.submeshes) {
+        if (!submesh.material) continue;
+        const auto& texture = scene.materials[*submesh.material].normalTexture;
+        if (texture) return texture->uvSet;
+    }
+    return std::nullopt;
+}
+
+void fillWithPerpendiculars(Mesh& mesh) {
+    for (const glm::vec3& normal : mesh.normals)
+        mesh.tangents.emplace_back(glm::vec3(anyPerpendicular(glm::dvec3(normal))), 1.0f);
+}
+
+void addTangents(const Scene& scene, std::size_t index, Mesh& mesh, std::vector<std::string>& notes) {
+    const auto uvSet = normalTextureUvSet(scene, mesh);
+    if (!uvSet || !mesh.tangents.empty() || mesh.positions.empty()) return;
+    if (!(*uvSet == 0 ? mesh.uv0 : mesh.uv1).empty()) return makeTangents(mesh, *uvSet);
+    fillWithPerpendiculars(mesh);
+    notes.push_back(joined(AbiReader("mesh", index, mesh.name.c_str()).label(),
+                           ": its normal texture shows one texel: the mesh has no texture coordinates ",
+                           *uvSet));
+}
+
+}  // namespace
+
+void addMissingAttributes(Scene& scene, std::vector<std::string>& notes) {
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+        Mesh& mesh = scene.meshes[i];
+        if (mesh.normals.empty() && !mesh.positions.empty()) makeFlatNormals(mesh);
+        addTangents(scene, i, mesh, notes);
+    }
 }
 
 }  // namespace candela

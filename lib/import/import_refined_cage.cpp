@@ -1,6 +1,6 @@
 #include "import/import_refined_cage.h"
 
-#include "import/large_array.h"
+#include "import/abi_reader.h"
 
 #include <candela/error.h>
 
@@ -11,34 +11,33 @@ namespace candela {
 namespace {
 
 // A member that messages name: "positions.weights".
-std::string memberOf(const char* rows, const char* member) {
-    return joined(rows, ".", member);
+std::string memberOf(const char* table, const char* member) {
+    return joined(table, ".", member);
 }
 
-// Copies indices, which have to be below `end`. The greatest is found without a branch at each: tables have
-// many millions of them.
+// Copies indices, which have to be below `end`. The maximum is found without a branch for each of them:
+// tables have many millions of entries.
 void takeIndices(const std::uint32_t* from, std::size_t count, std::size_t end, const std::string& member,
                  const char* what, const AbiReader& element, std::vector<std::uint32_t>& out) {
     element.present(member.c_str(), from, count);
-    std::uint32_t greatest = 0;
-    copyInBlocks(from, count, out, [&greatest](const std::uint32_t* block, std::size_t size) {
-        for (std::size_t i = 0; i < size; ++i) greatest = std::max(greatest, block[i]);
+    std::uint32_t maximum = 0;
+    copyInBlocks(from, count, out, [&maximum](const std::uint32_t* block, std::size_t size) {
+        for (std::size_t i = 0; i < size; ++i) maximum = std::max(maximum, block[i]);
     });
-    if (count == 0 || greatest < end) return;
+    if (count == 0 || maximum < end) return;
     const auto beyond =
         std::find_if(out.begin(), out.end(), [end](std::uint32_t index) { return index >= end; });
     element.refuse(
         joined(member, " ", beyond - out.begin(), " is ", *beyond, ", but there are ", end, " ", what));
 }
 
-void takeStarts(const candela_stencil_table& delivered, const char* rows, std::uint32_t vertexCount,
-                const AbiReader& element, StencilTable& table) {
-    if (delivered.row_count != vertexCount)
-        element.refuse(joined(memberOf(rows, "row_count"), " is ", delivered.row_count, ", but ", vertexCount,
-                              " vertices need a row each"));
-    const std::string member = memberOf(rows, "row_starts");
-    element.counts(member.c_str(), delivered.row_starts, std::size_t{delivered.row_count} + 1,
-                   table.rowStarts);
+void takeOffsets(const candela_stencil_table& source, const char* name, std::uint32_t vertexCount,
+                 const AbiReader& element, StencilTable& table) {
+    if (source.stencil_count != vertexCount)
+        element.refuse(joined(memberOf(name, "stencil_count"), " is ", source.stencil_count, ", but ",
+                              vertexCount, " vertices need a stencil each"));
+    const std::string member = memberOf(name, "offsets");
+    element.counts(member.c_str(), source.offsets, std::size_t{source.stencil_count} + 1, table.rowStarts);
     if (table.rowStarts.front() != 0)
         element.refuse(joined(member, " 0 is ", table.rowStarts.front(), ", but 0 was expected"));
     const auto falling = std::is_sorted_until(table.rowStarts.begin(), table.rowStarts.end());
@@ -47,38 +46,38 @@ void takeStarts(const candela_stencil_table& delivered, const char* rows, std::u
                               ", but no less than the one before it, ", *(falling - 1), ", was expected"));
 }
 
-StencilTable stencilTableFrom(const candela_stencil_table& delivered, const char* rows,
-                              std::uint32_t vertexCount, std::size_t columnCount, const char* columns,
+StencilTable stencilTableFrom(const candela_stencil_table& source, const char* name,
+                              std::uint32_t vertexCount, std::size_t controlCount, const char* controls,
                               const AbiReader& element) {
     StencilTable table;
-    takeStarts(delivered, rows, vertexCount, element, table);
+    takeOffsets(source, name, vertexCount, element, table);
     const std::size_t entries = table.rowStarts.back();
-    takeIndices(delivered.columns, entries, columnCount, memberOf(rows, "columns"), columns, element,
-                table.columns);
-    element.numbers(memberOf(rows, "weights").c_str(), delivered.weights, entries, table.weights);
-    element.numbers(memberOf(rows, "du_weights").c_str(), delivered.du_weights, entries, table.duWeights);
-    element.numbers(memberOf(rows, "dv_weights").c_str(), delivered.dv_weights, entries, table.dvWeights);
+    takeIndices(source.control_indices, entries, controlCount, memberOf(name, "control_indices"), controls,
+                element, table.columns);
+    element.numbers(memberOf(name, "weights").c_str(), source.weights, entries, table.weights);
+    element.numbers(memberOf(name, "du_weights").c_str(), source.du_weights, entries, table.duWeights);
+    element.numbers(memberOf(name, "dv_weights").c_str(), source.dv_weights, entries, table.dvWeights);
     return table;
 }
 
-void takeVertices(const candela_refined_cage& delivered, const AbiReader& element, RefinedCage& refined) {
-    if (delivered.point_count > delivered.vertex_count)
-        element.refuse(joined("point_count is ", delivered.point_count, ", but there are ",
-                              delivered.vertex_count, " vertices"));
-    refined.pointCount = delivered.point_count;
-    takeIndices(delivered.seam_points, delivered.vertex_count - delivered.point_count, delivered.point_count,
+void takeVertices(const candela_refined_cage& source, const AbiReader& element, RefinedCage& refined) {
+    if (source.point_count > source.vertex_count)
+        element.refuse(joined("point_count is ", source.point_count, ", but there are ", source.vertex_count,
+                              " vertices"));
+    refined.pointCount = source.point_count;
+    takeIndices(source.seam_points, source.vertex_count - source.point_count, source.point_count,
                 "seam_points", "points", element, refined.seamPoints);
 }
 
-void takeTables(const candela_refined_cage& delivered, const AbiReader& element, const Cage& cage,
+void takeTables(const candela_refined_cage& source, const AbiReader& element, const Cage& cage,
                 RefinedCage& refined) {
-    refined.positions = stencilTableFrom(delivered.positions, "positions", delivered.vertex_count,
+    refined.positions = stencilTableFrom(source.positions, "positions", source.vertex_count,
                                          cage.positions.size(), "vertices of the cage", element);
     if (!cage.uvs.empty())
-        refined.uvs = stencilTableFrom(delivered.uvs, "uvs", delivered.vertex_count, cage.uvs.size(),
+        refined.uvs = stencilTableFrom(source.uvs, "uvs", source.vertex_count, cage.uvs.size(),
                                        "texture coordinates of the cage", element);
-    else if (delivered.uvs.row_count != 0)
-        element.refuse(joined("uvs.row_count is ", delivered.uvs.row_count,
+    else if (source.uvs.stencil_count != 0)
+        element.refuse(joined("uvs.stencil_count is ", source.uvs.stencil_count,
                               ", but the cage has no texture coordinates"));
 }
 
@@ -92,30 +91,29 @@ void refuseHoles(const RefinedCage& refined, const AbiReader& element, const Cag
                               ", which is a hole of the cage"));
 }
 
-void takeFaces(const candela_refined_cage& delivered, const AbiReader& element, const Cage& cage,
+void takeFaces(const candela_refined_cage& source, const AbiReader& element, const Cage& cage,
                RefinedCage& refined) {
-    if (delivered.face_size != 3 && delivered.face_size != 4)
-        element.refuse(joined("face_size is ", delivered.face_size, ", but 3 or 4 was expected"));
-    const std::uint64_t corners = std::uint64_t{delivered.face_count} * delivered.face_size;
+    if (source.face_size != 3 && source.face_size != 4)
+        element.refuse(joined("face_size is ", source.face_size, ", but 3 or 4 was expected"));
+    const std::uint64_t corners = std::uint64_t{source.face_count} * source.face_size;
     if (corners > std::numeric_limits<std::uint32_t>::max())
         throw Error(ErrorKind::limit, "",
                     joined(element.label(), ": it has ", corners, " corners, more than 32 bits can count"));
-    refined.faceSize = delivered.face_size;
-    takeIndices(delivered.face_vertices, corners, delivered.vertex_count, "face_vertices", "vertices",
-                element, refined.faceVertices);
-    takeIndices(delivered.cage_faces, delivered.face_count, cage.faceSizes.size(), "cage_faces",
+    refined.faceSize = source.face_size;
+    takeIndices(source.face_vertices, corners, source.vertex_count, "face_vertices", "vertices", element,
+                refined.faceVertices);
+    takeIndices(source.cage_faces, source.face_count, cage.faceSizes.size(), "cage_faces",
                 "faces of the cage", element, refined.cageFaces);
     if (!cage.holes.empty()) refuseHoles(refined, element, cage);
 }
 
 }  // namespace
 
-RefinedCage refinedCageFrom(const candela_refined_cage& delivered, const AbiReader& element,
-                            const Cage& cage) {
+RefinedCage refinedCageFrom(const candela_refined_cage& source, const AbiReader& element, const Cage& cage) {
     RefinedCage refined;
-    takeVertices(delivered, element, refined);
-    takeTables(delivered, element, cage, refined);
-    takeFaces(delivered, element, cage, refined);
+    takeVertices(source, element, refined);
+    takeTables(source, element, cage, refined);
+    takeFaces(source, element, cage, refined);
     return refined;
 }
 

@@ -8,10 +8,9 @@
 
 namespace candela {
 
-/// What a subdivider delivered for `cage`, checked and copied; the level is left to the caller. Throws
-/// `Error`: badInput that begins with `element`; limit when the faces have more corners than 32 bits can
-/// count.
-RefinedCage refinedCageFrom(const candela_refined_cage& delivered, const AbiReader& element,
-                            const Cage& cage);
+/// What a subdivider has set as the result for `cage`, checked and copied; the level is left to the caller.
+/// Throws `Error`: badInput that begins with `element`; limit when the faces have more corners than 32 bits
+/// can count.
+RefinedCage refinedCageFrom(const candela_refined_cage& source, const AbiReader& element, const Cage& cage);
 
 }  // namespace candela

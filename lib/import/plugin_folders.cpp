@@ -20,7 +20,7 @@ namespace {
 constexpr const char* environmentName = "CANDELA_PLUGIN_PATH";
 constexpr const char* folderName = "candela-plugins";
 
-// Empty parts are skipped: elsewhere they stand for the working directory, which is never searched.
+// Empty parts, which elsewhere mean the working directory, are skipped: it is never searched.
 std::vector<fs::path> environmentFolders() {
     std::vector<fs::path> folders;
     const char* value = std::getenv(environmentName);
@@ -30,9 +30,8 @@ std::vector<fs::path> environmentFolders() {
     return folders;
 }
 
-// The file of this process that holds this very function. The kernel's map of the process is asked and not
-// dladdr: dladdr repeats the name that the library was opened by, which may be relative to a working
-// directory of the past.
+// The file of the library or program with this function, from the memory map of the process: dladdr gives the
+// name that the library was opened with, which may be relative to an earlier working directory.
 std::optional<fs::path> libraryFile() {
     const auto here = reinterpret_cast<std::uintptr_t>(&libraryFile);
     std::ifstream maps("/proc/self/maps");

@@ -5,17 +5,17 @@
 
 namespace candela {
 
-/// Where plugins may lie, each kind in the order it is searched.
+/// The folders of plugins, by source.
 struct PluginFolders {
     std::vector<std::filesystem::path> given;        ///< By the caller; each has to exist.
     std::vector<std::filesystem::path> environment;  ///< Of CANDELA_PLUGIN_PATH; each has to exist.
-    std::vector<std::filesystem::path> standard;     ///< Beside the library, installed; may be absent.
+    std::vector<std::filesystem::path> standard;     ///< Beside the library, and installed; may be absent.
 };
 
 /// The folders of this process, with those that the caller gives.
 PluginFolders processPluginFolders(const std::vector<std::filesystem::path>& given);
 
-/// The folders to search: absolute, in order, each only once however often and by whatever links it is named.
+/// The folders to search: absolute, in order, without duplicates, also by links.
 /// Throws `Error` (environment) when one that has to exist does not or is not a folder.
 std::vector<std::filesystem::path> searchOrder(const PluginFolders& folders);
 

@@ -2,8 +2,9 @@
 
 #include "import/plugin_file.h"
 #include "import/plugin_folders.h"
-#include "import/subdivider_state.h"
 #include "import/text.h"
+
+#include <candela/error.h>
 
 #include <algorithm>
 #include <map>
@@ -35,7 +36,7 @@ const char* toString(PluginState state) {
 struct PluginRegistry::State {
     std::vector<PluginReport> reports;
     std::vector<std::shared_ptr<const LoadedPlugin>> plugins;
-    // The first plugin that takes an ending or a scheme keeps it.
+    // The first plugin with an ending or a scheme gets it.
     std::map<std::string, const candela_plugin*> byExtension, byScheme;
 
     void add(PluginFile file) {
@@ -75,22 +76,30 @@ PluginRegistry::PluginRegistry(const std::vector<fs::path>& folders) {
     state_ = std::move(state);
 }
 
+const PluginRegistry::State& PluginRegistry::state() const {
+    if (state_) return *state_;
+    throw Error(ErrorKind::badInput, "",
+                "the plugin registry was moved from, but one with plugins was expected");
+}
+
 const std::vector<PluginReport>& PluginRegistry::reports() const {
-    return state_->reports;
+    return state().reports;
 }
 
 const candela_plugin* PluginRegistry::importerForExtension(const std::string& extension) const {
-    const auto found = state_->byExtension.find(extension);
-    return found == state_->byExtension.end() ? nullptr : found->second;
+    const auto& importers = state().byExtension;
+    const auto found = importers.find(extension);
+    return found == importers.end() ? nullptr : found->second;
 }
 
 const candela_plugin* PluginRegistry::importerForScheme(const std::string& scheme) const {
-    const auto found = state_->byScheme.find(scheme);
-    return found == state_->byScheme.end() ? nullptr : found->second;
+    const auto& importers = state().byScheme;
+    const auto found = importers.find(scheme);
+    return found == importers.end() ? nullptr : found->second;
 }
 
 std::optional<Subdivider> PluginRegistry::subdivider() const {
-    for (const auto& plugin : state_->plugins)
+    for (const auto& plugin : state().plugins)
         if (plugin->plugin.subdivider) return Subdivider(std::make_shared<Subdivider::State>(plugin));
     return std::nullopt;
 }

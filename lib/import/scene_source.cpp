@@ -19,7 +19,7 @@ struct SchemeAndRest {
     std::string scheme, rest;
 };
 
-// RFC 3986, 3.1, but of two or more characters.
+// RFC 3986, 3.1, with two or more characters.
 std::optional<SchemeAndRest> splitScheme(const std::string& uri) {
     const std::size_t colon = uri.find(':');
     if (colon == std::string::npos || colon < 2) return std::nullopt;
@@ -31,17 +31,17 @@ std::optional<SchemeAndRest> splitScheme(const std::string& uri) {
 }
 
 // "the plugins loaded take .glb, .gltf and plaza:"
-std::string whatIsTaken(const PluginRegistry& plugins) {
-    std::set<std::string> taken;
+std::string supportedSources(const PluginRegistry& plugins) {
+    std::set<std::string> supported;
     for (const PluginReport& report : plugins.reports()) {
         if (report.state != PluginState::loaded) continue;
-        for (const std::string& extension : report.extensions) taken.insert("." + extension);
-        for (const std::string& scheme : report.schemes) taken.insert(scheme + ":");
+        for (const std::string& extension : report.extensions) supported.insert("." + extension);
+        for (const std::string& scheme : report.schemes) supported.insert(scheme + ":");
     }
-    if (taken.empty()) return "no plugin is loaded";
+    if (supported.empty()) return "no plugin is loaded";
     std::string list;
-    std::size_t left = taken.size();
-    for (const std::string& entry : taken) {
+    std::size_t left = supported.size();
+    for (const std::string& entry : supported) {
         if (!list.empty()) list += left == 1 ? " and " : ", ";
         list += entry;
         --left;
@@ -54,7 +54,7 @@ SceneSource schemeSource(const PluginRegistry& plugins, const std::string& uri, 
     if (!plugin)
         throw Error(ErrorKind::unsupported, uri,
                     joined("there is no such file, and no plugin takes the scheme '", parts.scheme, ":'; ",
-                           whatIsTaken(plugins)));
+                           supportedSources(plugins)));
     return {plugin, {}, parts.rest, std::nullopt};
 }
 
@@ -62,12 +62,12 @@ const candela_plugin* importerFor(const PluginRegistry& plugins, const std::stri
     const std::string ending = fs::path(uri).extension().string();
     if (ending.size() < 2)
         throw Error(ErrorKind::unsupported, uri,
-                    "the file's name has no ending that tells its format; " + whatIsTaken(plugins));
+                    "the file's name has no ending that tells its format; " + supportedSources(plugins));
     const candela_plugin* plugin = plugins.importerForExtension(lowerCase(ending.substr(1)));
     if (!plugin)
         throw Error(
             ErrorKind::unsupported, uri,
-            joined("no plugin takes files ending in '", oneLine(ending), "'; ", whatIsTaken(plugins)));
+            joined("no plugin takes files ending in '", oneLine(ending), "'; ", supportedSources(plugins)));
     return plugin;
 }
 

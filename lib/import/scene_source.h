@@ -8,7 +8,7 @@
 
 namespace candela {
 
-/// Where a scene comes from, and who reads it.
+/// The source of a scene, and the plugin that reads it.
 struct SceneSource {
     const candela_plugin* plugin = nullptr;
     std::filesystem::path folder;  ///< The scene file's folder; empty for a procedural scene.
@@ -16,11 +16,11 @@ struct SceneSource {
     std::optional<std::string> query;  ///< What follows the '?' behind a file's name.
 };
 
-/// Finds what `uri` means. A file of that very name wins over a scheme, and a single letter before a colon is
-/// no scheme. Where there is no file of that name, but the name holds a '?', and there is a file of the name
-/// before the last one, then it means this file, with a query. A file that is itself a symbolic link counts
-/// as lying where the link leads. Throws `Error`: environment when there is no such file, badInput when it is
-/// no regular file, unsupported when no plugin takes it, or takes no query.
+/// Finds the source of `uri`. A file of exactly this name has precedence over a scheme, and a single letter
+/// before a colon is no scheme. Without a file of this name, what precedes the last '?' may be one, and the
+/// rest is its query. The folder of a symbolic link is that of its target. Throws `Error`: environment when
+/// there is no such file, badInput when it is no regular file, unsupported when no plugin takes it, or takes
+/// no query.
 SceneSource findSource(const PluginRegistry& plugins, const std::string& uri);
 
 }  // namespace candela

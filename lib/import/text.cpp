@@ -11,7 +11,7 @@ bool isBetween(unsigned char byte, unsigned low, unsigned high) {
 }
 
 // The length of the well-formed UTF-8 sequence that `text` begins with, 0 when there is none. The second byte
-// has a narrower range after some first bytes: that shuts out overlong forms, surrogates and what is beyond
+// has a narrower range after some first bytes: that excludes overlong forms, surrogates and what is beyond
 // U+10FFFF.
 std::size_t sequenceLength(std::string_view text) {
     const auto byteAt = [&](std::size_t i) {
@@ -59,8 +59,7 @@ std::string validUtf8(std::string_view text) {
 
 std::string oneLine(std::string_view text, std::size_t maxBytes) {
     std::string line = validUtf8(text.substr(0, maxBytes));
-    // A cut through a sequence leaves up to three bytes that validUtf8 has replaced; they are not worth more
-    // care.
+    // Cutting inside a sequence leaves up to three bytes, which validUtf8 has replaced.
     if (text.size() > maxBytes) line += "...";
     std::replace_if(line.begin(), line.end(), isControl, ' ');
     return line;

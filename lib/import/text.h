@@ -7,8 +7,8 @@
 
 namespace candela {
 
-/// The parts one after the other as text; numbers with 6 significant digits at most for fractions, never with
-/// the marks of a locale.
+/// The parts as text, concatenated. Floating-point numbers have at most 6 significant digits; the locale does
+/// not matter.
 template <class... Parts>
 std::string joined(const Parts&... parts) {
     std::ostringstream stream;
@@ -26,7 +26,7 @@ std::string validUtf8(std::string_view text);
 /// cut off and shown as "...".
 std::string oneLine(std::string_view text, std::size_t maxBytes = 2000);
 
-/// ASCII letters made small, everything else kept; independent of the locale.
+/// ASCII letters in lower case, everything else unchanged; independent of the locale.
 std::string lowerCase(std::string_view text);
 
 }  // namespace candela

@@ -1,12 +1,12 @@
 #include "failure.h"
 
-namespace candela_importers {
+namespace candela_plugins {
 
 std::string readable(const std::string& text) {
-    constexpr std::size_t longest = 80;
+    constexpr std::size_t maxBytes = 80;
     std::string line = text;
-    if (line.size() > longest) {
-        std::size_t end = longest;
+    if (line.size() > maxBytes) {
+        std::size_t end = maxBytes;
         // A cut inside a UTF-8 sequence would make the message unreadable.
         while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0u) == 0x80u) --end;
         line = line.substr(0, end) + "...";
@@ -23,4 +23,4 @@ std::string elementName(const char* noun, std::size_t index, const std::string& 
     return text;
 }
 
-}  // namespace candela_importers
+}  // namespace candela_plugins

@@ -1,31 +1,55 @@
 #pragma once
 
+#include <candela/plugin.h>
+
 #include <cstddef>
 #include <cstdint>
+#include <exception>
+#include <new>
 #include <string>
 
-namespace candela_importers {
+namespace candela_plugins {
 
-/// Bytes lent by somebody else.
+/// Memory of another owner.
 struct Bytes {
     const std::uint8_t* data = nullptr;
     std::uint64_t size = 0;
 };
 
-/// Why the file cannot be read. It travels as far as the plugin's entry, which hands it to the host.
+/// Why a scene cannot be imported or a cage not refined. `runGuarded` hands it to the host.
 struct Failure {
-    std::string element;  ///< Such as "mesh 3 'wheel', primitive 0".
+    std::string element;  ///< Such as "mesh 3 'wheel', primitive 0"; empty where no part is at fault.
     std::string reason;
 };
 
-/// The host refused something and has recorded why, or asked to stop.
+/// The host has refused something and recorded why, or asked to stop.
 struct HostRefused {};
 
-/// "mesh 3 'wheel'"; "mesh 3" when the name is empty. Control characters of the name become '?', and a very
-/// long name is cut, so that it fits into one line of a message.
-std::string elementName(const char* noun, std::size_t index, const std::string& name);
+/// "mesh 3 'wheel'"; "mesh 3" when the name is empty.
+std::string elementName(const char* noun, std::size_t index, const std::string& name = {});
 
-/// `text` as one line fit for a message, cut at about 80 bytes.
+/// `text` as one line for a message: control characters become '?', and it is cut at about 80 bytes.
 std::string readable(const std::string& text);
 
-}  // namespace candela_importers
+/// Calls `action`, and hands what it throws to `fail` of the host (a `candela_host` or `candela_refinement`):
+/// no exception may leave a plugin.
+template <typename Host, typename Action>
+candela_status runGuarded(const Host& host, const Action& action) {
+    try {
+        action();
+        return CANDELA_OK;
+    } catch (const Failure& failure) {
+        host.fail(host.self, failure.element.c_str(), failure.reason.c_str());
+    } catch (const HostRefused&) {
+        // The host has recorded the reason.
+    } catch (const std::bad_alloc&) {
+        host.fail(host.self, nullptr, "there is not enough memory");
+    } catch (const std::exception& error) {
+        host.fail(host.self, nullptr, error.what());
+    } catch (...) {
+        host.fail(host.self, nullptr, "an unknown error");
+    }
+    return CANDELA_FAILED;
+}
+
+}  // namespace candela_plugins

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace candela_importers {
+namespace candela_plugins {
 namespace {
 
 std::int32_t accepted(std::int32_t index) {
@@ -62,12 +62,12 @@ std::int32_t Host::add(const candela_skin& skin) const {
     return accepted(host_.add_skin(host_.self, &skin));
 }
 
-void Host::show(const candela_cage_instance& shown) const {
-    if (host_.show_cage(host_.self, &shown) != CANDELA_OK) throw HostRefused{};
+void Host::add(const candela_cage_instance& instance) const {
+    if (host_.add_cage_instance(host_.self, &instance) != CANDELA_OK) throw HostRefused{};
 }
 
 bool Host::takesCages() const {
-    return host_.struct_size >= offsetof(candela_host, show_cage) + sizeof host_.show_cage;
+    return host_.struct_size >= offsetof(candela_host, add_cage_instance) + sizeof host_.add_cage_instance;
 }
 
 const char* queryOf(const candela_request& request) {
@@ -75,4 +75,4 @@ const char* queryOf(const candela_request& request) {
     return hasQuery ? request.query : nullptr;
 }
 
-}  // namespace candela_importers
+}  // namespace candela_plugins

@@ -5,11 +5,12 @@
 #include <string>
 
 #include "failure.h"
+#include "parallel.h"
 
-namespace candela_importers {
+namespace candela_plugins {
 
-/// The host of an import, with exceptions in place of status values: whatever the host refuses throws
-/// `HostRefused`, since the host has recorded the reason.
+/// The host of an import, with exceptions in place of status values: what the host refuses throws
+/// `HostRefused`.
 class Host {
   public:
     explicit Host(const candela_host& host) : host_(host) {}
@@ -20,7 +21,7 @@ class Host {
     /// `fraction` of the whole import, 0 to 1.
     void progress(double fraction) const;
 
-    /// Each returns the index the host gave the element.
+    /// Each returns the index that the host gave the element; instances have none.
     std::int32_t add(const candela_image& image) const;
     std::int32_t add(const candela_material& material) const;
     std::int32_t add(const candela_mesh& mesh) const;
@@ -30,11 +31,17 @@ class Host {
     std::int32_t add(const candela_animation& animation) const;
     std::int32_t add(const candela_cage& cage) const;
     std::int32_t add(const candela_skin& skin) const;
-    void show(const candela_cage_instance& shown) const;
+    void add(const candela_cage_instance& instance) const;
 
-    /// Whether the host knows cages, skins and polygons, which came with version 1.1. One that does not must
-    /// not be given any.
+    /// Whether the host has cages, skins and polygons, which came with version 1.1.
     bool takesCages() const;
+
+    /// Calls `body(index)` for each index below `count` on the threads of the host, see `parallel.h`.
+    template <typename Body>
+    void parallelFor(std::size_t count, const Body& body) const {
+        candela_plugins::parallelFor(host_, static_cast<std::uint32_t>(count),
+                                     [&](std::uint32_t index, std::uint32_t) { body(index); });
+    }
 
   private:
     const candela_host& host_;
@@ -43,4 +50,4 @@ class Host {
 /// The query of a request; NULL where there is none, and from a host older than queries.
 const char* queryOf(const candela_request& request);
 
-}  // namespace candela_importers
+}  // namespace candela_plugins

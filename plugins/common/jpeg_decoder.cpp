@@ -7,13 +7,13 @@
 #include <csetjmp>
 #include <cstring>
 
-#include "decoders.h"
+#include "image.h"
 
 #ifndef JCS_EXTENSIONS
 #error "libjpeg-turbo is needed, for JCS_EXT_RGBA"
 #endif
 
-namespace candela_importers {
+namespace candela_plugins {
 namespace {
 
 /// libjpeg reports errors through callbacks that must not return, hence the longjmp: the functions that call
@@ -30,7 +30,7 @@ class JpegReader {
     JpegReader(const JpegReader&) = delete;
     JpegReader& operator=(const JpegReader&) = delete;
 
-    /// False after an error; `message` then tells which.
+    /// False after an error; see `message`.
     bool readHeader() {
         if (setjmp(jump_)) return false;
         jpeg_create_decompress(&jpeg_);
@@ -75,7 +75,7 @@ class JpegReader {
         std::longjmp(of(jpeg).jump_, 1);
     }
 
-    /// Warnings have level -1. Those listed mean that part of the picture is made up.
+    /// Warnings have level -1. Those listed mean that a part of the image is missing.
     static void onMessage(j_common_ptr jpeg, int level) {
         if (level >= 0 || of(jpeg).damaged_) return;
         const int code = jpeg->err->msg_code;
@@ -84,7 +84,7 @@ class JpegReader {
         keepMessage(jpeg);
     }
 
-    /// Each scan of a progressive file costs a pass over the whole picture and can be a few bytes long.
+    /// Each scan of a progressive file costs a pass over the whole image and can be a few bytes long.
     static void limitScans(j_common_ptr jpeg) {
         constexpr int maxScans = 100;
         if (!jpeg->is_decompressor) return;
@@ -113,7 +113,12 @@ bool isJpeg(const Bytes& file) {
     return file.size >= sizeof signature && std::memcmp(file.data, signature, sizeof signature) == 0;
 }
 
-Picture decodeJpeg(const Bytes& file, const std::string& element) {
+std::uint64_t decodedJpegSize(const Bytes& file) {
+    JpegReader reader(file);
+    return reader.readHeader() ? std::uint64_t(reader.width()) * reader.height() * 4 : 0;
+}
+
+Image decodeJpeg(const Bytes& file, const std::string& element) {
     JpegReader reader(file);
     if (!reader.readHeader()) fail(element, reader.message());
     if (reader.hasFourColors())
@@ -121,14 +126,15 @@ Picture decodeJpeg(const Bytes& file, const std::string& element) {
     if (reader.width() > maxSide || reader.height() > maxSide) {
         throw Failure{element, "the JPEG file is wider or higher than " + std::to_string(maxSide)};
     }
-    // A block of 8 × 8 texels takes a bit or more, so no memory is taken for a picture that cannot be there.
+    // A block of 8 × 8 texels takes a bit or more, so no memory is allocated for an image that the file
+    // cannot hold.
     constexpr std::uint64_t maxTexelsPerByte = 8 * 64;
     const std::uint64_t texels = std::uint64_t(reader.width()) * reader.height();
     if (texels / maxTexelsPerByte > file.size) fail(element, "it is too short for its width and height");
-    Picture picture{reader.width(), reader.height(), SampleSize::bits8, {}};
-    picture.pixels.resize(texels * 4);
-    if (!reader.readRows(picture.pixels.data())) fail(element, reader.message());
-    return picture;
+    Image image{reader.width(), reader.height(), SampleSize::bits8, {}};
+    image.pixels.resize(texels * 4);
+    if (!reader.readRows(image.pixels.data())) fail(element, reader.message());
+    return image;
 }
 
-}  // namespace candela_importers
+}  // namespace candela_plugins

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <cstring>
 
-#include "decoders.h"
+#include "image.h"
 
-namespace candela_importers {
+namespace candela_plugins {
 namespace {
 
 /// libpng reports errors by longjmp, which must not skip destructors: the functions that call setjmp hold no
@@ -26,7 +26,7 @@ class PngReader {
     PngReader(const PngReader&) = delete;
     PngReader& operator=(const PngReader&) = delete;
 
-    /// False after an error; `message` then tells which.
+    /// False after an error; see `message`.
     bool readHeader() {
         if (setjmp(png_jmpbuf(png_))) return false;
         png_set_user_limits(png_, maxSide, maxSide);
@@ -54,7 +54,7 @@ class PngReader {
         return png_get_bit_depth(png_, info_) == 16 ? SampleSize::bits16 : SampleSize::bits8;
     }
     std::size_t decodedBytes() const { return png_get_rowbytes(png_, info_) * height(); }
-    /// As many as the image data has once it is unpacked.
+    /// Of the image data once it is inflated.
     std::uint64_t storedBytes() const { return storedBytes_; }
     const char* message() const { return message_; }
 
@@ -99,18 +99,24 @@ bool isPng(const Bytes& file) {
     return file.size >= 8 && png_sig_cmp(const_cast<std::uint8_t*>(file.data), 0, 8) == 0;
 }
 
-Picture decodePng(const Bytes& file, const std::string& element) {
+std::uint64_t decodedPngSize(const Bytes& file) {
     PngReader reader(file);
-    if (!reader.readHeader()) fail(reader, element);
-    // Deflate packs at most 1032 bytes into one, so no memory is taken for a picture that cannot be there.
-    constexpr std::uint64_t bestRatio = 1032;
-    if (reader.storedBytes() / bestRatio > file.size) {
-        throw Failure{element, "the PNG file is broken: it is too short for its width and height"};
-    }
-    Picture picture{reader.width(), reader.height(), reader.sampleSize(), {}};
-    picture.pixels.resize(reader.decodedBytes());
-    if (!reader.readRows(picture.pixels.data())) fail(reader, element);
-    return picture;
+    return reader.readHeader() ? reader.decodedBytes() : 0;
 }
 
-}  // namespace candela_importers
+Image decodePng(const Bytes& file, const std::string& element) {
+    PngReader reader(file);
+    if (!reader.readHeader()) fail(reader, element);
+    // Deflate packs at most 1032 bytes into one, so no memory is allocated for an image that the file cannot
+    // hold.
+    constexpr std::uint64_t maxRatio = 1032;
+    if (reader.storedBytes() / maxRatio > file.size) {
+        throw Failure{element, "the PNG file is broken: it is too short for its width and height"};
+    }
+    Image image{reader.width(), reader.height(), reader.sampleSize(), {}};
+    image.pixels.resize(reader.decodedBytes());
+    if (!reader.readRows(image.pixels.data())) fail(reader, element);
+    return image;
+}
+
+}  // namespace candela_plugins

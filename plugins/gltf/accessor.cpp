@@ -7,12 +7,12 @@
 
 #include "buffers.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF buffers are read as they lie in memory");
 
-// Without a bufferView an accessor takes memory that the file does not pay for, so its size is limited.
+// An accessor without a bufferView has a size that the size of the file does not limit.
 constexpr std::uint64_t maxElementsWithoutView = std::uint64_t(1) << 24;
 
 constexpr Encoding indexEncodings[] = {uint8, uint16, uint32};
@@ -166,16 +166,16 @@ void applySparse(const Document& document, const Checked& checked, std::vector<s
                                              indexSize, indexSize, count, checked, "has sparse indices that");
     const std::uint8_t* values = elementsAt(valueView, static_cast<std::uint64_t>(sparse.values.byteOffset),
                                             size, size, count, checked, "has sparse values that");
-    std::uint64_t least = 0;
+    std::uint64_t minIndex = 0;
     for (std::uint64_t i = 0; i < count; ++i) {
         const std::uint64_t index = unsignedAt(indices, i, indexSize);
-        if (index < least || index >= checked.accessor.count) {
+        if (index < minIndex || index >= checked.accessor.count) {
             checked.fail("has the sparse index " + std::to_string(index) + " at position " +
                          std::to_string(i) + ", expected indices that grow and lie below " +
                          std::to_string(checked.accessor.count));
         }
         std::memcpy(packed.data() + index * size, values + i * size, size);
-        least = index + 1;
+        minIndex = index + 1;
     }
 }
 
@@ -192,7 +192,7 @@ void toFloats(const std::vector<std::uint8_t>& packed, bool normalized, std::vec
         Stored stored;
         std::memcpy(&stored, packed.data() + i * sizeof(Stored), sizeof(Stored));
         const float value = static_cast<float>(stored) * scale;
-        // The most negative integer has no positive counterpart and stands for -1 as well.
+        // The minimum has no positive counterpart and is -1 as well.
         out[i] = normalized ? std::max(value, -1.0f) : value;
     }
 }
@@ -248,4 +248,4 @@ std::vector<std::uint32_t> readIndices(const Document& document, int accessor, c
     return indices;
 }
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

@@ -5,7 +5,7 @@
 
 #include "document.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 
 /// How one number of an accessor is stored.
 struct Encoding {
@@ -41,4 +41,4 @@ std::vector<float> readFloats(const Document& document, int accessor, int compon
 /// The numbers of a SCALAR accessor of unsigned integers. Throws `Failure` for `element` as `readFloats`.
 std::vector<std::uint32_t> readIndices(const Document& document, int accessor, const std::string& element);
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

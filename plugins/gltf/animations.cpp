@@ -1,8 +1,8 @@
 #include "animations.h"
 
-#include "attributes.h"
+#include "primitives.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 namespace {
 
 // glTF 2.0, 3.11: rotations and weights may be normalised integers.
@@ -59,11 +59,11 @@ std::vector<float> readValues(const Document& document, int accessor, candela_an
 
 class AnimationReader {
   public:
-    AnimationReader(const Document& document, const std::vector<std::int32_t>& nodes,
-                    const PushedCages& cages, const tinygltf::Animation& source, std::string element)
+    AnimationReader(const Document& document, const std::vector<std::int32_t>& nodes, const AddedCages& cages,
+                    const tinygltf::Animation& source, std::string element)
         : document_(document), nodes_(nodes), cages_(cages), source_(source), element_(std::move(element)) {}
 
-    void push(const Host& host) {
+    void add(const Host& host) {
         for (std::size_t i = 0; i < source_.channels.size(); ++i) readChannel(i);
         if (weights_ > 0) {
             host.note(element_ + ": morph weights are not applied: drawn in the bind pose");
@@ -138,7 +138,7 @@ class AnimationReader {
 
     const Document& document_;
     const std::vector<std::int32_t>& nodes_;
-    const PushedCages& cages_;
+    const AddedCages& cages_;
     const tinygltf::Animation& source_;
     std::string element_;
     std::vector<candela_animation_channel> channels_;
@@ -148,12 +148,12 @@ class AnimationReader {
 
 }  // namespace
 
-void pushAnimations(const Document& document, const std::vector<std::int32_t>& nodes,
-                    const PushedCages& cages, const Host& host) {
+void addAnimations(const Document& document, const std::vector<std::int32_t>& nodes, const AddedCages& cages,
+                   const Host& host) {
     for (std::size_t i = 0; i < document.model.animations.size(); ++i) {
         const tinygltf::Animation& source = document.model.animations[i];
-        AnimationReader(document, nodes, cages, source, elementName("animation", i, source.name)).push(host);
+        AnimationReader(document, nodes, cages, source, elementName("animation", i, source.name)).add(host);
     }
 }
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

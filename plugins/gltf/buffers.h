@@ -1,18 +1,40 @@
 #pragma once
 
 #include <deque>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "container.h"
+#include "../common/failure.h"
+#include "../common/host.h"
 #include "document.h"
-#include "host.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 
-/// Keeps what was decoded from data URIs alive; a deque, so that earlier elements stay where they are.
+/// The two parts of a glTF file.
+struct Container {
+    Bytes json;
+    std::optional<Bytes> binary;  ///< The BIN chunk of a .glb file.
+};
+
+/// Splits a .glb, which its first bytes tell from a .gltf, into its chunks. Throws `Failure` when a .glb does
+/// not keep to section 4.4 of the glTF 2.0 specification.
+Container openContainer(const Bytes& file);
+
+/// Whether `uri` holds the data itself ("data:...").
+bool isDataUri(const std::string& uri);
+
+/// The bytes of a data URI (RFC 2397), in base64 or percent-encoded. Throws `Failure` for `element`.
+std::vector<std::uint8_t> decodeDataUri(const std::string& uri, const std::string& element);
+
+/// The path that a relative URI stands for, percent-decoded. Throws `Failure` for `element` when the URI has
+/// a scheme or is badly encoded.
+std::string pathOfUri(const std::string& uri, const std::string& element);
+
+/// Owns the bytes decoded from data URIs. A deque, whose elements do not move when it grows.
 using Storage = std::deque<std::vector<std::uint8_t>>;
 
-/// The bytes behind a URI: of a data URI decoded into `storage`, of a file as the host lends them.
+/// The bytes of a URI: a data URI is decoded into `storage`, a file is read by the host.
 Bytes loadUri(const std::string& uri, const std::string& element, Storage& storage, const Host& host);
 
 /// Fills `document.buffers`. Each is as long as its byteLength says.
@@ -21,4 +43,4 @@ void loadBuffers(Document& document, const Container& container, Storage& storag
 /// The bytes of a buffer view. Throws `Failure` for `element` when it reaches beyond its buffer.
 Bytes viewBytes(const Document& document, std::size_t bufferView, const std::string& element);
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

@@ -1,12 +1,13 @@
 #include "cage_settings.h"
 
-#include <cfloat>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "failure.h"
+#include <cfloat>
+#include <cmath>
 
-namespace candela_gltf {
+#include "../common/failure.h"
+
+namespace candela_plugins::gltf {
 namespace {
 
 using Json = nlohmann::json;
@@ -16,36 +17,36 @@ constexpr double maxNumber = 4294967295.0;
 constexpr double maxLevel = 8.0;
 
 template <typename Value>
-struct Choice {
+struct NamedValue {
     const char* name;
     Value value;
 };
 
-constexpr Choice<candela_scheme> schemes[] = {{"catmullClark", CANDELA_SCHEME_CATMULL_CLARK},
-                                              {"loop", CANDELA_SCHEME_LOOP},
-                                              {"bilinear", CANDELA_SCHEME_BILINEAR}};
-constexpr Choice<candela_boundary_interpolation> boundaries[] = {
+constexpr NamedValue<candela_scheme> schemes[] = {{"catmullClark", CANDELA_SCHEME_CATMULL_CLARK},
+                                                  {"loop", CANDELA_SCHEME_LOOP},
+                                                  {"bilinear", CANDELA_SCHEME_BILINEAR}};
+constexpr NamedValue<candela_boundary_interpolation> boundaries[] = {
     {"none", CANDELA_BOUNDARY_NONE},
     {"edges", CANDELA_BOUNDARY_EDGES},
     {"edgesAndCorners", CANDELA_BOUNDARY_EDGES_AND_CORNERS}};
-constexpr Choice<candela_face_varying_interpolation> faceVaryings[] = {
+constexpr NamedValue<candela_face_varying_interpolation> faceVaryings[] = {
     {"none", CANDELA_FACE_VARYING_NONE},
     {"cornersOnly", CANDELA_FACE_VARYING_CORNERS_ONLY},
     {"cornersPlus1", CANDELA_FACE_VARYING_CORNERS_PLUS1},
     {"cornersPlus2", CANDELA_FACE_VARYING_CORNERS_PLUS2},
     {"boundaries", CANDELA_FACE_VARYING_BOUNDARIES},
     {"all", CANDELA_FACE_VARYING_ALL}};
-constexpr Choice<candela_crease_method> creaseMethods[] = {{"uniform", CANDELA_CREASE_UNIFORM},
-                                                           {"chaikin", CANDELA_CREASE_CHAIKIN}};
-constexpr Choice<candela_triangle_subdivision> triangleRules[] = {
+constexpr NamedValue<candela_crease_method> creaseMethods[] = {{"uniform", CANDELA_CREASE_UNIFORM},
+                                                               {"chaikin", CANDELA_CREASE_CHAIKIN}};
+constexpr NamedValue<candela_triangle_subdivision> triangleRules[] = {
     {"catmullClark", CANDELA_TRIANGLE_CATMULL_CLARK}, {"smooth", CANDELA_TRIANGLE_SMOOTH}};
 
 template <typename Value, std::size_t count>
-std::string namesOf(const Choice<Value> (&choices)[count]) {
+std::string namesOf(const NamedValue<Value> (&values)[count]) {
     std::string names;
     for (std::size_t i = 0; i < count; ++i) {
         if (i > 0) names += i + 1 == count ? " or " : ", ";
-        names += choices[i].name;
+        names += values[i].name;
     }
     return names;
 }
@@ -56,13 +57,13 @@ class MemberReader {
     MemberReader(const Json& value, std::string element) : value_(value), element_(std::move(element)) {}
 
     template <typename Value, std::size_t count>
-    Value choice(const Choice<Value> (&choices)[count]) const {
-        if (!value_.is_string()) fail("expected " + namesOf(choices));
+    Value enumerator(const NamedValue<Value> (&values)[count]) const {
+        if (!value_.is_string()) fail("expected " + namesOf(values));
         const std::string& text = value_.get_ref<const std::string&>();
-        for (const Choice<Value>& choice : choices) {
-            if (text == choice.name) return choice.value;
+        for (const NamedValue<Value>& value : values) {
+            if (text == value.name) return value.value;
         }
-        fail("is '" + readable(text) + "', expected " + namesOf(choices));
+        fail("is '" + readable(text) + "', expected " + namesOf(values));
     }
 
     std::uint32_t level() const {
@@ -139,17 +140,17 @@ void readMember(const std::string& key, const Json& value, const std::string& el
                 CageSettings& settings) {
     const MemberReader reader(value, element + ", " + readable(key));
     if (key == "scheme") {
-        settings.scheme = reader.choice(schemes);
+        settings.scheme = reader.enumerator(schemes);
     } else if (key == "level") {
         settings.level = reader.level();
     } else if (key == "boundaryInterpolation") {
-        settings.boundaryInterpolation = reader.choice(boundaries);
+        settings.boundaryInterpolation = reader.enumerator(boundaries);
     } else if (key == "faceVaryingInterpolation") {
-        settings.faceVaryingInterpolation = reader.choice(faceVaryings);
+        settings.faceVaryingInterpolation = reader.enumerator(faceVaryings);
     } else if (key == "creaseMethod") {
-        settings.creaseMethod = reader.choice(creaseMethods);
+        settings.creaseMethod = reader.enumerator(creaseMethods);
     } else if (key == "triangleSubdivision") {
-        settings.triangleSubdivision = reader.choice(triangleRules);
+        settings.triangleSubdivision = reader.enumerator(triangleRules);
     } else if (key == "creases") {
         settings.creases = reader.creases();
     } else if (key == "corners") {
@@ -192,4 +193,4 @@ std::map<std::size_t, CageSettings> readCageSettings(const nlohmann::json& docum
     return cages;
 }
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

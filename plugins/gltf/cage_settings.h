@@ -1,13 +1,12 @@
 #pragma once
 
 #include <candela/plugin.h>
-
 #include <nlohmann/json_fwd.hpp>
 
 #include <map>
 #include <vector>
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 
 struct SharpEdge {
     std::uint32_t vertex0 = 0, vertex1 = 0;
@@ -37,4 +36,4 @@ struct CageSettings {
 /// elsewhere. Throws `Failure` that names mesh and key.
 std::map<std::size_t, CageSettings> readCageSettings(const nlohmann::json& document);
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

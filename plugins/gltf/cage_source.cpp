@@ -4,32 +4,30 @@
 #include <limits>
 #include <map>
 
-#include "attributes.h"
-#include "influences.h"
-#include "morph_targets.h"
-#include "topology.h"
+#include "deformation.h"
+#include "primitives.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 namespace {
 
 constexpr const char* uvNames[] = {"TEXCOORD_0", "TEXCOORD_1"};
 constexpr std::uint64_t maxElements = std::numeric_limits<std::uint32_t>::max();
 
 /// A primitive that is part of the cage.
-struct Piece {
+struct Part {
     const tinygltf::Primitive& primitive;
     std::string element;
 };
 
-/// What the vertices of all pieces have.
+/// The attributes that the vertices of all parts have.
 struct Layout {
-    const char* uvs = nullptr;  ///< The attribute; none where no piece has it and no material reads it.
+    const char* uvs = nullptr;  ///< The attribute; none where no part has it and no material reads it.
     std::uint32_t influenceSets = 0;
     std::size_t morphTargets = 0;
 };
 
-std::vector<Piece> piecesOf(const tinygltf::Mesh& mesh, const std::string& element, const Host& host) {
-    std::vector<Piece> pieces;
+std::vector<Part> partsOf(const tinygltf::Mesh& mesh, const std::string& element, const Host& host) {
+    std::vector<Part> parts;
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
         const tinygltf::Primitive& primitive = mesh.primitives[i];
         const std::string where = element + ", primitive " + std::to_string(i);
@@ -38,10 +36,10 @@ std::vector<Piece> piecesOf(const tinygltf::Mesh& mesh, const std::string& eleme
         } else if (accessorOf(primitive, "POSITION") < 0) {
             host.note(where + ": left out of the cage, for it has no POSITION");
         } else {
-            pieces.push_back({primitive, where});
+            parts.push_back({primitive, where});
         }
     }
-    return pieces;
+    return parts;
 }
 
 UvSets uvSetsOf(const tinygltf::Primitive& primitive, const std::vector<UvSets>& uvSets) {
@@ -49,11 +47,11 @@ UvSets uvSetsOf(const tinygltf::Primitive& primitive, const std::vector<UvSets>&
 }
 
 /// A cage has one set of texture coordinates: the one that its materials read, else the first.
-const char* uvAttribute(const std::vector<Piece>& pieces, const std::vector<UvSets>& uvSets,
+const char* uvAttribute(const std::vector<Part>& parts, const std::vector<UvSets>& uvSets,
                         const std::string& element, const Host& host) {
     UvSets needed{};
-    for (const Piece& piece : pieces) {
-        const UvSets own = uvSetsOf(piece.primitive, uvSets);
+    for (const Part& part : parts) {
+        const UvSets own = uvSetsOf(part.primitive, uvSets);
         for (const std::size_t set : {0u, 1u}) needed[set] = needed[set] || own[set];
     }
     if (needed[0] && needed[1]) {
@@ -63,33 +61,33 @@ const char* uvAttribute(const std::vector<Piece>& pieces, const std::vector<UvSe
     }
     const std::size_t set = needed[1] && !needed[0] ? 1 : 0;
     bool present = needed[set];
-    for (const Piece& piece : pieces) {
-        const bool here = accessorOf(piece.primitive, uvNames[set]) >= 0;
+    for (const Part& part : parts) {
+        const bool here = accessorOf(part.primitive, uvNames[set]) >= 0;
         present = present || here;
-        if (here || !uvSetsOf(piece.primitive, uvSets)[set]) continue;
-        host.note(piece.element + ": has no " + uvNames[set] + ", which material " +
-                  std::to_string(piece.primitive.material) + " reads: taken as zeros");
+        if (here || !uvSetsOf(part.primitive, uvSets)[set]) continue;
+        host.note(part.element + ": has no " + uvNames[set] + ", which material " +
+                  std::to_string(part.primitive.material) + " reads: taken as zeros");
     }
     return present ? uvNames[set] : nullptr;
 }
 
-std::uint32_t commonInfluenceSets(const std::vector<Piece>& pieces) {
-    std::uint32_t most = 0;
-    for (const Piece& piece : pieces) most = std::max(most, influenceSets(piece.primitive, piece.element));
-    for (const Piece& piece : pieces) {
-        if (most == 0 || accessorOf(piece.primitive, "JOINTS_0") >= 0) continue;
-        throw Failure{piece.element, "has no JOINTS_0, which other primitives of the mesh have"};
+std::uint32_t commonInfluenceSets(const std::vector<Part>& parts) {
+    std::uint32_t max = 0;
+    for (const Part& part : parts) max = std::max(max, influenceSets(part.primitive, part.element));
+    for (const Part& part : parts) {
+        if (max == 0 || accessorOf(part.primitive, "JOINTS_0") >= 0) continue;
+        throw Failure{part.element, "has no JOINTS_0, which other primitives of the mesh have"};
     }
-    return most;
+    return max;
 }
 
-std::size_t commonMorphTargets(const std::vector<Piece>& pieces) {
-    const std::size_t count = pieces.empty() ? 0 : pieces.front().primitive.targets.size();
-    for (const Piece& piece : pieces) {
-        const std::size_t own = piece.primitive.targets.size();
+std::size_t commonMorphTargets(const std::vector<Part>& parts) {
+    const std::size_t count = parts.empty() ? 0 : parts.front().primitive.targets.size();
+    for (const Part& part : parts) {
+        const std::size_t own = part.primitive.targets.size();
         if (own == count) continue;
-        throw Failure{piece.element, "has " + std::to_string(own) + " morph targets, expected " +
-                                         std::to_string(count) + " as the other primitives have"};
+        throw Failure{part.element, "has " + std::to_string(own) + " morph targets, expected " +
+                                        std::to_string(count) + " as the other primitives have"};
     }
     return count;
 }
@@ -99,7 +97,7 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
     all.insert(all.end(), more.begin(), more.end());
 }
 
-/// What decides about the vertices of a primitive.
+/// Primitives with the same key share their vertices.
 using VertexKey = std::pair<std::map<std::string, int>, std::vector<std::map<std::string, int>>>;
 
 VertexKey vertexKey(const tinygltf::Primitive& primitive) {
@@ -115,69 +113,69 @@ class SourceReader {
         source_.vertices.morphOffsets.resize(layout.morphTargets);
     }
 
-    void add(const Piece& piece) {
-        const VertexRange range = rangeOf(piece);
+    void add(const Part& part) {
+        const VertexRange range = rangeOf(part);
         source_.numbers.add(range);
-        Polygons faces = facesOf(piece, range);
+        Polygons faces = facesOf(part, range);
         if (source_.faces.corners.size() + faces.corners.size() > maxElements) {
-            throw Failure{piece.element, "makes more than 4294967295 corners"};
+            throw Failure{part.element, "makes more than 4294967295 corners"};
         }
         for (std::uint32_t& corner : faces.corners) corner += range.first;
         append(source_.faces.sizes, faces.sizes);
         append(source_.faces.corners, faces.corners);
-        source_.faceMaterials.resize(source_.faces.sizes.size(), piece.primitive.material);
+        source_.faceMaterials.resize(source_.faces.sizes.size(), part.primitive.material);
     }
 
     CageSource take() { return std::move(source_); }
 
   private:
-    VertexRange rangeOf(const Piece& piece) {
-        const auto [entry, isNew] = ranges_.try_emplace(vertexKey(piece.primitive));
-        if (isNew) entry->second = readVertices(piece);
+    VertexRange rangeOf(const Part& part) {
+        const auto [entry, isNew] = ranges_.try_emplace(vertexKey(part.primitive));
+        if (isNew) entry->second = readVertices(part);
         return entry->second;
     }
 
-    VertexRange readVertices(const Piece& piece) {
+    VertexRange readVertices(const Part& part) {
         CageVertices& all = source_.vertices;
-        const int positions = accessorOf(piece.primitive, "POSITION");
+        const int positions = accessorOf(part.primitive, "POSITION");
         const std::size_t count = elementCount(document_, positions);
         if (count > maxElements - all.count) {
-            throw Failure{piece.element, "makes more than 4294967295 vertices"};
+            throw Failure{part.element, "makes more than 4294967295 vertices"};
         }
         append(all.positions,
-               readAttribute(document_, positions, "POSITION", positionForm, count, piece.element));
-        if (layout_.uvs) append(all.uvs, uvsOf(piece, count));
+               readAttribute(document_, positions, "POSITION", positionForm, count, part.element));
+        if (layout_.uvs) append(all.uvs, uvsOf(part, count));
         const Influences influences =
-            readInfluences(document_, piece.primitive, layout_.influenceSets, count, piece.element);
+            readInfluences(document_, part.primitive, layout_.influenceSets, count, part.element);
         append(all.joints, influences.joints);
         append(all.jointWeights, influences.weights);
         for (std::size_t target = 0; target < layout_.morphTargets; ++target) {
             append(all.morphOffsets[target],
-                   readMorphOffsets(document_, piece.primitive, target, count, piece.element));
+                   readMorphOffsets(document_, part.primitive, target, count, part.element));
         }
         const VertexRange range{all.count, static_cast<std::uint32_t>(count)};
         all.count += range.count;
         return range;
     }
 
-    std::vector<float> uvsOf(const Piece& piece, std::size_t count) const {
-        const int accessor = accessorOf(piece.primitive, layout_.uvs);
+    std::vector<float> uvsOf(const Part& part, std::size_t count) const {
+        const int accessor = accessorOf(part.primitive, layout_.uvs);
         if (accessor < 0) return std::vector<float>(count * uvForm.components);
-        return readAttribute(document_, accessor, layout_.uvs, uvForm, count, piece.element);
+        return readAttribute(document_, accessor, layout_.uvs, uvForm, count, part.element);
     }
 
-    Polygons facesOf(const Piece& piece, const VertexRange& range) const {
-        const tinygltf::Primitive& primitive = piece.primitive;
+    Polygons facesOf(const Part& part, const VertexRange& range) const {
+        const tinygltf::Primitive& primitive = part.primitive;
         std::vector<std::uint32_t> triangles = triangulate(
-            primitive.mode, readCorners(document_, primitive, range.count, piece.element), piece.element);
+            primitive.mode, readCorners(document_, primitive, range.count, part.element), part.element);
         if (!primitive.extensions.contains("FB_ngon_encoding")) {
             return polygonsOfTriangles(std::move(triangles));
         }
         if (primitive.mode != TINYGLTF_MODE_TRIANGLES) {
-            throw Failure{piece.element, "has FB_ngon_encoding and mode " + std::to_string(primitive.mode) +
-                                             ", expected mode 4, triangles"};
+            throw Failure{part.element, "has FB_ngon_encoding and mode " + std::to_string(primitive.mode) +
+                                            ", expected mode 4, triangles"};
         }
-        return recoverPolygons(triangles, piece.element);
+        return recoverPolygons(triangles, part.element);
     }
 
     const Document& document_;
@@ -206,17 +204,17 @@ CageSource readCageSource(const Document& document, std::size_t mesh, const std:
                           const Host& host) {
     const tinygltf::Mesh& source = document.model.meshes.at(mesh);
     const std::string element = elementName("mesh", mesh, source.name);
-    const std::vector<Piece> pieces = piecesOf(source, element, host);
-    const Layout layout{uvAttribute(pieces, uvSets, element, host), commonInfluenceSets(pieces),
-                        commonMorphTargets(pieces)};
+    const std::vector<Part> parts = partsOf(source, element, host);
+    const Layout layout{uvAttribute(parts, uvSets, element, host), commonInfluenceSets(parts),
+                        commonMorphTargets(parts)};
     SourceReader reader(document, layout);
-    for (const Piece& piece : pieces) {
-        if (accessorOf(piece.primitive, "COLOR_0") >= 0) {
-            host.note(piece.element + ": a cage has no vertex colours: COLOR_0 is left out");
+    for (const Part& part : parts) {
+        if (accessorOf(part.primitive, "COLOR_0") >= 0) {
+            host.note(part.element + ": a cage has no vertex colours: COLOR_0 is left out");
         }
-        reader.add(piece);
+        reader.add(part);
     }
     return reader.take();
 }
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

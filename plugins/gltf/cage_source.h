@@ -3,12 +3,12 @@
 #include <optional>
 #include <vector>
 
+#include "../common/host.h"
 #include "document.h"
-#include "host.h"
 #include "materials.h"
-#include "polygons.h"
+#include "primitives.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 
 /// The vertices of a mesh's primitives one after the other, as the file has them: split along seams.
 struct CageVertices {
@@ -26,10 +26,10 @@ struct VertexRange {
     std::uint32_t first = 0, count = 0;
 };
 
-/// How a file counts the vertices of a mesh: through its primitives in order.
+/// The indices of the vertices of a mesh in the settings of a cage: counted through its primitives in order.
 class VertexNumbers {
   public:
-    /// The next primitive has these vertices, which earlier ones may have as well.
+    /// The next primitive has these vertices; several primitives may share them.
     void add(VertexRange range) { ranges_.push_back(range); }
     std::uint64_t count() const;
     /// The vertex of this number in `CageVertices`; none when it is not less than `count`.
@@ -39,7 +39,7 @@ class VertexNumbers {
     std::vector<VertexRange> ranges_;
 };
 
-/// What the primitives of a mesh that becomes a cage hold.
+/// The data of the primitives of a mesh that becomes a cage.
 struct CageSource {
     CageVertices vertices;
     Polygons faces;
@@ -52,4 +52,4 @@ struct CageSource {
 CageSource readCageSource(const Document& document, std::size_t mesh, const std::vector<UvSets>& uvSets,
                           const Host& host);
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

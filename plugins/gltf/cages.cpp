@@ -1,14 +1,175 @@
 #include "cages.h"
 
 #include <algorithm>
+#include <map>
 
-#include "cage_materials.h"
-#include "cage_sharpness.h"
+#include "cage_settings.h"
 #include "cage_source.h"
 #include "joined_cage.h"
+#include "materials.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 namespace {
+
+/// Creases, sharp vertices and holes, in the indices of a cage.
+struct CageSharpness {
+    std::vector<std::uint32_t> creaseEdges;  ///< 2 vertices a crease.
+    std::vector<float> creaseSharpness;
+    std::vector<std::uint32_t> cornerVertices;
+    std::vector<float> cornerSharpness;
+    std::vector<std::uint32_t> holes;
+};
+
+/// The same for both directions of an edge.
+std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+}
+
+std::vector<std::uint64_t> sortedEdges(const JoinedCage& cage) {
+    std::vector<std::uint64_t> edges;
+    edges.reserve(cage.faceVertices.size());
+    std::size_t begin = 0;
+    for (const std::uint32_t size : cage.faceSizes) {
+        for (std::uint32_t i = 0; i < size; ++i) {
+            edges.push_back(edgeKey(cage.faceVertices[begin + i], cage.faceVertices[begin + (i + 1) % size]));
+        }
+        begin += size;
+    }
+    std::sort(edges.begin(), edges.end());
+    return edges;
+}
+
+class Resolver {
+  public:
+    Resolver(const CageSource& source, const JoinedCage& cage, std::string element)
+        : source_(source), cage_(cage), element_(std::move(element)) {}
+
+    void addCreases(const std::vector<SharpEdge>& creases) {
+        if (creases.empty()) return;
+        const std::vector<std::uint64_t> edges = sortedEdges(cage_);
+        for (std::size_t i = 0; i < creases.size(); ++i) {
+            const SharpEdge& crease = creases[i];
+            const std::string where = element_ + ", creases " + std::to_string(i);
+            const std::uint32_t a = vertex(crease.vertex0, where), b = vertex(crease.vertex1, where);
+            const std::uint64_t edge = edgeKey(a, b);
+            if (!std::binary_search(edges.begin(), edges.end(), edge)) {
+                throw Failure{where, "there is no edge from vertex " + std::to_string(crease.vertex0) +
+                                         " to vertex " + std::to_string(crease.vertex1)};
+            }
+            if (!isNew(knownEdges_, edge, crease.sharpness, i, where)) continue;
+            result_.creaseEdges.insert(result_.creaseEdges.end(), {a, b});
+            result_.creaseSharpness.push_back(crease.sharpness);
+        }
+    }
+
+    void addCorners(const std::vector<SharpVertex>& corners) {
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const std::string where = element_ + ", corners " + std::to_string(i);
+            const std::uint32_t at = vertex(corners[i].vertex, where);
+            if (!isNew(knownVertices_, at, corners[i].sharpness, i, where)) continue;
+            result_.cornerVertices.push_back(at);
+            result_.cornerSharpness.push_back(corners[i].sharpness);
+        }
+    }
+
+    void addHoles(const std::vector<std::uint32_t>& holes) {
+        std::vector<bool> known(cage_.faceSizes.size());
+        for (std::size_t i = 0; i < holes.size(); ++i) {
+            if (holes[i] >= cage_.cageFaces.size()) {
+                throw Failure{element_ + ", holes " + std::to_string(i),
+                              "face " + std::to_string(holes[i]) + " does not exist: the mesh has " +
+                                  std::to_string(cage_.cageFaces.size())};
+            }
+            const std::uint32_t face = cage_.cageFaces[holes[i]];
+            if (face == notInCage || known[face]) continue;
+            known[face] = true;
+            result_.holes.push_back(face);
+        }
+    }
+
+    CageSharpness take() { return std::move(result_); }
+
+  private:
+    struct Known {
+        float sharpness;
+        std::size_t entry;
+    };
+    using KnownValues = std::map<std::uint64_t, Known>;
+
+    std::uint32_t vertex(std::uint32_t number, const std::string& where) const {
+        const std::optional<std::uint32_t> found = source_.numbers.find(number);
+        if (!found) {
+            throw Failure{where, "vertex " + std::to_string(number) + " does not exist: the mesh has " +
+                                     std::to_string(source_.numbers.count())};
+        }
+        const std::uint32_t vertex = cage_.cageVertices[*found];
+        if (vertex == notInCage) {
+            throw Failure{where, "vertex " + std::to_string(number) + " belongs to no face"};
+        }
+        return vertex;
+    }
+
+    /// The file may name a vertex by each of its split copies: repetition is allowed with the same value.
+    static bool isNew(KnownValues& known, std::uint64_t key, float sharpness, std::size_t entry,
+                      const std::string& where) {
+        const auto [found, added] = known.try_emplace(key, Known{sharpness, entry});
+        if (!added && found->second.sharpness != sharpness) {
+            throw Failure{where, "gives another sharpness to what entry " +
+                                     std::to_string(found->second.entry) + " names already"};
+        }
+        return added;
+    }
+
+    const CageSource& source_;
+    const JoinedCage& cage_;
+    std::string element_;
+    CageSharpness result_;
+    KnownValues knownEdges_, knownVertices_;
+};
+
+/// Converts the indices of `settings` from those of the file to those of the cage. Holes among the faces that
+/// were left out are dropped. Throws `Failure` for `element` when a vertex, an edge or a face does not exist,
+/// and when one edge or vertex gets two values.
+CageSharpness resolveSharpness(const CageSettings& settings, const CageSource& source, const JoinedCage& cage,
+                               const std::string& element) {
+    Resolver resolver(source, cage, element);
+    resolver.addCreases(settings.creases);
+    resolver.addCorners(settings.corners);
+    resolver.addHoles(settings.holes);
+    return resolver.take();
+}
+
+/// The materials of cages. A cage has one set of texture coordinates, which is set 0 of the host. For a
+/// material that reads set 1, a copy that reads set 0 is added when a cage first needs it.
+class CageMaterials {
+  public:
+    CageMaterials(const AddedMaterials& materials, const Host& host) : materials_(materials), host_(host) {}
+
+    /// The host's index of a material of the file; -1 stays -1.
+    std::int32_t find(std::int32_t material);
+
+  private:
+    const AddedMaterials& materials_;
+    const Host& host_;
+    std::map<std::int32_t, std::int32_t> copies_;
+};
+
+std::int32_t CageMaterials::find(std::int32_t material) {
+    if (material < 0) return material;
+    const auto index = static_cast<std::size_t>(material);
+    if (!materials_.uvSets.at(index)[1]) return material;
+    const auto [entry, isNew] = copies_.try_emplace(material);
+    if (isNew) {
+        candela_material copy = materials_.added[index];
+        for (candela_texture* texture :
+             {&copy.base_color_texture, &copy.metallic_roughness_texture, &copy.normal_texture,
+              &copy.occlusion_texture, &copy.emission_texture}) {
+            texture->uv_set = 0;
+        }
+        entry->second = host_.add(copy);
+    }
+    return entry->second;
+}
 
 std::uint32_t sizeOf(std::size_t size) {
     return static_cast<std::uint32_t>(size);
@@ -19,14 +180,14 @@ const T* dataOf(const std::vector<T>& numbers) {
     return numbers.empty() ? nullptr : numbers.data();
 }
 
-/// The rows of `numbers`, `width` a vertex of the file, that a cage keeps, added to `kept`.
+/// The rows of `numbers`, `width` a vertex of the file, of the vertices of a cage; appended to `kept`.
 template <typename T>
-void keepRows(const std::vector<T>& numbers, std::size_t width, const JoinedCage& cage,
-              std::vector<T>& kept) {
+void keepElements(const std::vector<T>& numbers, std::size_t width, const JoinedCage& cage,
+                  std::vector<T>& kept) {
     kept.reserve(kept.size() + cage.vertices.size() * width);
     for (const std::uint32_t vertex : cage.vertices) {
-        const auto row = numbers.begin() + static_cast<std::ptrdiff_t>(vertex * width);
-        kept.insert(kept.end(), row, row + static_cast<std::ptrdiff_t>(width));
+        const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(vertex * width);
+        kept.insert(kept.end(), begin, begin + static_cast<std::ptrdiff_t>(width));
     }
 }
 
@@ -46,7 +207,7 @@ void requireTriangles(const JoinedCage& cage, const std::string& element) {
     }
 }
 
-candela_cage ruledBy(const CageSettings& settings) {
+candela_cage cageWithRules(const CageSettings& settings) {
     candela_cage cage{};
     cage.struct_size = sizeof cage;
     cage.scheme = settings.scheme;
@@ -58,25 +219,25 @@ candela_cage ruledBy(const CageSettings& settings) {
     return cage;
 }
 
-void setTopology(candela_cage& pushed, const JoinedCage& cage) {
-    pushed.face_count = sizeOf(cage.faceSizes.size());
-    pushed.face_sizes = cage.faceSizes.data();
-    pushed.face_vertices = cage.faceVertices.data();
-    pushed.uv_count = sizeOf(cage.uvs.size() / 2);
-    pushed.uvs = dataOf(cage.uvs);
-    pushed.face_uvs = dataOf(cage.faceUvs);
-    pushed.face_materials = cage.faceMaterials.data();
+void setTopology(candela_cage& hostCage, const JoinedCage& cage) {
+    hostCage.face_count = sizeOf(cage.faceSizes.size());
+    hostCage.face_sizes = cage.faceSizes.data();
+    hostCage.face_vertices = cage.faceVertices.data();
+    hostCage.uv_count = sizeOf(cage.uvs.size() / 2);
+    hostCage.uvs = dataOf(cage.uvs);
+    hostCage.face_uvs = dataOf(cage.faceUvs);
+    hostCage.face_materials = cage.faceMaterials.data();
 }
 
-void setSharpness(candela_cage& pushed, const CageSharpness& sharpness) {
-    pushed.crease_count = sizeOf(sharpness.creaseSharpness.size());
-    pushed.crease_edges = dataOf(sharpness.creaseEdges);
-    pushed.crease_sharpness = dataOf(sharpness.creaseSharpness);
-    pushed.corner_count = sizeOf(sharpness.cornerSharpness.size());
-    pushed.corner_vertices = dataOf(sharpness.cornerVertices);
-    pushed.corner_sharpness = dataOf(sharpness.cornerSharpness);
-    pushed.hole_count = sizeOf(sharpness.holes.size());
-    pushed.holes = dataOf(sharpness.holes);
+void setSharpness(candela_cage& hostCage, const CageSharpness& sharpness) {
+    hostCage.crease_count = sizeOf(sharpness.creaseSharpness.size());
+    hostCage.crease_edges = dataOf(sharpness.creaseEdges);
+    hostCage.crease_sharpness = dataOf(sharpness.creaseSharpness);
+    hostCage.corner_count = sizeOf(sharpness.cornerSharpness.size());
+    hostCage.corner_vertices = dataOf(sharpness.cornerVertices);
+    hostCage.corner_sharpness = dataOf(sharpness.cornerSharpness);
+    hostCage.hole_count = sizeOf(sharpness.holes.size());
+    hostCage.holes = dataOf(sharpness.holes);
 }
 
 /// The values of a cage's vertices.
@@ -88,17 +249,17 @@ struct VertexValues {
 
 VertexValues valuesOf(const CageVertices& vertices, const JoinedCage& cage) {
     VertexValues values;
-    keepRows(vertices.positions, 3, cage, values.positions);
-    keepRows(vertices.joints, vertices.influenceCount, cage, values.joints);
-    keepRows(vertices.jointWeights, vertices.influenceCount, cage, values.jointWeights);
+    keepElements(vertices.positions, 3, cage, values.positions);
+    keepElements(vertices.joints, vertices.influenceCount, cage, values.joints);
+    keepElements(vertices.jointWeights, vertices.influenceCount, cage, values.jointWeights);
     for (const std::vector<float>& offsets : vertices.morphOffsets) {
-        keepRows(offsets, 3, cage, values.morphOffsets);
+        keepElements(offsets, 3, cage, values.morphOffsets);
     }
     return values;
 }
 
-PushedCage pushCage(const Document& document, std::size_t mesh, const std::vector<UvSets>& uvSets,
-                    CageMaterials& materials, const Host& host) {
+AddedCage addCage(const Document& document, std::size_t mesh, const std::vector<UvSets>& uvSets,
+                  CageMaterials& materials, const Host& host) {
     const CageSettings& settings = document.cages.at(mesh);
     const std::string& name = document.model.meshes.at(mesh).name;
     const std::string element = elementName("mesh", mesh, name);
@@ -109,55 +270,55 @@ PushedCage pushCage(const Document& document, std::size_t mesh, const std::vecto
     const CageSharpness sharpness =
         resolveSharpness(settings, source, cage, element + ", candela_subdivision");
     if (cage.faceSizes.empty()) {
-        host.note(element + ": a cage without a face, which shows nothing");
+        host.note(element + ": a cage without a face is not drawn");
         return {};
     }
 
     for (std::int32_t& material : cage.faceMaterials) material = materials.find(material);
     const VertexValues values = valuesOf(source.vertices, cage);
-    candela_cage pushed = ruledBy(settings);
-    pushed.name = name.c_str();
-    setTopology(pushed, cage);
-    setSharpness(pushed, sharpness);
-    pushed.vertex_count = sizeOf(cage.vertices.size());
-    pushed.positions = values.positions.data();
-    pushed.influence_count = source.vertices.influenceCount;
-    pushed.joints = dataOf(values.joints);
-    pushed.joint_weights = dataOf(values.jointWeights);
-    pushed.morph_target_count = sizeOf(source.vertices.morphOffsets.size());
-    pushed.morph_offsets = dataOf(values.morphOffsets);
+    candela_cage hostCage = cageWithRules(settings);
+    hostCage.name = name.c_str();
+    setTopology(hostCage, cage);
+    setSharpness(hostCage, sharpness);
+    hostCage.vertex_count = sizeOf(cage.vertices.size());
+    hostCage.positions = values.positions.data();
+    hostCage.influence_count = source.vertices.influenceCount;
+    hostCage.joints = dataOf(values.joints);
+    hostCage.joint_weights = dataOf(values.jointWeights);
+    hostCage.morph_target_count = sizeOf(source.vertices.morphOffsets.size());
+    hostCage.morph_offsets = dataOf(values.morphOffsets);
     const auto highest = std::max_element(values.joints.begin(), values.joints.end());
-    return {host.add(pushed), pushed.influence_count, highest == values.joints.end() ? 0 : *highest + 1,
-            pushed.morph_target_count};
+    return {host.add(hostCage), hostCage.influence_count, highest == values.joints.end() ? 0 : *highest + 1,
+            hostCage.morph_target_count};
 }
 
 }  // namespace
 
-const PushedCage* cageOf(const Document& document, std::size_t node, const PushedCages& cages) {
+const AddedCage* cageOf(const Document& document, std::size_t node, const AddedCages& cages) {
     const int mesh = document.model.nodes.at(node).mesh;
     if (mesh < 0) return nullptr;
     const auto found = cages.find(static_cast<std::size_t>(mesh));
     return found == cages.end() ? nullptr : &found->second;
 }
 
-PushedCages pushCages(const Document& document, const std::vector<bool>& used,
-                      const PushedMaterials& materials, const Host& host, double from, double to) {
+AddedCages addCages(const Document& document, const std::vector<bool>& used, const AddedMaterials& materials,
+                    const Host& host, double from, double to) {
     if (!document.cages.empty() && !host.takesCages()) {
         throw Failure{"candela_subdivision",
-                      "the host knows no subdivision cages, for it is older than version 1.1 of plugin.h"};
+                      "the host has no subdivision cages: it is older than version 1.1 of plugin.h"};
     }
     CageMaterials cageMaterials(materials, host);
-    PushedCages pushed;
+    AddedCages added;
     std::size_t done = 0;
     for (const auto& entry : document.cages) {
         const std::size_t mesh = entry.first;
         host.progress(from +
                       (to - from) * static_cast<double>(done++) / static_cast<double>(document.cages.size()));
         if (!used.at(mesh)) continue;
-        const PushedCage cage = pushCage(document, mesh, materials.uvSets, cageMaterials, host);
-        if (cage.index >= 0) pushed.emplace(mesh, cage);
+        const AddedCage cage = addCage(document, mesh, materials.uvSets, cageMaterials, host);
+        if (cage.index >= 0) added.emplace(mesh, cage);
     }
-    return pushed;
+    return added;
 }
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

@@ -3,14 +3,15 @@
 #include <map>
 #include <vector>
 
+#include "../common/host.h"
 #include "document.h"
-#include "host.h"
 #include "materials.h"
+#include "nodes.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 
-/// A cage of the host, and what its nodes need to know of it.
-struct PushedCage {
+/// An added cage, with what its instances need.
+struct AddedCage {
     std::int32_t index = -1;
     std::uint32_t influenceCount = 0;  ///< Joints a vertex.
     std::uint32_t jointCount = 0;      ///< The highest joint of its vertices, plus one.
@@ -18,14 +19,27 @@ struct PushedCage {
 };
 
 /// By mesh of the file.
-using PushedCages = std::map<std::size_t, PushedCage>;
+using AddedCages = std::map<std::size_t, AddedCage>;
 
-/// The cage that a node of the file shows; nullptr for none.
-const PushedCage* cageOf(const Document& document, std::size_t node, const PushedCages& cages);
+/// The cage of the mesh of a node; nullptr for none.
+const AddedCage* cageOf(const Document& document, std::size_t node, const AddedCages& cages);
 
-/// Pushes the meshes of `document.cages` that are marked in `used`, but for those without a face, and notes
+/// Adds the meshes of `document.cages` that are marked in `used`, except those without a face, and notes
 /// what is left out. Progress goes from `from` to `to`.
-PushedCages pushCages(const Document& document, const std::vector<bool>& used,
-                      const PushedMaterials& materials, const Host& host, double from, double to);
+AddedCages addCages(const Document& document, const std::vector<bool>& used, const AddedMaterials& materials,
+                    const Host& host, double from, double to);
 
-}  // namespace candela_gltf
+/// Adds the skins of cages, and returns the host's index of each skin of the file, -1 for the
+/// others. `nodes` are the host's indices of the file's nodes. Throws `Failure` when a joint is not part of
+/// the scene that is drawn.
+std::vector<std::int32_t> addSkins(const Document& document, const std::vector<DrawnNode>& drawn,
+                                   const std::vector<std::int32_t>& nodes, const AddedCages& cages,
+                                   const Host& host);
+
+/// Adds the cage instances of the nodes, with their skins and morph weights. `skins` are
+/// the host's indices of the file's skins. Throws `Failure` where node, skin and cage do not fit together.
+void addCageInstances(const Document& document, const std::vector<DrawnNode>& drawn,
+                      const std::vector<std::int32_t>& nodes, const AddedCages& cages,
+                      const std::vector<std::int32_t>& skins, const Host& host);
+
+}  // namespace candela_plugins::gltf

@@ -1,13 +1,102 @@
 #include "document.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "extensions.h"
-#include "shapes.h"
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <vector>
 
-namespace candela_gltf {
+#include "schema.h"
+
+namespace candela_plugins::gltf {
 namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view knownExtensions[] = {
+    "FB_ngon_encoding",    "KHR_lights_punctual",   "KHR_materials_emissive_strength",
+    "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform",
+};
+
+bool isKnown(const std::string& extension) {
+    return std::find(std::begin(knownExtensions), std::end(knownExtensions), extension) !=
+           std::end(knownExtensions);
+}
+
+std::vector<std::string> extensionList(const Json& document, const char* member) {
+    std::vector<std::string> names;
+    const auto list = document.find(member);
+    if (list == document.end()) return names;
+    if (!list->is_array()) throw Failure{member, "expected an array of strings"};
+    for (const Json& name : *list) {
+        if (!name.is_string()) throw Failure{member, "expected an array of strings"};
+        names.push_back(name.get<std::string>());
+    }
+    return names;
+}
+
+struct Version {
+    int major = 0, minor = 0;
+};
+
+/// "2.0": two numbers and a dot (glTF 2.0, 3.2 and the schema of asset.version).
+std::optional<Version> parseVersion(const std::string& text) {
+    Version version;
+    const char* end = text.data() + text.size();
+    const auto major = std::from_chars(text.data(), end, version.major);
+    if (major.ec != std::errc() || major.ptr == end || *major.ptr != '.') return std::nullopt;
+    const auto minor = std::from_chars(major.ptr + 1, end, version.minor);
+    if (minor.ec != std::errc() || minor.ptr != end) return std::nullopt;
+    return version;
+}
+
+Version readVersion(const Json& asset, const char* member) {
+    const Json& value = asset[member];
+    if (!value.is_string()) throw Failure{"asset", std::string("\"") + member + "\" is not a string"};
+    const std::string text = value.get<std::string>();
+    const std::optional<Version> version = parseVersion(text);
+    if (!version) {
+        throw Failure{"asset", std::string(member) + " '" + readable(text) + "' is not of the form 2.0"};
+    }
+    return *version;
+}
+
+void checkVersion(const Json& document) {
+    const auto asset = document.find("asset");
+    if (asset == document.end() || !asset->is_object()) throw Failure{"asset", "is missing"};
+    if (!asset->contains("version")) throw Failure{"asset", "\"version\" is missing"};
+    const Version version = readVersion(*asset, "version");
+    if (version.major != 2) {
+        throw Failure{"asset", "version " + std::to_string(version.major) + "." +
+                                   std::to_string(version.minor) + " is not supported, expected 2.0"};
+    }
+    if (!asset->contains("minVersion")) return;
+    const Version minVersion = readVersion(*asset, "minVersion");
+    if (minVersion.major != 2 || minVersion.minor > 0) {
+        throw Failure{"asset", "minVersion " + std::to_string(minVersion.major) + "." +
+                                   std::to_string(minVersion.minor) + " is not supported, expected 2.0"};
+    }
+}
+
+void checkExtensions(const Json& document, const Host& host) {
+    for (const std::string& name : extensionList(document, "extensionsRequired")) {
+        if (isKnown(name)) continue;
+        throw Failure{"extensionsRequired", "extension '" + readable(name) + "' is not supported"};
+    }
+    for (const std::string& name : extensionList(document, "extensionsUsed")) {
+        if (!isKnown(name)) host.note("extension '" + readable(name) + "' is not supported: ignored");
+    }
+}
+
+bool usesExtension(const Json& document, const char* name) {
+    for (const char* member : {"extensionsUsed", "extensionsRequired"}) {
+        const std::vector<std::string> names = extensionList(document, member);
+        if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+    }
+    return false;
+}
 
 using Json = nlohmann::json;
 
@@ -39,7 +128,7 @@ std::string counted(std::size_t count, const char* noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-/// Only cages move with skins and morph targets.
+/// Skins and morph targets deform cages only.
 void noteDeformations(const Document& document, const Host& host) {
     std::size_t skinned = 0, morphed = 0;
     for (const tinygltf::Node& node : document.model.nodes) {
@@ -75,8 +164,8 @@ void removeChannelsWithoutNode(Json& document) {
     });
 }
 
-/// tinygltf lets a matrix win silently.
-void refuseTwofoldTransforms(Json& document) {
+/// tinygltf silently prefers the matrix.
+void refuseAmbiguousTransforms(Json& document) {
     std::size_t index = 0;
     forEachObject(document, "nodes", [&](Json& node) {
         const bool parts =
@@ -89,8 +178,8 @@ void refuseTwofoldTransforms(Json& document) {
     });
 }
 
-/// tinygltf refuses an index accessor that has no bufferView, which glTF allows; among the attributes it does
-/// not mind.
+/// tinygltf refuses an index accessor without a bufferView, which glTF allows; it accepts one as an
+/// attribute.
 void moveIndices(Json& document) {
     forEachObject(document, "meshes", [](Json& mesh) {
         forEachObject(mesh, "primitives", [](Json& primitive) {
@@ -139,7 +228,7 @@ void loadModel(tinygltf::Model& model, const Json& document) {
     std::string errors, warnings;
     const bool loaded = loader.LoadASCIIFromString(&model, &errors, &warnings, text.data(),
                                                    static_cast<unsigned int>(text.size()), "");
-    // tinygltf goes on after some errors and leaves elements out.
+    // After some errors tinygltf continues without the element.
     if (!loaded || !errors.empty()) throw Failure{"JSON", readable(errors)};
 }
 
@@ -154,8 +243,8 @@ Document readDocument(const Bytes& text, const Host& host) {
     document.quantized = usesExtension(json, "KHR_mesh_quantization");
     document.cages = readCageSettings(json);
     removeChannelsWithoutNode(json);
-    conform(json, documentShape());
-    refuseTwofoldTransforms(json);
+    conform(json, documentSchema());
+    refuseAmbiguousTransforms(json);
     moveIndices(json);
     document.bufferSources = takeSources(json, "buffers");
     document.imageSources = takeSources(json, "images");
@@ -165,4 +254,4 @@ Document readDocument(const Bytes& text, const Host& host) {
     return document;
 }
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "../common/failure.h"
+#include "../common/host.h"
 #include "cage_settings.h"
-#include "failure.h"
-#include "host.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 
-/// Where the bytes of a buffer or an image are. tinygltf never sees these: it would open files by itself.
+/// Where the bytes of a buffer or an image are. They are hidden from tinygltf, which would open files itself.
 struct Source {
     std::string name;
     std::optional<std::string> uri;
@@ -22,7 +22,7 @@ struct Source {
     std::uint64_t byteLength = 0;  ///< Buffers only.
 };
 
-/// The joints of a skin. tinygltf never sees these: it refuses skins without inverseBindMatrices.
+/// The joints of a skin. They are hidden from tinygltf, which refuses skins without inverseBindMatrices.
 struct SkinSource {
     std::string name;
     std::vector<std::size_t> joints;                 ///< Nodes.
@@ -45,4 +45,4 @@ inline constexpr const char* indicesAttribute = "_INDICES";
 /// Reads the JSON text. Throws `Failure`; notes what the plugin leaves out.
 Document readDocument(const Bytes& json, const Host& host);
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

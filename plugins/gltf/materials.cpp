@@ -3,7 +3,59 @@
 #include <algorithm>
 #include <iterator>
 
-namespace candela_gltf {
+#include "../common/image.h"
+
+namespace candela_plugins::gltf {
+namespace {
+
+void markTexture(const Document& document, int texture, std::vector<bool>& used) {
+    if (texture < 0) return;
+    const int image = document.model.textures.at(static_cast<std::size_t>(texture)).source;
+    if (image >= 0) used.at(static_cast<std::size_t>(image)) = true;
+}
+
+std::vector<bool> imagesInUse(const Document& document) {
+    std::vector<bool> used(document.imageSources.size());
+    for (const tinygltf::Material& material : document.model.materials) {
+        markTexture(document, material.pbrMetallicRoughness.baseColorTexture.index, used);
+        markTexture(document, material.pbrMetallicRoughness.metallicRoughnessTexture.index, used);
+        markTexture(document, material.normalTexture.index, used);
+        markTexture(document, material.occlusionTexture.index, used);
+        markTexture(document, material.emissiveTexture.index, used);
+    }
+    return used;
+}
+
+Bytes fileOf(const Document& document, const Source& source, const std::string& element, Storage& storage,
+             const Host& host) {
+    if (source.uri && source.bufferView) throw Failure{element, "has both a URI and a bufferView"};
+    if (source.uri) return loadUri(*source.uri, element, storage, host);
+    if (source.bufferView) return viewBytes(document, *source.bufferView, element);
+    throw Failure{element, "has neither a URI nor a bufferView"};
+}
+
+}  // namespace
+
+std::vector<std::int32_t> addImages(const Document& document, Storage& storage, const Host& host, double from,
+                                    double to) {
+    const std::vector<bool> used = imagesInUse(document);
+    std::vector<ImageJob> jobs;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (!used[i]) continue;
+        const Source& source = document.imageSources[i];
+        const std::string element = elementName("image", i, source.name);
+        const Bytes file = fileOf(document, source, element, storage, host);
+        jobs.push_back({source.name, decodedSize(file), [=] { return decodeImage(file, element); }});
+    }
+    const std::vector<std::int32_t> added = addImages(jobs, host, from, to);
+    std::vector<std::int32_t> indices(used.size(), -1);
+    std::size_t job = 0;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (used[i]) indices[i] = added[job++];
+    }
+    return indices;
+}
+
 namespace {
 
 const tinygltf::Value* findExtension(const tinygltf::ExtensionMap& extensions, const char* name) {
@@ -169,9 +221,9 @@ UvSets uvSetsOf(const candela_material& material) {
 
 }  // namespace
 
-PushedMaterials pushMaterials(const Document& document, const std::vector<std::int32_t>& images,
-                              const Host& host) {
-    PushedMaterials materials;
+AddedMaterials addMaterials(const Document& document, const std::vector<std::int32_t>& images,
+                            const Host& host) {
+    AddedMaterials materials;
     for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
         const tinygltf::Material& source = document.model.materials[i];
         const MaterialReader reader(document, images, host, elementName("material", i, source.name));
@@ -189,9 +241,9 @@ PushedMaterials pushMaterials(const Document& document, const std::vector<std::i
         material.emission_texture = reader.texture(source.emissiveTexture, "emissiveTexture");
         host.add(material);
         materials.uvSets.push_back(uvSetsOf(material));
-        materials.pushed.push_back(material);
+        materials.added.push_back(material);
     }
     return materials;
 }
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

@@ -3,23 +3,29 @@
 #include <array>
 #include <vector>
 
+#include "../common/host.h"
+#include "buffers.h"
 #include "document.h"
-#include "host.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 
 /// Which sets of texture coordinates, 0 and 1, the textures of a material read.
 using UvSets = std::array<bool, 2>;
 
-/// One of each a material of the file.
-struct PushedMaterials {
-    std::vector<UvSets> uvSets;            ///< What texture coordinates it reads.
-    std::vector<candela_material> pushed;  ///< As the host has it; the names are those of the document.
+/// The materials of the file, in its order.
+struct AddedMaterials {
+    std::vector<UvSets> uvSets;           ///< What texture coordinates it reads.
+    std::vector<candela_material> added;  ///< As it was added; the names are those of the document.
 };
 
-/// Pushes every material of the file, in its order, so that the host's indices are the file's. `images` are
+/// Adds all materials of the file in order, so that the host's indices are the file's. `images` are
 /// the host's indices of the file's images.
-PushedMaterials pushMaterials(const Document& document, const std::vector<std::int32_t>& images,
-                              const Host& host);
+AddedMaterials addMaterials(const Document& document, const std::vector<std::int32_t>& images,
+                            const Host& host);
 
-}  // namespace candela_gltf
+/// Decodes the images that materials use, and adds them. Returns the host's index of each image of the
+/// file, -1 for those that nothing uses. Progress goes from `from` to `to`.
+std::vector<std::int32_t> addImages(const Document& document, Storage& storage, const Host& host, double from,
+                                    double to);
+
+}  // namespace candela_plugins::gltf

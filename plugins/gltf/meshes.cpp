@@ -5,10 +5,9 @@
 #include <limits>
 #include <map>
 
-#include "attributes.h"
-#include "topology.h"
+#include "primitives.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 namespace {
 
 struct Stream {
@@ -80,7 +79,7 @@ class Part {
                               primitive.material});
     }
 
-    std::int32_t push(const std::string& name, const Host& host) const {
+    std::int32_t add(const std::string& name, const Host& host) const {
         candela_mesh mesh{};
         mesh.struct_size = sizeof mesh;
         mesh.name = name.c_str();
@@ -148,12 +147,12 @@ Presence presenceOf(const Accessors& accessors) {
     return presence;
 }
 
-class MeshPusher {
+class MeshImporter {
   public:
-    MeshPusher(const Document& document, const std::vector<UvSets>& uvSets, const Host& host)
+    MeshImporter(const Document& document, const std::vector<UvSets>& uvSets, const Host& host)
         : document_(document), uvSets_(uvSets), host_(host) {}
 
-    std::vector<std::int32_t> push(std::size_t index) {
+    std::vector<std::int32_t> add(std::size_t index) {
         const tinygltf::Mesh& mesh = document_.model.meshes[index];
         const std::string element = elementName("mesh", index, mesh.name);
         std::vector<Part> parts;
@@ -169,7 +168,7 @@ class MeshPusher {
             parts[entry->second].add(document_, primitive, accessors, where);
         }
         std::vector<std::int32_t> indices;
-        for (const Part& part : parts) indices.push_back(part.push(mesh.name, host_));
+        for (const Part& part : parts) indices.push_back(part.add(mesh.name, host_));
         return indices;
     }
 
@@ -215,16 +214,16 @@ class MeshPusher {
 
 }  // namespace
 
-MeshParts pushMeshes(const Document& document, const std::vector<bool>& used,
-                     const std::vector<UvSets>& uvSets, const Host& host, double from, double to) {
-    MeshPusher pusher(document, uvSets, host);
+MeshParts addMeshes(const Document& document, const std::vector<bool>& used,
+                    const std::vector<UvSets>& uvSets, const Host& host, double from, double to) {
+    MeshImporter importer(document, uvSets, host);
     MeshParts parts(used.size());
     for (std::size_t i = 0; i < used.size(); ++i) {
         host.progress(from + (to - from) * static_cast<double>(i) / static_cast<double>(used.size()));
-        if (used[i] && !document.cages.contains(i)) parts[i] = pusher.push(i);
+        if (used[i] && !document.cages.contains(i)) parts[i] = importer.add(i);
     }
-    pusher.noteUndrawn();
+    importer.noteUndrawn();
     return parts;
 }
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

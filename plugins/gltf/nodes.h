@@ -2,16 +2,35 @@
 
 #include <vector>
 
+#include "../common/host.h"
 #include "document.h"
-#include "hierarchy.h"
-#include "host.h"
 #include "meshes.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 
-/// Pushes the drawn nodes, and a child for each further part of a node's mesh. Returns the host's index of
+struct DrawnNode {
+    int node = -1;    ///< Of the file.
+    int parent = -1;  ///< Of the file; -1 for a root.
+};
+
+/// The nodes of the scene to draw, parents before children: the default scene, else scene 0, else all nodes
+/// when the file has no scenes. Throws `Failure` when a node has two parents or is its own ancestor, anywhere
+/// in the file, and when a scene begins with a node that is a child. Notes further scenes.
+std::vector<DrawnNode> drawnNodes(const Document& document, const Host& host);
+
+/// Adds the drawn nodes, and a child for each further part of a node's mesh. Returns the host's index of
 /// each node of the file, -1 for those that are not drawn.
-std::vector<std::int32_t> pushNodes(const Document& document, const std::vector<DrawnNode>& drawn,
-                                    const MeshParts& meshes, const Host& host);
+std::vector<std::int32_t> addNodes(const Document& document, const std::vector<DrawnNode>& drawn,
+                                   const MeshParts& meshes, const Host& host);
 
-}  // namespace candela_gltf
+/// Adds a camera for each drawn node with a perspective camera, and notes orthographic ones. `nodes` are the
+/// host's indices of the file's nodes.
+void addCameras(const Document& document, const std::vector<DrawnNode>& drawn,
+                const std::vector<std::int32_t>& nodes, const Host& host);
+
+/// Adds a light for each drawn node that refers to one (KHR_lights_punctual). `nodes` are the host's
+/// indices of the file's nodes.
+void addLights(const Document& document, const std::vector<DrawnNode>& drawn,
+               const std::vector<std::int32_t>& nodes, const Host& host);
+
+}  // namespace candela_plugins::gltf

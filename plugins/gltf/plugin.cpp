@@ -1,33 +1,65 @@
 #include <candela/plugin.h>
 
-#include <exception>
-#include <new>
+#include <string>
+#include <vector>
 
-#include "host.h"
-#include "import.h"
+#include "../common/host.h"
+#include "animations.h"
+#include "buffers.h"
+#include "cages.h"
+#include "document.h"
+#include "materials.h"
+#include "meshes.h"
+#include "nodes.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
+
 namespace {
 
-/// The border: no exception goes beyond it.
+// The progress at the end of each long part of the import: rough fractions of the time of scenes with large
+// textures.
+constexpr double documentRead = 0.1, imagesAdded = 0.6, meshesAdded = 0.85, cagesAdded = 0.95;
+
+std::vector<bool> meshesInUse(const Document& document, const std::vector<DrawnNode>& drawn) {
+    std::vector<bool> used(document.model.meshes.size());
+    for (const DrawnNode& placed : drawn) {
+        const int mesh = document.model.nodes[static_cast<std::size_t>(placed.node)].mesh;
+        if (mesh >= 0) used.at(static_cast<std::size_t>(mesh)) = true;
+    }
+    return used;
+}
+
+void importFile(const std::string& name, const Host& host) {
+    host.progress(0.0);
+    const Container container = openContainer(host.readFile(name));
+    Document document = readDocument(container.json, host);
+    Storage storage;
+    loadBuffers(document, container, storage, host);
+    const std::vector<DrawnNode> drawn = drawnNodes(document, host);
+    host.progress(documentRead);
+
+    const std::vector<std::int32_t> images = addImages(document, storage, host, documentRead, imagesAdded);
+    const AddedMaterials materials = addMaterials(document, images, host);
+    const std::vector<bool> used = meshesInUse(document, drawn);
+    const MeshParts meshes = addMeshes(document, used, materials.uvSets, host, imagesAdded, meshesAdded);
+    const AddedCages cages = addCages(document, used, materials, host, meshesAdded, cagesAdded);
+    host.progress(cagesAdded);
+
+    const std::vector<std::int32_t> nodes = addNodes(document, drawn, meshes, host);
+    addCameras(document, drawn, nodes, host);
+    addLights(document, drawn, nodes, host);
+    const std::vector<std::int32_t> skins = addSkins(document, drawn, nodes, cages, host);
+    addCageInstances(document, drawn, nodes, cages, skins, host);
+    addAnimations(document, nodes, cages, host);
+    host.progress(1.0);
+}
+
 candela_status importScene(const candela_host* host, const candela_request* request) {
-    try {
-        if (const char* query = candela_importers::queryOf(*request))
+    return runGuarded(*host, [&] {
+        if (const char* query = queryOf(*request))
             throw Failure{"query", "'" + readable(query) + "': a glTF scene takes none"};
         importFile(request->name, Host(*host));
-        return CANDELA_OK;
-    } catch (const Failure& failure) {
-        host->fail(host->self, failure.element.c_str(), failure.reason.c_str());
-    } catch (const HostRefused&) {
-        // The host knows why.
-    } catch (const std::bad_alloc&) {
-        host->fail(host->self, nullptr, "there is not enough memory");
-    } catch (const std::exception& error) {
-        host->fail(host->self, nullptr, error.what());
-    } catch (...) {
-        host->fail(host->self, nullptr, "an unknown error");
-    }
-    return CANDELA_FAILED;
+    });
 }
 
 constexpr const char* extensions[] = {"gltf", "glb", nullptr};
@@ -42,8 +74,8 @@ constexpr candela_plugin plugin{sizeof(candela_plugin),
                                 nullptr};
 
 }  // namespace
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf
 
 const candela_plugin* candela_plugin_query(uint32_t hostMajor, uint32_t) {
-    return hostMajor == CANDELA_PLUGIN_MAJOR ? &candela_gltf::plugin : nullptr;
+    return hostMajor == CANDELA_PLUGIN_MAJOR ? &candela_plugins::gltf::plugin : nullptr;
 }

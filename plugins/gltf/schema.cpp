@@ -1,17 +1,18 @@
 #include "schema.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "failure.h"
+#include "../common/failure.h"
 
-namespace candela_gltf {
+namespace candela_plugins::gltf {
 namespace {
 
 using Json = nlohmann::json;
@@ -29,7 +30,7 @@ constexpr TargetArray targetArrays[] = {
     {"/textures", "texture"},
 };
 
-/// Where the check stands. The text is made only when a message needs it.
+/// The element being checked. Its text is made only for a message.
 struct Place {
     const Place* parent = nullptr;
     const char* noun = "";
@@ -64,19 +65,19 @@ bool isNumbered(std::string_view name, std::string_view prefix) {
     return name.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-bool isKnown(const std::string& name, const Shape& shape) {
-    return std::any_of(shape.properties.begin(), shape.properties.end(),
+bool isKnown(const std::string& name, const ObjectSchema& schema) {
+    return std::any_of(schema.properties.begin(), schema.properties.end(),
                        [&](const Property& property) { return name == property.name; }) ||
-           std::any_of(shape.numberedNames.begin(), shape.numberedNames.end(),
+           std::any_of(schema.numberedNames.begin(), schema.numberedNames.end(),
                        [&](std::string_view prefix) { return isNumbered(name, prefix); });
 }
 
 std::string rangeText(const Property& p) {
-    const bool below = p.least > -FLT_MAX, above = p.most < FLT_MAX;
+    const bool below = p.min > -FLT_MAX, above = p.max < FLT_MAX;
     const bool excluded = p.minBound == Bound::excluded;
-    if (below && above) return shown(p.least) + " to " + shown(p.most);
-    if (below) return excluded ? "more than " + shown(p.least) : shown(p.least) + " or more";
-    return above ? shown(p.most) + " or less" : "a number that single precision can hold";
+    if (below && above) return shown(p.min) + " to " + shown(p.max);
+    if (below) return excluded ? "more than " + shown(p.min) : shown(p.min) + " or more";
+    return above ? shown(p.max) + " or less" : "a number that single precision can hold";
 }
 
 class Checker {
@@ -89,10 +90,10 @@ class Checker {
         }
     }
 
-    void checkObject(Json& object, const Shape& shape, const Place& place) const {
+    void checkObject(Json& object, const ObjectSchema& schema, const Place& place) const {
         if (!object.is_object()) fail(place, "is not an object");
-        removeUnknown(object, shape);
-        for (const Property& property : shape.properties) {
+        removeUnknown(object, schema);
+        for (const Property& property : schema.properties) {
             const auto found = object.find(property.name);
             if (found != object.end()) {
                 checkValue(*found, property, place);
@@ -107,9 +108,9 @@ class Checker {
         throw Failure{place.text(), reason};
     }
 
-    static void removeUnknown(Json& object, const Shape& shape) {
+    static void removeUnknown(Json& object, const ObjectSchema& schema) {
         for (auto member = object.begin(); member != object.end();) {
-            member = isKnown(member.key(), shape) ? std::next(member) : object.erase(member);
+            member = isKnown(member.key(), schema) ? std::next(member) : object.erase(member);
         }
     }
 
@@ -138,8 +139,8 @@ class Checker {
             case Kind::indexMaps:
                 return checkIndexMaps(value, property, parent);
             case Kind::object: {
-                const Place object{&parent, property.shape->noun, -1, &value};
-                return checkObject(value, *property.shape, object);
+                const Place object{&parent, property.schema->noun, -1, &value};
+                return checkObject(value, *property.schema, object);
             }
             case Kind::list:
                 return checkList(value, property, parent);
@@ -154,8 +155,8 @@ class Checker {
         require(value.is_number(), place, "expected a number");
         const double number = value.get<double>();
         const bool above =
-            property.minBound == Bound::excluded ? number > property.least : number >= property.least;
-        if (!above || number > property.most) {
+            property.minBound == Bound::excluded ? number > property.min : number >= property.min;
+        if (!above || number > property.max) {
             fail(place, "is " + shown(number) + ", expected " + rangeText(property));
         }
         value = number;
@@ -174,7 +175,7 @@ class Checker {
         require(value.is_number(), place, "expected an integer");
         const double number = value.get<double>();
         if (number != std::floor(number)) fail(place, "is " + shown(number) + ", expected an integer");
-        if (number < property.least || number > property.most) {
+        if (number < property.min || number > property.max) {
             fail(place, "is " + shown(number) + ", expected " + rangeText(property));
         }
         if (number < 0) {
@@ -209,9 +210,9 @@ class Checker {
     }
 
     void checkIndexMap(Json& value, const Property& property, const Place& parent) const {
-        removeUnknown(value, *property.shape);
+        removeUnknown(value, *property.schema);
         for (auto member = value.begin(); member != value.end(); ++member) {
-            const std::string noun = std::string(property.shape->noun) + " " + member.key();
+            const std::string noun = std::string(property.schema->noun) + " " + member.key();
             checkIndex(*member, property.target, Place{&parent, noun.c_str(), -1, &*member});
         }
     }
@@ -228,8 +229,8 @@ class Checker {
     void checkList(Json& value, const Property& property, const Place& parent) const {
         require(value.is_array(), Place{&parent, property.name, -1, &value}, "expected an array");
         for (std::size_t i = 0; i < value.size(); ++i) {
-            const Place place{&parent, property.shape->noun, static_cast<std::ptrdiff_t>(i), &value[i]};
-            checkObject(value[i], *property.shape, place);
+            const Place place{&parent, property.schema->noun, static_cast<std::ptrdiff_t>(i), &value[i]};
+            checkObject(value[i], *property.schema, place);
         }
     }
 
@@ -238,8 +239,8 @@ class Checker {
 
 }  // namespace
 
-void conform(nlohmann::json& document, const Shape& shape) {
-    Checker(document).checkObject(document, shape, Place{nullptr, shape.noun, -1, &document});
+void conform(nlohmann::json& document, const ObjectSchema& schema) {
+    Checker(document).checkObject(document, schema, Place{nullptr, schema.noun, -1, &document});
 }
 
-}  // namespace candela_gltf
+}  // namespace candela_plugins::gltf

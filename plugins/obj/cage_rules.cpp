@@ -2,8 +2,54 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
-namespace candela_obj {
+namespace candela_plugins::obj {
+
+namespace {
+
+candela_scheme schemeOf(std::string_view name) {
+    if (name == "catmullClark") return CANDELA_SCHEME_CATMULL_CLARK;
+    if (name == "loop") return CANDELA_SCHEME_LOOP;
+    if (name == "bilinear") return CANDELA_SCHEME_BILINEAR;
+    throw Failure{"query", "subdivide=" + readable(std::string(name)) +
+                               ", but catmullClark, loop or bilinear was expected"};
+}
+
+std::uint32_t levelOf(std::string_view digits) {
+    if (digits.size() == 1 && digits[0] >= '1' && digits[0] <= '8')
+        return static_cast<std::uint32_t>(digits[0] - '0');
+    throw Failure{"query", "level=" + readable(std::string(digits)) + ", but 1 to 8 was expected"};
+}
+
+void readItem(std::string_view item, Query& query) {
+    constexpr std::string_view scheme = "subdivide=", level = "level=";
+    query.subdivide = true;
+    if (item == "subdivide") return;
+    if (item.starts_with(scheme)) {
+        query.scheme = schemeOf(item.substr(scheme.size()));
+    } else if (item.starts_with(level)) {
+        query.level = levelOf(item.substr(level.size()));
+    } else {
+        throw Failure{"query", "'" + readable(std::string(item)) +
+                                   "', but subdivide, subdivide=SCHEME or level=N was expected"};
+    }
+}
+
+}  // namespace
+
+Query parseQuery(const char* text) {
+    Query query;
+    if (!text) return query;
+    std::string_view left = text;
+    while (true) {
+        const std::size_t end = left.find('&');
+        readItem(left.substr(0, end), query);
+        if (end == std::string_view::npos) return query;
+        left.remove_prefix(end + 1);
+    }
+}
+
 namespace {
 
 std::string numberText(std::int64_t number) {
@@ -18,9 +64,9 @@ class RuleReader {
     CageRules read() {
         for (const Tag& tag : document_.tags) {
             readTag(tag);
-            if (tag.wordsBeyond == 0) continue;
-            host_.note(tag.place + ": " + std::to_string(tag.wordsBeyond) + " more words of the tag '" +
-                       readable(tag.name) + "' are not announced and not used");
+            if (tag.surplusWords == 0) continue;
+            host_.note(tag.place + ": " + std::to_string(tag.surplusWords) + " surplus words of the tag '" +
+                       readable(tag.name) + "' are not used");
         }
         propagateCorners();
         return std::move(rules_);
@@ -54,8 +100,8 @@ class RuleReader {
         throw tag.failure("sharpness " + std::to_string(sharpness) + ", but 0 or more was expected");
     }
 
-    /// Pairs of vertices with one sharpness for all, one a pair, or one a vertex, of which OpenSubdiv's
-    /// reader takes the first of each pair.
+    /// Pairs of vertices with one sharpness for all, one for each pair, or one for each vertex, of which
+    /// OpenSubdiv's reader takes the first of each pair.
     void readCreases(const Tag& tag) {
         const std::size_t integers = tag.integers.size(), numbers = tag.numbers.size();
         if (integers == 0 || integers % 2 != 0)
@@ -98,28 +144,29 @@ class RuleReader {
     }
 
     template <class Rule, std::size_t count>
-    static Rule choice(const Tag& tag, const std::array<Rule, count>& rules) {
+    static Rule enumerator(const Tag& tag, const std::array<Rule, count>& rules) {
         const std::int64_t number = oneInteger(tag);
         if (number >= 0 && number < static_cast<std::int64_t>(count)) return rules[number];
         throw tag.failure(numberText(number) + ", but 0 to " + std::to_string(count - 1) + " was expected");
     }
 
     void readBoundary(const Tag& tag) {
-        rules_.boundary = choice(tag, std::array{CANDELA_BOUNDARY_NONE, CANDELA_BOUNDARY_EDGES_AND_CORNERS,
-                                                 CANDELA_BOUNDARY_EDGES});
+        rules_.boundary = enumerator(
+            tag,
+            std::array{CANDELA_BOUNDARY_NONE, CANDELA_BOUNDARY_EDGES_AND_CORNERS, CANDELA_BOUNDARY_EDGES});
     }
 
     void readFaceVarying(const Tag& tag) {
         rules_.faceVarying =
-            choice(tag, std::array{CANDELA_FACE_VARYING_NONE, CANDELA_FACE_VARYING_CORNERS_ONLY,
-                                   CANDELA_FACE_VARYING_CORNERS_PLUS1, CANDELA_FACE_VARYING_CORNERS_PLUS2,
-                                   CANDELA_FACE_VARYING_BOUNDARIES, CANDELA_FACE_VARYING_ALL});
+            enumerator(tag, std::array{CANDELA_FACE_VARYING_NONE, CANDELA_FACE_VARYING_CORNERS_ONLY,
+                                       CANDELA_FACE_VARYING_CORNERS_PLUS1, CANDELA_FACE_VARYING_CORNERS_PLUS2,
+                                       CANDELA_FACE_VARYING_BOUNDARIES, CANDELA_FACE_VARYING_ALL});
     }
 
     void readPropagation(const Tag& tag) { propagation_ = oneInteger(tag) != 0 ? &tag : nullptr; }
 
     /// What OpenSubdiv 2 called "edge and corner", with and without propagated corners, is "corners plus 2"
-    /// and "corners plus 1" since OpenSubdiv 3. Other rules never heeded it.
+    /// and "corners plus 1" since OpenSubdiv 3. It did not affect other rules.
     void propagateCorners() {
         if (!propagation_) return;
         if (rules_.faceVarying == CANDELA_FACE_VARYING_CORNERS_PLUS1)
@@ -178,4 +225,4 @@ CageRules readCageRules(const Document& document, candela_scheme scheme, const H
     return RuleReader(document, scheme, host).read();
 }
 
-}  // namespace candela_obj
+}  // namespace candela_plugins::obj

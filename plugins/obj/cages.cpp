@@ -1,27 +1,23 @@
-#include "cages.h"
-
 #include "cage_rules.h"
-#include "ignored_statements.h"
-#include "nodes.h"
-#include "numbering.h"
+#include "indexing.h"
 #include "parts.h"
+#include "statement.h"
 
-namespace candela_obj {
+namespace candela_plugins::obj {
 namespace {
 
 /// The arrays of a cage.
 class CageBuilder {
   public:
-    CageBuilder(const Document& document, const Part& part, const std::vector<PushedMaterial>& materials)
+    CageBuilder(const Document& document, const Part& part, const std::vector<AddedMaterial>& materials)
         : document_(document), part_(part), materials_(materials) {
         for (const std::uint32_t face : part.faces) addFace(face);
         for (const auto& key : vertices_.keys()) positions_.push_back(document.positions[key[0]]);
         if (!hasUvs_) return;
-        for (const auto& key : uvNumbers_.keys())
-            uvs_.push_back(key[0] == none ? Vec2{} : document.uvs[key[0]]);
+        for (const auto& key : uvKeys_.keys()) uvs_.push_back(key[0] == none ? Vec2{} : document.uvs[key[0]]);
     }
 
-    /// `index` tells the parts of the file apart.
+    /// `index` is that of the part.
     void applyRules(CageRules& rules, std::uint32_t index) {
         for (std::size_t i = 0; i < part_.faces.size(); ++i) {
             if (!rules.isHole.empty() && rules.isHole[part_.faces[i]])
@@ -37,7 +33,7 @@ class CageBuilder {
         }
     }
 
-    std::int32_t push(const Query& query, const CageRules& rules, const Host& host) const {
+    std::int32_t add(const Query& query, const CageRules& rules, const Host& host) const {
         candela_cage cage{};
         cage.struct_size = sizeof cage;
         cage.name = part_.name.c_str();
@@ -79,13 +75,13 @@ class CageBuilder {
         const std::uint32_t count = document_.cornerCount(face);
         for (std::uint32_t i = 0; i < count; ++i) {
             const Corner& corner = corners(face)[i];
-            faceVertices_.push_back(vertices_.numberOf({corner.vertex, 0, 0}));
-            faceUvs_.push_back(uvNumbers_.numberOf({corner.uv, 0, 0}));
+            faceVertices_.push_back(vertices_.indexOf({corner.vertex, 0, 0}));
+            faceUvs_.push_back(uvKeys_.indexOf({corner.uv, 0, 0}));
             hasUvs_ |= corner.uv != none;
             if (corner.uv == none) ++cornersWithoutUv_;
         }
         faceSizes_.push_back(count);
-        const PushedMaterial material = materialOf(document_, materials_, face);
+        const AddedMaterial material = materialOf(document_, materials_, face);
         faceMaterials_.push_back(material.index);
         hasUvs_ |= material.readsUvs;
     }
@@ -98,18 +94,18 @@ class CageBuilder {
             // An edge is met once in each of its faces.
             if (found == rules.creases.end() || found->second.lastPart == index) continue;
             found->second.lastPart = index;
-            creaseEdges_.push_back(vertices_.numberOf({a, 0, 0}));
-            creaseEdges_.push_back(vertices_.numberOf({b, 0, 0}));
+            creaseEdges_.push_back(vertices_.indexOf({a, 0, 0}));
+            creaseEdges_.push_back(vertices_.indexOf({b, 0, 0}));
             creaseSharpness_.push_back(found->second.sharpness);
         }
     }
 
     const Document& document_;
     const Part& part_;
-    const std::vector<PushedMaterial>& materials_;
+    const std::vector<AddedMaterial>& materials_;
     bool hasUvs_ = false;
     std::size_t cornersWithoutUv_ = 0;
-    Numbering vertices_, uvNumbers_;
+    KeyIndex vertices_, uvKeys_;
     std::vector<Vec3> positions_;
     std::vector<Vec2> uvs_;
     std::vector<std::uint32_t> faceSizes_, faceVertices_, faceUvs_, holes_, creaseEdges_, cornerVertices_;
@@ -129,7 +125,7 @@ void requireTriangles(const Document& document) {
 void requireEdges(const CageRules& rules) {
     const SharpEdge* missing = nullptr;
     for (const auto& [key, crease] : rules.creases) {
-        // The first in the file, for the order of the map is none.
+        // The first in the file: the map has no order.
         if (crease.lastPart == none && (!missing || crease.tag < missing->tag)) missing = &crease;
     }
     if (!missing) return;
@@ -138,24 +134,24 @@ void requireEdges(const CageRules& rules) {
 }
 
 void noteUnused(const Document& document, std::size_t cornersWithoutUv, const Host& host) {
-    if (!document.normals.empty()) host.note("not used: normals (vn), for a subdivision surface has its own");
-    if (!document.colors.empty()) host.note("not used: colours of vertices, for a cage has none");
+    if (!document.normals.empty()) host.note("not used: normals (vn): a subdivision surface has its own");
+    if (!document.colors.empty()) host.note("not used: colours of vertices: a cage has none");
     noteMissingUvs(cornersWithoutUv, host);
 }
 
-void pushNodeOf(const std::string& name, std::int32_t cage, const Host& host) {
-    candela_cage_instance shown{};
-    shown.struct_size = sizeof shown;
-    shown.node = pushNode(name, -1, host);
-    shown.cage = cage;
-    shown.skin = -1;
-    host.show(shown);
+void addNodeOf(const std::string& name, std::int32_t cage, const Host& host) {
+    candela_cage_instance instance{};
+    instance.struct_size = sizeof instance;
+    instance.node = addNode(name, -1, host);
+    instance.cage = cage;
+    instance.skin = -1;
+    host.add(instance);
 }
 
 }  // namespace
 
-void pushCages(const Document& document, const Query& query, const std::vector<PushedMaterial>& materials,
-               const Host& host, double from) {
+void addCages(const Document& document, const Query& query, const std::vector<AddedMaterial>& materials,
+              const Host& host, double from) {
     if (query.scheme == CANDELA_SCHEME_LOOP) requireTriangles(document);
     CageRules rules = readCageRules(document, query.scheme, host);
     const std::vector<Part> parts = splitFaces(document, SplitAt::objects);
@@ -164,7 +160,7 @@ void pushCages(const Document& document, const Query& query, const std::vector<P
         CageBuilder builder(document, parts[i], materials);
         builder.applyRules(rules, static_cast<std::uint32_t>(i));
         cornersWithoutUv += builder.cornersWithoutUv();
-        pushNodeOf(parts[i].name, builder.push(query, rules, host), host);
+        addNodeOf(parts[i].name, builder.add(query, rules, host), host);
         done += parts[i].faces.size();
         const double share = static_cast<double>(done) / static_cast<double>(document.faces.size());
         host.progress(from + (1.0 - from) * share);
@@ -173,4 +169,4 @@ void pushCages(const Document& document, const Query& query, const std::vector<P
     noteUnused(document, cornersWithoutUv, host);
 }
 
-}  // namespace candela_obj
+}  // namespace candela_plugins::obj

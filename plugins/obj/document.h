@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "failure.h"
-#include "names.h"
+#include "../common/host.h"
+#include "indexing.h"
 
-namespace candela_obj {
+namespace candela_plugins::obj {
 
 struct Vec2 {
     float x = 0.0f, y = 0.0f;
@@ -18,7 +18,7 @@ struct Vec3 {
     float x = 0.0f, y = 0.0f, z = 0.0f;
 };
 
-/// Stands for an index that is not given.
+/// An index that is not given.
 inline constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 /// One vertex of one face, as indices from 0.
@@ -26,7 +26,7 @@ struct Corner {
     std::uint32_t vertex = none, uv = none, normal = none;
 };
 
-/// What the statements before a face say of it.
+/// The state that the statements before a face have set.
 struct FaceState {
     std::uint32_t object = 0;       ///< Index into `Document::objects`.
     std::uint32_t group = 0;        ///< Index into `Document::groups`.
@@ -48,14 +48,14 @@ struct Tag {
     std::vector<std::int64_t> integers;
     std::vector<float> numbers;
     std::vector<std::string> texts;
-    std::size_t wordsBeyond = 0;  ///< Words that follow those announced.
+    std::size_t surplusWords = 0;  ///< Words beyond the counts of the tag.
 
     Failure failure(const std::string& reason) const {
         return {place, "t " + readable(name) + ": " + reason};
     }
 };
 
-/// What an OBJ file says, with indices checked and counted from 0.
+/// The content of an OBJ file, with indices checked and counted from 0.
 struct Document {
     std::vector<Vec3> positions;  ///< Metres.
     std::vector<Vec3> colors;     ///< Linear Rec.709, one a position; empty where no vertex has one.
@@ -64,11 +64,12 @@ struct Document {
     std::vector<Corner> corners;
     std::vector<Face> faces;
     std::vector<FaceState> states;
-    Names objects, groups, materials;        ///< An object or group that no statement names has the name "".
+    NameIndex objects, groups,
+        materials;  ///< Without a statement, the object and the group have the name "".
     std::vector<std::string> materialFiles;  ///< Named by mtllib.
     std::vector<Tag> tags;
-    /// The first normal index that is wrong. It counts only where the faces are drawn as polygons: some of
-    /// OpenSubdiv's shapes name normals that are not there.
+    /// The first normal index out of range. It matters only where the faces are drawn as polygons: some of
+    /// OpenSubdiv's shapes have such indices.
     std::optional<Failure> normalFault;
 
     std::uint32_t cornerCount(std::size_t face) const {
@@ -78,4 +79,7 @@ struct Document {
     const FaceState& stateOf(std::size_t face) const { return states[faces[face].state]; }
 };
 
-}  // namespace candela_obj
+/// Reads an OBJ file. Content other than polygons becomes notes. Progress goes up to `progressEnd`.
+Document parseObj(const Bytes& file, const Host& host, double progressEnd);
+
+}  // namespace candela_plugins::obj

@@ -4,32 +4,53 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
-#include "channels.h"
-#include "failure.h"
-#include "texture_info.h"
+#include "../common/host.h"
+#include "../common/image.h"
+#include "material_file.h"
 
-namespace candela_obj {
+namespace candela_plugins::obj {
 
-/// Reads pictures and pushes them, each once. A file that is neither PNG nor JPEG is noted and left out.
+/// The images of all materials, each once. They are requested first, then decoded on all threads of the host
+/// and added, and then known by their indices. A file that is neither PNG nor JPEG is noted and left out.
 class Images {
   public:
     explicit Images(const Host& host) : host_(host) {}
 
-    // Each returns the host's index, -1 where there is nothing to push. The textures may be NULL.
+    /// A requested image; none where there is nothing to add.
+    using Request = std::optional<std::size_t>;
 
-    std::int32_t whole(const TextureInfo* texture);
-    /// RGB of one picture, and as alpha a channel of the other.
-    std::int32_t colorAndMask(const TextureInfo* color, const TextureInfo* mask);
-    /// Roughness in G and metal in B.
-    std::int32_t roughnessAndMetal(const TextureInfo* roughness, const TextureInfo* metal);
+    // The textures of these may be NULL.
+
+    Request whole(const TextureInfo* texture);
+    /// RGB of one image, and a channel of the other as alpha.
+    Request colorAndMask(const TextureInfo* color, const TextureInfo* mask);
+    /// Roughness in G and metallic in B.
+    Request roughnessAndMetallic(const TextureInfo* roughness, const TextureInfo* metallic);
+
+    /// Adds what was requested. Progress goes from `from` to `to`.
+    void addRequested(double from, double to);
+
+    /// The host's index after `addRequested`; -1 for none.
+    std::int32_t indexOf(const Request& request) const { return request ? indices_[*request] : -1; }
 
   private:
-    std::optional<Picture> decode(const TextureInfo* texture);
+    /// The file of a texture.
+    struct File {
+        Bytes bytes;
+        std::string element;  ///< For failures.
+    };
+
+    std::optional<File> read(const TextureInfo* texture);
+    template <typename MakeJob>
+    Request request(const std::string& key, const MakeJob& makeJob);
 
     const Host& host_;
-    std::map<std::string, std::int32_t> pushed_;  // by what it is made of
-    std::set<std::string> leftOut_;
+    std::map<std::string, std::size_t> requests_;  // By what the image is made of.
+    std::set<std::string> ignoredFiles_;
+    std::vector<ImageJob> jobs_;
+    std::vector<std::int32_t> indices_;
 };
 
-}  // namespace candela_obj
+}  // namespace candela_plugins::obj

@@ -1,10 +1,121 @@
 #include "material_file.h"
 
+#include <algorithm>
 #include <unordered_map>
 
-#include "lines.h"
+#include "statement.h"
 
-namespace candela_obj {
+namespace candela_plugins::obj {
+
+namespace {
+
+class OptionReader {
+  public:
+    OptionReader(Statement& statement, IgnoredStatements& ignored, TextureInfo& texture)
+        : statement_(statement), ignored_(ignored), texture_(texture) {}
+
+    void readOptions() {
+        while (statement_.rest().starts_with('-')) {
+            const std::string_view option = *statement_.word();
+            if (option == "-o")
+                readPair(texture_.offset);
+            else if (option == "-s")
+                readPair(texture_.scale);
+            else if (option == "-clamp")
+                texture_.clamp = readSwitch();
+            else if (option == "-bm")
+                texture_.multiplier = statement_.needNumber();
+            else if (option == "-imfchan")
+                texture_.channel = readChannel();
+            else
+                skipOption(option);
+        }
+    }
+
+  private:
+    /// The next word, if it is a number and not all that is left: that is the file name.
+    std::optional<float> optionalNumber() {
+        Statement ahead = statement_;
+        const auto word = ahead.word();
+        if (!word || !numberIn(*word) || ahead.rest().empty()) return std::nullopt;
+        statement_ = ahead;
+        return statement_.number(*word, maxOffset);
+    }
+
+    /// One to three numbers, the third of which is for solid textures.
+    void readPair(float (&pair)[2]) {
+        pair[0] = statement_.needNumber(maxOffset);
+        if (const auto second = optionalNumber())
+            pair[1] = *second;
+        else
+            return;
+        optionalNumber();
+    }
+
+    bool readSwitch() {
+        const std::string_view word = statement_.needWord("on or off");
+        if (word != "on" && word != "off")
+            statement_.fail("'" + readable(std::string(word)) + "', but on or off was expected");
+        return word == "on";
+    }
+
+    Channel readChannel() {
+        const std::string_view word = statement_.needWord("a channel");
+        if (word == "r") return Channel::red;
+        if (word == "g") return Channel::green;
+        if (word == "b") return Channel::blue;
+        if (word == "m") return Channel::matte;
+        if (word == "l") return Channel::luminance;
+        statement_.fail("-imfchan " + readable(std::string(word)) + ", but r, g, b, m or l was expected");
+    }
+
+    void skipOption(std::string_view option) {
+        static constexpr std::string_view known[] = {"-blendu", "-blendv", "-boost",  "-cc",
+                                                     "-mm",     "-t",      "-texres", "-type"};
+        const bool isKnown = std::find(std::begin(known), std::end(known), option) != std::end(known);
+        ignored_.count(isKnown ? "not used" : "not known", "option " + std::string(option),
+                       statement_.line());
+        if (isKnown && option != "-t" && option != "-mm") {
+            statement_.needWord("a value");
+            return;
+        }
+        if (skipSwitch()) return;
+        while (optionalNumber()) continue;
+    }
+
+    bool skipSwitch() {
+        Statement ahead = statement_;
+        const auto word = ahead.word();
+        if (word != "on" && word != "off") return false;
+        statement_ = ahead;
+        return true;
+    }
+
+    // With a larger offset a coordinate in single precision has no fraction left.
+    static constexpr double maxOffset = 1e6;
+
+    Statement& statement_;
+    IgnoredStatements& ignored_;
+    TextureInfo& texture_;
+};
+
+}  // namespace
+
+bool TextureInfo::hasSameSampling(const TextureInfo& other) const {
+    return std::equal(offset, offset + 2, other.offset) && std::equal(scale, scale + 2, other.scale) &&
+           clamp == other.clamp;
+}
+
+TextureInfo parseTextureInfo(Statement& statement, const std::string& materialFile,
+                             IgnoredStatements& ignored) {
+    TextureInfo texture;
+    texture.element = statement.place() + ": " + std::string(statement.keyword());
+    OptionReader(statement, ignored, texture).readOptions();
+    if (statement.rest().empty()) statement.fail("a file name was expected");
+    texture.file = besideFile(materialFile, statement.rest());
+    return texture;
+}
+
 namespace {
 
 class MaterialParser {
@@ -18,7 +129,7 @@ class MaterialParser {
         if (isUnused(keyword)) return ignored_.count("not used", keyword, statement.line());
         const auto found = readers().find(keyword);
         if (found == readers().end()) return ignored_.count("not known", keyword, statement.line());
-        if (!hasBegun_) statement.fail("no newmtl stands before it");
+        if (!hasMaterial_) statement.fail("no newmtl stands before it");
         (this->*found->second)(statement);
     }
 
@@ -35,8 +146,8 @@ class MaterialParser {
             {"Ns", &P::readExponent},
             {"d", &P::readOpacity},
             {"Tr", &P::readTransparency},
-            {"Pr", &P::readShare<&FileMaterial::roughness>},
-            {"Pm", &P::readShare<&FileMaterial::metallic>},
+            {"Pr", &P::readFraction<&FileMaterial::roughness>},
+            {"Pm", &P::readFraction<&FileMaterial::metallic>},
             {"map_Kd", &P::readMap<&FileMaterial::diffuseMap>},
             {"map_Ke", &P::readMap<&FileMaterial::emissionMap>},
             {"map_d", &P::readMap<&FileMaterial::opacityMap>},
@@ -46,7 +157,7 @@ class MaterialParser {
         return table;
     }
 
-    /// Known statements that this renderer has no use for. Of bump maps: they hold heights, not normals.
+    /// Known statements that are not used. Bump maps hold heights, not normals.
     static bool isUnused(std::string_view keyword) {
         static constexpr std::string_view unused[] = {
             "Ka",       "Ks",     "Tf",     "Ni",      "illum",   "sharpness", "Ps",
@@ -63,7 +174,7 @@ class MaterialParser {
         materials_.back().name = statement.rest();
         materials_.back().element =
             statement.place() + ": newmtl '" + readable(std::string(statement.rest())) + "'";
-        hasBegun_ = true;
+        hasMaterial_ = true;
     }
 
     template <std::optional<std::array<float, 3>> FileMaterial::*member>
@@ -73,33 +184,33 @@ class MaterialParser {
                                   statement.line());
         // Emission has no upper limit but that of the host.
         const bool emits = member == &FileMaterial::emission;
-        const double most = emits ? 1e20 : 1.0;
+        const double max = emits ? 1e20 : 1.0;
         std::array<float, 3> color{};
-        color[0] = number(statement, statement.needWord("r g b"), most);
+        color[0] = number(statement, statement.needWord("r g b"), max);
         // The format lets a single number stand for all three.
         color[1] = color[2] = color[0];
         if (const auto green = statement.word()) {
-            color[1] = number(statement, *green, most);
-            color[2] = number(statement, statement.needWord("r g b"), most);
+            color[1] = number(statement, *green, max);
+            color[2] = number(statement, statement.needWord("r g b"), max);
         }
         materials_.back().*member = color;
     }
 
-    /// From 0 to `most`.
-    static float number(const Statement& statement, std::string_view word, double most) {
-        const float value = statement.number(word, most);
+    /// From 0 to `max`.
+    static float number(const Statement& statement, std::string_view word, double max) {
+        const float value = statement.number(word, max);
         if (value < 0.0f) statement.fail("'" + std::string(word) + "', but 0 or more was expected");
         return value;
     }
 
     template <std::optional<float> FileMaterial::*member>
-    void readShare(Statement& statement) {
+    void readFraction(Statement& statement) {
         materials_.back().*member = number(statement, statement.needWord("a number"), 1.0);
     }
 
     void readExponent(Statement& statement) {
-        constexpr double greatest = 1e30;
-        materials_.back().exponent = number(statement, statement.needWord("a number"), greatest);
+        constexpr double maxExponent = 1e30;
+        materials_.back().exponent = number(statement, statement.needWord("a number"), maxExponent);
     }
 
     void readOpacity(Statement& statement) {
@@ -107,10 +218,10 @@ class MaterialParser {
             ignored_.count("not used", "option -halo of d", statement.line());
             statement.word();
         }
-        readShare<&FileMaterial::opacity>(statement);
+        readFraction<&FileMaterial::opacity>(statement);
     }
 
-    /// Where both are given, d counts.
+    /// d takes precedence.
     void readTransparency(Statement& statement) {
         const float transparency = number(statement, statement.needWord("a number"), 1.0);
         if (!materials_.back().opacity) materials_.back().opacity = 1.0f - transparency;
@@ -124,7 +235,7 @@ class MaterialParser {
     const std::string& file_;
     std::vector<FileMaterial>& materials_;
     IgnoredStatements ignored_;
-    bool hasBegun_ = false;
+    bool hasMaterial_ = false;
 };
 
 }  // namespace
@@ -140,4 +251,4 @@ void parseMaterialFile(const std::string& name, const Host& host, std::vector<Fi
     parser.note(host);
 }
 
-}  // namespace candela_obj
+}  // namespace candela_plugins::obj

@@ -1,15 +1,12 @@
-#include "meshes.h"
-
 #include <algorithm>
 #include <array>
 
-#include "ignored_statements.h"
-#include "nodes.h"
+#include "indexing.h"
 #include "normals.h"
-#include "numbering.h"
 #include "parts.h"
+#include "statement.h"
 
-namespace candela_obj {
+namespace candela_plugins::obj {
 namespace {
 
 static_assert(sizeof(Vec3) == 3 * sizeof(float) && sizeof(Vec2) == 2 * sizeof(float));
@@ -22,7 +19,7 @@ const float* floats(const std::vector<T>& values) {
 /// The arrays of a mesh.
 class MeshBuilder {
   public:
-    MeshBuilder(const Document& document, const Part& part, const std::vector<PushedMaterial>& materials)
+    MeshBuilder(const Document& document, const Part& part, const std::vector<AddedMaterial>& materials)
         : document_(document), part_(part), materials_(materials) {
         for (const std::uint32_t face : part.faces)
             hasUvs_ |= corners(face)[0].uv != none || materialOf(document, materials, face).readsUvs;
@@ -30,7 +27,7 @@ class MeshBuilder {
         takeVertices();
     }
 
-    std::int32_t push(const Host& host) const {
+    std::int32_t add(const Host& host) const {
         candela_mesh mesh{};
         mesh.struct_size = sizeof mesh;
         mesh.name = part_.name.c_str();
@@ -79,7 +76,7 @@ class MeshBuilder {
             const Corner& corner = corners(face)[i];
             if (corner.uv == none) ++cornersWithoutUv_;
             const std::uint32_t normal = corner.normal == none ? flatNormal : corner.normal;
-            indices_.push_back(vertices_.numberOf({corner.vertex, corner.uv, normal}));
+            indices_.push_back(vertices_.indexOf({corner.vertex, corner.uv, normal}));
         }
         submeshes_.back().index_count += count;
         faceSizes_.push_back(count);
@@ -106,10 +103,10 @@ class MeshBuilder {
 
     const Document& document_;
     const Part& part_;
-    const std::vector<PushedMaterial>& materials_;
+    const std::vector<AddedMaterial>& materials_;
     bool hasUvs_ = false;
     std::size_t cornersWithoutUv_ = 0;
-    Numbering vertices_;
+    KeyIndex vertices_;
     std::vector<std::uint32_t> indices_, faceSizes_;
     std::vector<candela_submesh> submeshes_;
     std::vector<Vec3> positions_, normals_, flatNormals_;
@@ -119,14 +116,14 @@ class MeshBuilder {
 
 }  // namespace
 
-void pushMeshes(Document& document, const std::vector<PushedMaterial>& materials, const Host& host,
-                double from) {
+void addMeshes(Document& document, const std::vector<AddedMaterial>& materials, const Host& host,
+               double from) {
     addSmoothNormals(document);
     const std::vector<Part> parts = splitFaces(document, SplitAt::objectsAndGroups);
     std::size_t done = 0, cornersWithoutUv = 0;
     for (const Part& part : parts) {
         const MeshBuilder builder(document, part, materials);
-        pushNode(part.name, builder.push(host), host);
+        addNode(part.name, builder.add(host), host);
         cornersWithoutUv += builder.cornersWithoutUv();
         done += part.faces.size();
         const double share = static_cast<double>(done) / static_cast<double>(document.faces.size());
@@ -135,4 +132,4 @@ void pushMeshes(Document& document, const std::vector<PushedMaterial>& materials
     noteMissingUvs(cornersWithoutUv, host);
 }
 
-}  // namespace candela_obj
+}  // namespace candela_plugins::obj

@@ -1,17 +1,51 @@
 #include "normals.h"
 
+#include <cmath>
 #include <numbers>
 
-#include "numbering.h"
-#include "vectors.h"
+#include "document.h"
+#include "indexing.h"
 
-namespace candela_obj {
+namespace candela_plugins::obj {
 namespace {
+
+/// Double precision: sums over many corners, and positions far from the origin.
+struct Vector {
+    double x = 0.0, y = 0.0, z = 0.0;
+
+    Vector() = default;
+    Vector(double a, double b, double c) : x(a), y(b), z(c) {}
+    explicit Vector(const Vec3& v) : x(v.x), y(v.y), z(v.z) {}
+    explicit operator Vec3() const {
+        return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+    }
+};
+
+inline Vector operator+(const Vector& a, const Vector& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vector operator-(const Vector& a, const Vector& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vector operator*(double s, const Vector& a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
+inline double dot(const Vector& a, const Vector& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline Vector cross(const Vector& a, const Vector& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+/// (0, 0, 0) stays as it is.
+inline Vector normalized(const Vector& a) {
+    const double length = std::sqrt(dot(a, a));
+    return length > 0.0 ? (1.0 / length) * a : a;
+}
 
 Vector newellNormal(const Document& document, std::size_t face) {
     const Corner* const corners = &document.corners[document.faces[face].firstCorner];
     const std::uint32_t count = document.cornerCount(face);
-    // Relative to the first corner, for the sake of small faces far away.
+    // Relative to the first corner, for the precision of small faces far from the origin.
     const Vector origin(document.positions[corners[0].vertex]);
     Vector sum;
     Vector before;
@@ -42,7 +76,7 @@ class Smoothing {
         for (std::uint32_t i = 0; i < count; ++i) {
             const double angle =
                 angleAt(position((i + count - 1) % count), position(i), position((i + 1) % count), normal);
-            const std::uint32_t number = numbering_.numberOf({corners[i].vertex, group, 0});
+            const std::uint32_t number = keys_.indexOf({corners[i].vertex, group, 0});
             if (number == sums_.size()) sums_.emplace_back();
             sums_[number] = sums_[number] + angle * normal;
             corners[i].normal = first_ + number;
@@ -55,7 +89,7 @@ class Smoothing {
 
   private:
     Document& document_;
-    Numbering numbering_;
+    KeyIndex keys_;
     std::vector<Vector> sums_;
     const std::uint32_t first_ = static_cast<std::uint32_t>(document_.normals.size());
 };
@@ -76,4 +110,4 @@ void addSmoothNormals(Document& document) {
     smoothing.finish();
 }
 
-}  // namespace candela_obj
+}  // namespace candela_plugins::obj

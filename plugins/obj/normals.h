@@ -2,7 +2,7 @@
 
 #include "document.h"
 
-namespace candela_obj {
+namespace candela_plugins::obj {
 
 /// The unit normal of a face by Newell's method, which suits concave and non-planar faces too; (0, 0, 0)
 /// where the face has no area.
@@ -13,4 +13,4 @@ Vec3 faceNormal(const Document& document, std::size_t face);
 /// Polygonal Facets", 1998). Corners of flat faces keep none.
 void addSmoothNormals(Document& document);
 
-}  // namespace candela_obj
+}  // namespace candela_plugins::obj

@@ -1,20 +1,141 @@
-#include "parser.h"
-
+#include <array>
 #include <cmath>
 
-#include "face_parser.h"
-#include "file_names.h"
-#include "ignored_statements.h"
-#include "lines.h"
-#include "tag_parser.h"
+#include "document.h"
+#include "statement.h"
 
-namespace candela_obj {
+namespace candela_plugins::obj {
 namespace {
 
-// What the host takes at most, see `validate`.
-constexpr double farthest = 1e9;
+/// The three parts of "v/t/n" as they are written.
+struct Parts {
+    std::array<std::string_view, 3> texts;
 
-/// The colours of vertices stem from pictures and scans, and are sRGB-encoded like these (IEC 61966-2-1).
+    /// Which of texture coordinate and normal are there.
+    bool operator==(const Parts& other) const {
+        return texts[1].empty() == other.texts[1].empty() && texts[2].empty() == other.texts[2].empty();
+    }
+};
+
+[[noreturn]] void failForm(const Statement& statement, std::string_view word) {
+    statement.fail("'" + readable(std::string(word)) + "', but v, v/t, v//n or v/t/n was expected");
+}
+
+Parts partsOf(const Statement& statement, std::string_view word) {
+    Parts parts;
+    std::size_t begin = 0, count = 0;
+    for (std::size_t i = 0; i <= word.size(); ++i) {
+        if (i < word.size() && word[i] != '/') continue;
+        if (count == parts.texts.size()) failForm(statement, word);
+        parts.texts[count++] = word.substr(begin, i - begin);
+        begin = i + 1;
+    }
+    if (parts.texts[0].empty()) failForm(statement, word);
+    return parts;
+}
+
+std::string countOf(std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " is there" : " are there");
+}
+
+/// None when it is out of range; the reason then goes to `reason`.
+std::uint32_t resolved(std::int64_t index, std::size_t count, const char* what, std::string& reason) {
+    const auto signedCount = static_cast<std::int64_t>(count);
+    if (index > 0 && index <= signedCount) return static_cast<std::uint32_t>(index - 1);
+    if (index < 0 && index >= -signedCount) return static_cast<std::uint32_t>(signedCount + index);
+    reason = std::string(what) + " " + std::to_string(index) + ", but " +
+             (index == 0 ? "they count from 1" : countOf(count));
+    return none;
+}
+
+class CornerReader {
+  public:
+    CornerReader(const Statement& statement, Document& document)
+        : statement_(statement), document_(document) {}
+
+    Corner read(const Parts& parts) {
+        Corner corner;
+        corner.vertex = need(parts.texts[0], document_.positions.size(), "vertex");
+        if (!parts.texts[1].empty())
+            corner.uv = need(parts.texts[1], document_.uvs.size(), "texture coordinate");
+        if (!parts.texts[2].empty()) corner.normal = normal(parts.texts[2]);
+        return corner;
+    }
+
+  private:
+    std::uint32_t need(std::string_view text, std::size_t count, const char* what) const {
+        std::string reason;
+        const std::uint32_t index = resolved(statement_.integer(text), count, what, reason);
+        if (index == none) statement_.fail(reason);
+        return index;
+    }
+
+    std::uint32_t normal(std::string_view text) {
+        std::string reason;
+        const std::uint32_t index =
+            resolved(statement_.integer(text), document_.normals.size(), "normal", reason);
+        if (index == none && !document_.normalFault) document_.normalFault = statement_.failure(reason);
+        return index;
+    }
+
+    const Statement& statement_;
+    Document& document_;
+};
+
+void parseCorners(Statement& statement, Document& document) {
+    CornerReader reader(statement, document);
+    std::optional<Parts> form;
+    std::size_t count = 0;
+    for (; const auto word = statement.word(); ++count) {
+        const Parts parts = partsOf(statement, *word);
+        if (form && !(parts == *form)) statement.fail("all corners of a face must have the same form");
+        form = parts;
+        document.corners.push_back(reader.read(parts));
+    }
+    if (count < 3) statement.fail(std::to_string(count) + " corners, but 3 or more were expected");
+}
+
+using Counts = std::array<std::size_t, 3>;
+
+Counts countsOf(const Statement& statement, const Tag& tag, std::string_view word) {
+    Counts counts{};
+    std::size_t slash = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const bool last = i + 1 == counts.size();
+        slash = last ? word.size() : word.find('/');
+        if (slash == std::string_view::npos || slash == 0)
+            throw tag.failure("counts such as 2/1/0 were expected");
+        const std::int64_t count = statement.integer(word.substr(0, slash));
+        // No line has more words: the sum below does not overflow.
+        constexpr std::int64_t maxWords = 1'000'000'000'000;
+        if (count < 0 || count > maxWords) throw tag.failure("counts such as 2/1/0 were expected");
+        counts[i] = static_cast<std::size_t>(count);
+        if (!last) word.remove_prefix(slash + 1);
+    }
+    return counts;
+}
+
+Tag parseTag(Statement& statement) {
+    Tag tag;
+    tag.place = statement.place();
+    tag.name = statement.needWord("the name of a tag");
+    const Counts counts = countsOf(statement, tag, statement.needWord("counts such as 2/1/0"));
+    const std::size_t announced = counts[0] + counts[1] + counts[2], present = statement.wordsLeft();
+    if (announced > present) {
+        throw tag.failure(std::to_string(announced) + " words were expected, but " + std::to_string(present) +
+                          (present == 1 ? " follows" : " follow"));
+    }
+    for (std::size_t i = 0; i < counts[0]; ++i) tag.integers.push_back(statement.integer(*statement.word()));
+    for (std::size_t i = 0; i < counts[1]; ++i) tag.numbers.push_back(statement.number(*statement.word()));
+    for (std::size_t i = 0; i < counts[2]; ++i) tag.texts.emplace_back(*statement.word());
+    tag.surplusWords = statement.wordsLeft();
+    return tag;
+}
+
+// The maximum that `validate` allows.
+constexpr double maxCoordinate = 1e9;
+
+/// Vertex colours come from photographs and scans, and are sRGB-encoded (IEC 61966-2-1).
 float linearOf(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
@@ -32,18 +153,18 @@ class Parser {
 
     Document parse() {
         while (lines_.next()) {
-            tellProgress();
+            reportProgress();
             Statement statement(lines_.line(), lines_.number(), sceneFile_);
             read(statement);
         }
         ignored_.note(host_, sceneFile_);
-        if (document_.faces.empty() && !otherShapes_)
+        if (document_.faces.empty() && !hasOtherGeometry_)
             throw Failure{"", "no face, line or point was found, but an OBJ file was expected"};
         return std::move(document_);
     }
 
   private:
-    void tellProgress() {
+    void reportProgress() {
         constexpr std::size_t step = 1u << 20;
         if (lines_.position() < nextProgress_) return;
         nextProgress_ = lines_.position() + step;
@@ -74,7 +195,7 @@ class Parser {
         } else if (keyword == "t") {
             document_.tags.push_back(parseTag(statement));
         } else {
-            leaveOut(statement, keyword);
+            countIgnored(statement, keyword);
         }
     }
 
@@ -86,7 +207,7 @@ class Parser {
                            " numbers, but x y z, x y z w or x y z r g b was expected");
         }
         requireRoom(statement, document_.positions.size());
-        document_.positions.push_back(readVec3(statement, farthest));
+        document_.positions.push_back(readVec3(statement, maxCoordinate));
         if (hasColor) readColor(statement);
         if (!hasColor && !document_.colors.empty()) document_.colors.push_back(white);
         while (const auto weight = statement.word()) statement.number(*weight);
@@ -102,9 +223,9 @@ class Parser {
 
     void readUv(Statement& statement) {
         requireRoom(statement, document_.uvs.size());
-        const float u = statement.needNumber(farthest);
+        const float u = statement.needNumber(maxCoordinate);
         const auto second = statement.word();
-        const float v = second ? statement.number(*second, farthest) : 0.0f;
+        const float v = second ? statement.number(*second, maxCoordinate) : 0.0f;
         document_.uvs.push_back({u, 1.0f - v});
         if (const auto third = statement.word()) statement.number(*third);
     }
@@ -148,13 +269,13 @@ class Parser {
         for (const std::string& name : names) document_.materialFiles.push_back(besideFile("", name));
     }
 
-    /// Statements that are not drawn, not used or not known; those that belong to a free-form shape that is
-    /// counted already are passed over.
-    void leaveOut(const Statement& statement, std::string_view keyword) {
-        struct Shape {
+    /// Counts statements that are not drawn, not used or not known. Those that are part of a free-form shape,
+    /// which is counted, are skipped.
+    void countIgnored(const Statement& statement, std::string_view keyword) {
+        struct Geometry {
             std::string_view keyword, kind;
         };
-        static constexpr Shape shapes[] = {
+        static constexpr Geometry geometries[] = {
             {"l", "lines (l)"},          {"p", "points (p)"},         {"curv", "curves (curv)"},
             {"curv2", "curves (curv2)"}, {"surf", "surfaces (surf)"}, {"bzp", "patches (bzp)"},
             {"bsp", "patches (bsp)"},    {"cdp", "patches (cdp)"},    {"cdc", "curves (cdc)"}};
@@ -163,10 +284,10 @@ class Parser {
                                                         "mg",   "res",    "ctech", "stech"};
         static constexpr std::string_view unused[] = {"bevel",  "c_interp",   "d_interp",  "lod",  "usemap",
                                                       "maplib", "shadow_obj", "trace_obj", "call", "csh"};
-        for (const Shape& shape : shapes) {
-            if (keyword != shape.keyword) continue;
-            otherShapes_ = true;
-            return ignored_.count("not drawn", shape.kind, statement.line());
+        for (const Geometry& geometry : geometries) {
+            if (keyword != geometry.keyword) continue;
+            hasOtherGeometry_ = true;
+            return ignored_.count("not drawn", geometry.kind, statement.line());
         }
         for (const std::string_view part : freeForm)
             if (keyword == part) return;
@@ -177,8 +298,8 @@ class Parser {
 
     /// Indices have 32 bits, and a face adds fewer corners than a file of 4 GiB can hold.
     static void requireRoom(const Statement& statement, std::size_t count) {
-        constexpr std::size_t most = 1u << 31;
-        if (count >= most) statement.fail("there are more than 2147483648 of them");
+        constexpr std::size_t maxCount = 1u << 31;
+        if (count >= maxCount) statement.fail("there are more than 2147483648 of them");
     }
 
     static constexpr Vec3 white{1.0f, 1.0f, 1.0f};
@@ -192,7 +313,7 @@ class Parser {
     Document document_;
     FaceState state_;
     IgnoredStatements ignored_;
-    bool otherShapes_ = false;
+    bool hasOtherGeometry_ = false;
 };
 
 }  // namespace
@@ -201,4 +322,4 @@ Document parseObj(const Bytes& file, const Host& host, double progressEnd) {
     return Parser(file, host, progressEnd).parse();
 }
 
-}  // namespace candela_obj
+}  // namespace candela_plugins::obj

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-#include "numbering.h"
+#include "indexing.h"
 
-namespace candela_obj {
+namespace candela_plugins::obj {
+
 namespace {
 
 std::string nameOf(const Document& document, const FaceState& state, SplitAt splitAt) {
@@ -20,12 +21,12 @@ std::string nameOf(const Document& document, const FaceState& state, SplitAt spl
 
 std::vector<Part> splitFaces(const Document& document, SplitAt splitAt) {
     std::vector<Part> parts;
-    Numbering numbering;
+    KeyIndex keys;
     std::vector<std::uint32_t> partOfState(document.states.size());
     std::transform(document.states.begin(), document.states.end(), partOfState.begin(),
                    [&](const FaceState& state) {
                        const std::uint32_t group = splitAt == SplitAt::objects ? 0 : state.group;
-                       const std::uint32_t part = numbering.numberOf({state.object, group, 0});
+                       const std::uint32_t part = keys.indexOf({state.object, group, 0});
                        if (part == parts.size()) parts.push_back({nameOf(document, state, splitAt), {}});
                        return part;
                    });
@@ -34,4 +35,15 @@ std::vector<Part> splitFaces(const Document& document, SplitAt splitAt) {
     return parts;
 }
 
-}  // namespace candela_obj
+std::int32_t addNode(const std::string& name, std::int32_t mesh, const Host& host) {
+    candela_node node{};
+    node.struct_size = sizeof node;
+    node.name = name.c_str();
+    node.parent = -1;
+    node.rotation[3] = 1.0f;
+    std::fill_n(node.scale, 3, 1.0f);
+    node.mesh = mesh;
+    return host.add(node);
+}
+
+}  // namespace candela_plugins::obj

@@ -3,9 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "../common/host.h"
+#include "cage_rules.h"
 #include "document.h"
+#include "materials.h"
 
-namespace candela_obj {
+namespace candela_plugins::obj {
 
 /// Faces that become one mesh or one cage.
 struct Part {
@@ -14,7 +17,7 @@ struct Part {
 };
 
 enum class SplitAt {
-    objects,           ///< 'o': a cage must not fall apart at its groups.
+    objects,           ///< 'o': the groups of a cage are one surface.
     objectsAndGroups,  ///< 'o' and 'g'.
 };
 
@@ -22,4 +25,17 @@ enum class SplitAt {
 /// they stand. Its name is that of the object, of the group, or "object/group".
 std::vector<Part> splitFaces(const Document& document, SplitAt splitAt);
 
-}  // namespace candela_obj
+/// Adds a root node at the origin with the mesh, -1 for none, and returns its index.
+std::int32_t addNode(const std::string& name, std::int32_t mesh, const Host& host);
+
+/// Adds the faces as polygons: a mesh and a node for each object and each of its groups. `materials` holds
+/// those of the document. Progress goes from `from` to 1.
+void addMeshes(Document& document, const std::vector<AddedMaterial>& materials, const Host& host,
+               double from);
+
+/// Adds the faces as cages: one with its node for each object. `materials` holds those of the
+/// document. Progress goes from `from` to 1.
+void addCages(const Document& document, const Query& query, const std::vector<AddedMaterial>& materials,
+              const Host& host, double from);
+
+}  // namespace candela_plugins::obj

@@ -1,30 +1,34 @@
 #include <candela/plugin.h>
 
-#include <exception>
-#include <new>
+#include <string>
+#include <vector>
 
-#include "import.h"
+#include "document.h"
+#include "materials.h"
+#include "parts.h"
 
-namespace candela_obj {
+namespace candela_plugins::obj {
 namespace {
 
-/// The border: no exception goes beyond it.
+/// Imports a file of the scene's folder: as polygons, or as cages where the query asks for them or the file
+/// has a tag.
+void importFile(const std::string& name, const Query& query, const Host& host) {
+    // The progress at the end of each part: rough fractions of the time of scenes with large textures.
+    constexpr double documentRead = 0.3, materialsAdded = 0.7;
+    host.progress(0.0);
+    Document document = parseObj(host.readFile(name), host, documentRead);
+    const bool asCages = query.subdivide || !document.tags.empty();
+    if (!asCages && document.normalFault) throw *document.normalFault;
+    const std::vector<AddedMaterial> materials = addMaterials(document, host, documentRead, materialsAdded);
+    if (asCages)
+        addCages(document, query, materials, host, materialsAdded);
+    else
+        addMeshes(document, materials, host, materialsAdded);
+    host.progress(1.0);
+}
+
 candela_status importScene(const candela_host* host, const candela_request* request) {
-    try {
-        importFile(request->name, parseQuery(candela_importers::queryOf(*request)), Host(*host));
-        return CANDELA_OK;
-    } catch (const Failure& failure) {
-        host->fail(host->self, failure.element.c_str(), failure.reason.c_str());
-    } catch (const HostRefused&) {
-        // The host knows why.
-    } catch (const std::bad_alloc&) {
-        host->fail(host->self, nullptr, "there is not enough memory");
-    } catch (const std::exception& error) {
-        host->fail(host->self, nullptr, error.what());
-    } catch (...) {
-        host->fail(host->self, nullptr, "an unknown error");
-    }
-    return CANDELA_FAILED;
+    return runGuarded(*host, [&] { importFile(request->name, parseQuery(queryOf(*request)), Host(*host)); });
 }
 
 constexpr const char* extensions[] = {"obj", nullptr};
@@ -42,9 +46,10 @@ constexpr candela_plugin plugin{sizeof(candela_plugin),
 constexpr uint32_t minMinor = 1;
 
 }  // namespace
-}  // namespace candela_obj
+
+}  // namespace candela_plugins::obj
 
 const candela_plugin* candela_plugin_query(uint32_t hostMajor, uint32_t hostMinor) {
-    const bool serves = hostMajor == CANDELA_PLUGIN_MAJOR && hostMinor >= candela_obj::minMinor;
-    return serves ? &candela_obj::plugin : nullptr;
+    const bool serves = hostMajor == CANDELA_PLUGIN_MAJOR && hostMinor >= candela_plugins::obj::minMinor;
+    return serves ? &candela_plugins::obj::plugin : nullptr;
 }

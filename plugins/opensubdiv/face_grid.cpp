@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace candela_opensubdiv {
+namespace candela_plugins::opensubdiv {
 namespace {
 
 namespace Sdc = OpenSubdiv::Sdc;
@@ -16,7 +16,7 @@ std::uint32_t edgePoint(const FaceGrid& grid, std::uint32_t edge, std::uint32_t 
     return grid.firstEdgeSlot(edge) + t - 1;
 }
 
-/// The point of a face of four corners at column i and row j of its grid.
+/// The point of a face of four corners at column i and stencil j of its grid.
 std::uint32_t quadPoint(const FaceGrid& grid, std::uint32_t i, std::uint32_t j) {
     const std::uint32_t n = grid.segments;
     if (j == 0) return edgePoint(grid, 0, i);
@@ -26,20 +26,20 @@ std::uint32_t quadPoint(const FaceGrid& grid, std::uint32_t i, std::uint32_t j) 
     return grid.firstInnerSlot() + (j - 1) * (n - 1) + (i - 1);
 }
 
-/// The point of a Loop triangle at column i and row j.
+/// The point of a Loop triangle at column i and stencil j.
 std::uint32_t trianglePoint(const FaceGrid& grid, std::uint32_t i, std::uint32_t j) {
     const std::uint32_t n = grid.segments;
     if (j == 0) return edgePoint(grid, 0, i);
     if (i + j == n) return edgePoint(grid, 1, j);
     if (i == 0) return edgePoint(grid, 2, n - j);
-    // Row j has n - 1 - j inner points.
+    // Range j has n - 1 - j inner points.
     const std::uint32_t before = (j - 1) * (n - 1) - (j - 1) * j / 2;
     return grid.firstInnerSlot() + before + (i - 1);
 }
 
-/// The point of a sub-face at column i and row j: corner (0, 0) is the face's corner of the same number, the
-/// columns run along the edge that begins there, and the far corner is the middle of the face. After that
-/// middle come the points within the lines from the middles of the edges to it, then those inside sub-faces.
+/// The point of a sub-face at column i and stencil j: corner (0, 0) is the face's corner of the same number,
+/// the columns run along the edge that begins there, and the far corner is the middle of the face. After that
+/// middle come the points on the lines from the middles of the edges to it, then those inside sub-faces.
 std::uint32_t subfacePoint(const FaceGrid& grid, std::uint32_t subface, std::uint32_t i, std::uint32_t j) {
     const std::uint32_t m = grid.segments / 2;
     const std::uint32_t before = (subface + grid.size - 1) % grid.size;
@@ -53,21 +53,21 @@ std::uint32_t subfacePoint(const FaceGrid& grid, std::uint32_t subface, std::uin
     return insides + subface * (m - 1) * (m - 1) + (j - 1) * (m - 1) + (i - 1);
 }
 
-/// Adds slots to a grid whose `pointCount` stands already.
-class SlotMaker {
+/// Adds slots to a grid whose `pointCount` is set.
+class SlotBuilder {
   public:
-    explicit SlotMaker(FaceGrid& grid) : grid_(grid) {
+    explicit SlotBuilder(FaceGrid& grid) : grid_(grid) {
         grid_.slots.assign(grid.pointCount, GridSlot{unset, 0, 0.0, 0.0});
     }
 
-    /// The slot at a point, which is new for the first patch that asks.
+    /// The slot at a point, added for the first patch that needs it.
     std::uint32_t shared(const GridSlot& wanted) {
         GridSlot& slot = grid_.slots[wanted.point];
         if (slot.point == unset) slot = wanted;
         return wanted.point;
     }
 
-    /// The same where patches share no slots.
+    /// The same, with a slot for each patch.
     std::uint32_t separate(const GridSlot& wanted) {
         if (grid_.slots[wanted.point].point == unset) return shared(wanted);
         grid_.slots.push_back(wanted);
@@ -78,7 +78,7 @@ class SlotMaker {
     FaceGrid& grid_;
 };
 
-/// Cuts a patch of n × n quads whose slots are given row after row.
+/// Cuts a patch of n × n quads whose slots are given stencil after stencil.
 void addQuads(FaceGrid& grid, const std::vector<std::uint32_t>& slots, std::uint32_t n) {
     for (std::uint32_t j = 0; j < n; ++j) {
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -90,24 +90,24 @@ void addQuads(FaceGrid& grid, const std::vector<std::uint32_t>& slots, std::uint
 }
 
 void fillQuad(FaceGrid& grid) {
-    SlotMaker maker(grid);
+    SlotBuilder builder(grid);
     std::vector<std::uint32_t> slots;
     const double step = 1.0 / grid.segments;
     for (std::uint32_t j = 0; j <= grid.segments; ++j) {
         for (std::uint32_t i = 0; i <= grid.segments; ++i) {
-            slots.push_back(maker.shared({quadPoint(grid, i, j), 0, i * step, j * step}));
+            slots.push_back(builder.shared({quadPoint(grid, i, j), 0, i * step, j * step}));
         }
     }
     addQuads(grid, slots, grid.segments);
 }
 
 void fillTriangle(FaceGrid& grid) {
-    SlotMaker maker(grid);
+    SlotBuilder builder(grid);
     const std::uint32_t n = grid.segments;
     const double step = 1.0 / n;
     for (std::uint32_t j = 0; j <= n; ++j) {
         for (std::uint32_t i = 0; i + j <= n; ++i) {
-            maker.shared({trianglePoint(grid, i, j), 0, i * step, j * step});
+            builder.shared({trianglePoint(grid, i, j), 0, i * step, j * step});
         }
     }
     const auto add = [&](std::uint32_t i, std::uint32_t j) {
@@ -122,7 +122,7 @@ void fillTriangle(FaceGrid& grid) {
 }
 
 void fillSubfaces(FaceGrid& grid, Sdc::SchemeType scheme) {
-    SlotMaker maker(grid);
+    SlotBuilder builder(grid);
     const std::uint32_t m = grid.segments / 2;
     const double step = 1.0 / m;
     for (std::uint32_t subface = 0; subface < grid.size; ++subface) {
@@ -130,7 +130,8 @@ void fillSubfaces(FaceGrid& grid, Sdc::SchemeType scheme) {
         for (std::uint32_t j = 0; j <= m; ++j) {
             for (std::uint32_t i = 0; i <= m; ++i) {
                 const GridSlot slot{subfacePoint(grid, subface, i, j), subface, i * step, j * step};
-                slots.push_back(scheme == Sdc::SCHEME_BILINEAR ? maker.separate(slot) : maker.shared(slot));
+                slots.push_back(scheme == Sdc::SCHEME_BILINEAR ? builder.separate(slot)
+                                                               : builder.shared(slot));
             }
         }
         addQuads(grid, slots, m);
@@ -167,4 +168,4 @@ FaceGrids::FaceGrids(Sdc::SchemeType scheme, std::uint32_t level, std::span<cons
     }
 }
 
-}  // namespace candela_opensubdiv
+}  // namespace candela_plugins::opensubdiv

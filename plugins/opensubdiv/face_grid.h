@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace candela_opensubdiv {
+namespace candela_plugins::opensubdiv {
 
 /// Where on a face its surface is evaluated.
 struct GridSlot {
@@ -16,12 +16,12 @@ struct GridSlot {
     double s, t;          ///< Parameters of the patch, 0 to 1.
 };
 
-/// How the faces of one size are cut, and what they are cut at. The points of a face are its corners, then
+/// The tessellation of the faces of one size. The points of a face are its corners, then
 /// those within its edges, `segments - 1` each in the direction of the face, and those inside.
 ///
 /// A slot is a place to evaluate, and becomes a vertex to draw. Slot i lies at point i; there are more slots
-/// only where the face has creases inside: a face of other than 4 corners is cut into sub-faces, which the
-/// bilinear scheme does not join smoothly.
+/// than points only with the bilinear scheme: a face of other than 4 corners is cut into sub-faces, which it
+/// does not join smoothly.
 struct FaceGrid {
     std::uint32_t size;      ///< Corners of the face.
     std::uint32_t segments;  ///< Of each edge: 2^level.
@@ -38,10 +38,10 @@ struct FaceGrid {
     std::uint32_t polygonCount() const { return static_cast<std::uint32_t>(polygons.size() / polygonSize); }
 };
 
-/// The points of a face that is cut to `level`.
+/// The number of points of a face at `level`.
 std::uint64_t gridPoints(OpenSubdiv::Sdc::SchemeType scheme, std::uint64_t size, std::uint32_t level);
 
-/// The grids of all face sizes of a cage, of which `checkTableSize` has found that they are not too large.
+/// The grids of all face sizes of a cage, whose size `checkTableSize` has checked.
 class FaceGrids {
   public:
     FaceGrids(OpenSubdiv::Sdc::SchemeType scheme, std::uint32_t level,
@@ -53,4 +53,4 @@ class FaceGrids {
     std::map<std::uint32_t, FaceGrid> grids_;
 };
 
-}  // namespace candela_opensubdiv
+}  // namespace candela_plugins::opensubdiv

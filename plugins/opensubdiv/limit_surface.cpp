@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace candela_opensubdiv {
+namespace candela_plugins::opensubdiv {
 namespace {
 
 namespace Far = OpenSubdiv::Far;
@@ -16,14 +16,15 @@ constexpr int maxPatchPoints = 20;
 
 /// The levels until the last semi-sharp feature has become smooth; 0 to 10.
 int semiSharpLevels(const Far::TopologyLevel& base) {
-    float greatest = 0.0f;
+    float maxSharpness = 0.0f;
     for (int edge = 0; edge < base.GetNumEdges(); ++edge) {
-        if (base.IsEdgeSemiSharp(edge)) greatest = std::max(greatest, base.GetEdgeSharpness(edge));
+        if (base.IsEdgeSemiSharp(edge)) maxSharpness = std::max(maxSharpness, base.GetEdgeSharpness(edge));
     }
     for (int vertex = 0; vertex < base.GetNumVertices(); ++vertex) {
-        if (base.IsVertexSemiSharp(vertex)) greatest = std::max(greatest, base.GetVertexSharpness(vertex));
+        if (base.IsVertexSemiSharp(vertex))
+            maxSharpness = std::max(maxSharpness, base.GetVertexSharpness(vertex));
     }
-    return static_cast<int>(std::ceil(greatest));
+    return static_cast<int>(std::ceil(maxSharpness));
 }
 
 std::unique_ptr<Far::TopologyRefiner> refined(const Far::TopologyRefiner& base, int level, Primvar primvar) {
@@ -63,7 +64,7 @@ LimitSurface::LimitSurface(const Far::TopologyRefiner& base, std::uint32_t level
     const auto topology = refined(base, static_cast<int>(level), primvar);
     patches_ = makePatches(*topology, primvar);
     map_ = std::make_unique<Far::PatchMap>(*patches_);
-    stencils_ = std::make_unique<Stencils>(*topology, *patches_, primvar);
+    stencils_ = std::make_unique<PointStencils>(*topology, *patches_, primvar);
 }
 
 const Far::PatchTable::PatchHandle* LimitSurface::find(const Place& place) const {
@@ -75,7 +76,7 @@ bool LimitSurface::covers(std::uint32_t face) const {
     return find({face, 0, 0.25, 0.25}) != nullptr;
 }
 
-void LimitSurface::evaluate(const Place& place, RowSum& row) const {
+void LimitSurface::evaluate(const Place& place, LimitStencil& stencil) const {
     const PatchTable::PatchHandle& patch = *find(place);
     const bool isPosition = primvar_ == Primvar::position;
     PatchBasis basis;
@@ -86,13 +87,13 @@ void LimitSurface::evaluate(const Place& place, RowSum& row) const {
     }
     const Far::ConstIndexArray points =
         isPosition ? patches_->GetPatchVertices(patch) : patches_->GetPatchFVarValues(patch);
-    row.clear();
+    stencil.clear();
     for (int i = 0; i < points.size(); ++i) {
         const Weights weights{basis.value[i], basis.du[i], basis.dv[i]};
-        for (const SparseRows::Entry& entry : stencils_->of(points[i])) {
-            row.add(entry.column, weights * entry.weight);
+        for (const StencilList::Entry& entry : stencils_->of(points[i])) {
+            stencil.add(entry.index, weights * entry.weight);
         }
     }
 }
 
-}  // namespace candela_opensubdiv
+}  // namespace candela_plugins::opensubdiv

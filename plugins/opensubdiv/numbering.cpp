@@ -1,8 +1,83 @@
 #include "numbering.h"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 
-namespace candela_opensubdiv {
+namespace candela_plugins::opensubdiv {
+
+Sectors::Sectors(const CheckedCage& cage, const OpenSubdiv::Far::TopologyRefiner& topology)
+    : cage_(cage),
+      base_(topology.GetLevel(0)),
+      joinedEdges_(static_cast<std::size_t>(base_.GetNumEdges()), false),
+      parents_(cage.faceVertices.size()) {
+    std::iota(parents_.begin(), parents_.end(), 0u);
+    if (cage.scheme == CANDELA_SCHEME_BILINEAR) return;
+    for (int edge = 0; edge < base_.GetNumEdges(); ++edge) {
+        joinedEdges_[static_cast<std::size_t>(edge)] = isJoined(edge);
+    }
+    joinCorners();
+}
+
+Sectors::EdgeSide Sectors::side(int edge, int which) const {
+    const auto face = static_cast<std::uint32_t>(base_.GetEdgeFaces(edge)[which]);
+    const std::uint32_t local = base_.GetEdgeFaceLocalIndices(edge)[which];
+    const std::uint32_t start = cage_.faceStarts[face];
+    const std::uint32_t here = start + local;
+    const std::uint32_t next = start + (local + 1) % cage_.faceSizes[face];
+    const auto first = static_cast<std::uint32_t>(base_.GetEdgeVertices(edge)[0]);
+    return cage_.faceVertices[here] == first ? EdgeSide{{here, next}} : EdgeSide{{next, here}};
+}
+
+bool Sectors::hasSharedUvs(const EdgeSide& a, const EdgeSide& b) const {
+    if (cage_.uvCount == 0) return true;
+    return cage_.faceUvs[a.corners[0]] == cage_.faceUvs[b.corners[0]] &&
+           cage_.faceUvs[a.corners[1]] == cage_.faceUvs[b.corners[1]];
+}
+
+bool Sectors::isJoined(int edge) const {
+    if (base_.IsEdgeInfSharp(edge) || base_.IsEdgeNonManifold(edge)) return false;
+    if (base_.GetEdgeFaces(edge).size() != 2) return false;
+    return hasSharedUvs(side(edge, 0), side(edge, 1));
+}
+
+std::vector<bool> Sectors::cornerVertices() const {
+    std::vector<bool> corner;
+    corner.reserve(static_cast<std::size_t>(base_.GetNumVertices()));
+    for (int vertex = 0; vertex < base_.GetNumVertices(); ++vertex) {
+        const auto edges = base_.GetVertexEdges(vertex);
+        const auto sharpEdges = std::count_if(edges.begin(), edges.end(),
+                                              [this](int edge) { return base_.IsEdgeInfSharp(edge); });
+        corner.push_back(base_.IsVertexInfSharp(vertex) || sharpEdges > 2);
+    }
+    return corner;
+}
+
+void Sectors::joinCorners() {
+    const std::vector<bool> corner = cornerVertices();
+    for (int edge = 0; edge < base_.GetNumEdges(); ++edge) {
+        if (!joined(edge)) continue;
+        const EdgeSide a = side(edge, 0);
+        const EdgeSide b = side(edge, 1);
+        for (int end = 0; end < 2; ++end) {
+            if (corner[static_cast<std::size_t>(base_.GetEdgeVertices(edge)[end])]) continue;
+            const std::uint32_t rootA = root(a.corners[end]);
+            const std::uint32_t rootB = root(b.corners[end]);
+            parents_[std::max(rootA, rootB)] = std::min(rootA, rootB);
+        }
+    }
+    // A parent comes before its children, so its root is final when they read it.
+    for (std::uint32_t& parent : parents_) parent = parents_[parent];
+}
+
+std::uint32_t Sectors::root(std::uint32_t corner) {
+    while (parents_[corner] != corner) {
+        parents_[corner] = parents_[parents_[corner]];
+        corner = parents_[corner];
+    }
+    return corner;
+}
+
 namespace {
 
 namespace Far = OpenSubdiv::Far;
@@ -11,10 +86,10 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
 
-/// Walks over the faces, and gives out numbers.
-class Numbering::Assigner {
+/// Assigns the indices, face by face.
+class VertexNumbering::Assigner {
   public:
-    Assigner(Numbering& numbering, const Far::TopologyLevel& base, const Sectors& sectors)
+    Assigner(VertexNumbering& numbering, const Far::TopologyLevel& base, const Sectors& sectors)
         : numbering_(numbering),
           base_(base),
           sectors_(sectors),
@@ -93,7 +168,7 @@ class Numbering::Assigner {
         if (faceGrid.extraSlots() == 0) return;
         std::vector<std::uint32_t> vertices;
         numbering_.verticesOf(face, vertices);
-        numbering_.insides_[face].twins = numbering_.vertexCount();
+        numbering_.insides_[face].seamVertices = numbering_.vertexCount();
         for (std::uint32_t slot = faceGrid.pointCount; slot < faceGrid.slots.size(); ++slot) {
             const std::uint32_t vertex = vertices[faceGrid.slots[slot].point];
             addSeamVertex(vertex < numbering_.pointCount_
@@ -102,7 +177,7 @@ class Numbering::Assigner {
         }
     }
 
-    Numbering& numbering_;
+    VertexNumbering& numbering_;
     const Far::TopologyLevel& base_;
     const Sectors& sectors_;
     std::vector<std::uint32_t> pointAt_;       ///< Of each cage vertex.
@@ -110,8 +185,8 @@ class Numbering::Assigner {
     std::vector<std::uint32_t> sectorVertex_;  ///< Of each sector.
 };
 
-Numbering::Numbering(const GivenCage& cage, const Far::TopologyRefiner& topology, const Sectors& sectors,
-                     const LimitSurface& surface, const FaceGrids& grids)
+VertexNumbering::VertexNumbering(const CheckedCage& cage, const Far::TopologyRefiner& topology,
+                                 const Sectors& sectors, const LimitSurface& surface, const FaceGrids& grids)
     : cage_(cage), grids_(grids), corners_(cage.faceVertices.size()), insides_(cage.faceCount()) {
     for (std::uint32_t face = 0; face < cage.faceCount(); ++face) {
         if (surface.covers(face)) faces_.push_back(face);
@@ -121,7 +196,7 @@ Numbering::Numbering(const GivenCage& cage, const Far::TopologyRefiner& topology
     for (const std::uint32_t face : faces_) assigner.addSeamVertices(face);
 }
 
-void Numbering::verticesOf(std::uint32_t face, std::vector<std::uint32_t>& vertices) const {
+void VertexNumbering::verticesOf(std::uint32_t face, std::vector<std::uint32_t>& vertices) const {
     const FaceGrid& grid = grids_.of(cage_.faceSizes[face]);
     const Corner* const corners = &corners_[cage_.faceStarts[face]];
     const std::uint32_t last = grid.edgeSlots() - 1;
@@ -133,22 +208,22 @@ void Numbering::verticesOf(std::uint32_t face, std::vector<std::uint32_t>& verti
         }
     }
     for (std::uint32_t k = 0; k < grid.innerPoints(); ++k) vertices.push_back(insides_[face].points + k);
-    for (std::uint32_t k = 0; k < grid.extraSlots(); ++k) vertices.push_back(insides_[face].twins + k);
+    for (std::uint32_t k = 0; k < grid.extraSlots(); ++k) vertices.push_back(insides_[face].seamVertices + k);
 }
 
-void Numbering::ownPoints(std::uint32_t face, std::vector<std::uint32_t>& slots) const {
+void VertexNumbering::ownPoints(std::uint32_t face, std::vector<std::uint32_t>& slots) const {
     const FaceGrid& grid = grids_.of(cage_.faceSizes[face]);
     ownSlots(face, Role::ownsPoint, slots);
     for (std::uint32_t k = 0; k < grid.innerPoints(); ++k) slots.push_back(grid.firstInnerSlot() + k);
 }
 
-void Numbering::ownSeamVertices(std::uint32_t face, std::vector<std::uint32_t>& slots) const {
+void VertexNumbering::ownSeamVertices(std::uint32_t face, std::vector<std::uint32_t>& slots) const {
     const FaceGrid& grid = grids_.of(cage_.faceSizes[face]);
     ownSlots(face, Role::ownsSeamVertex, slots);
     for (std::uint32_t k = 0; k < grid.extraSlots(); ++k) slots.push_back(grid.pointCount + k);
 }
 
-void Numbering::ownSlots(std::uint32_t face, Role role, std::vector<std::uint32_t>& slots) const {
+void VertexNumbering::ownSlots(std::uint32_t face, Role role, std::vector<std::uint32_t>& slots) const {
     const FaceGrid& grid = grids_.of(cage_.faceSizes[face]);
     const Corner* const corners = &corners_[cage_.faceStarts[face]];
     const std::uint32_t last = grid.edgeSlots() - 1;
@@ -164,4 +239,4 @@ void Numbering::ownSlots(std::uint32_t face, Role role, std::vector<std::uint32_
     }
 }
 
-}  // namespace candela_opensubdiv
+}  // namespace candela_plugins::opensubdiv

@@ -1,39 +1,75 @@
 #pragma once
 
+#include <candela/plugin.h>
+
 #include <cstdint>
 #include <span>
+#include <vector>
 
+#include "cage.h"
 #include "face_grid.h"
-#include "given_cage.h"
 #include "limit_surface.h"
-#include "stencil_table.h"
+#include "stencil_list.h"
 
-namespace candela_opensubdiv {
+namespace candela_plugins::opensubdiv {
 
-/// Rows of positions, and of texture coordinates where the cage has some; as many of both.
-struct VertexRows {
-    StencilTable positions, uvs;
+/// Replaces the derivatives of a stencil by those of another, which may have other indices.
+void replaceDerivatives(LimitStencil& stencil, const LimitStencil& other);
+
+/// A weighted point of a stencil, in single precision.
+struct StencilEntry {
+    std::uint32_t index;
+    float value, du, dv;
 };
 
-/// Evaluates the surface into rows. Each thread has its own.
+/// Stencils in single precision, appended one after the other.
+struct StencilBuffer {
+    std::vector<std::uint32_t> sizes;  ///< The number of entries of each stencil.
+    std::vector<StencilEntry> entries;
+
+    /// Rounds to single precision, and drops the entries whose weights are all 0.
+    void add(const LimitStencil& stencil);
+};
+
+/// The concatenation of stencil buffers in the layout of the host.
+class StencilTable {
+  public:
+    /// Empties the buffers. Throws `Failure` when 32 bits cannot count the entries.
+    explicit StencilTable(std::span<StencilBuffer* const> buffers);
+
+    /// Valid as long as the table.
+    candela_stencil_table view() const;
+
+  private:
+    std::vector<std::uint32_t> offsets_{0};
+    std::vector<std::uint32_t> indices_;
+    std::vector<float> weights_, duWeights_, dvWeights_;
+};
+
+/// A stencil of each vertex for the position, and one for the texture coordinates where the cage has some.
+struct VertexStencils {
+    StencilBuffer positions, uvs;
+};
+
+/// Makes the stencils of vertices. Each worker has its own builder.
 class StencilBuilder {
   public:
     /// `uvs` is NULL for a cage without texture coordinates.
-    StencilBuilder(const GivenCage& cage, const LimitSurface& positions, const LimitSurface* uvs,
+    StencilBuilder(const CheckedCage& cage, const LimitSurface& positions, const LimitSurface* uvs,
                    std::uint32_t level);
 
-    /// Adds a row for each of some slots of a face.
+    /// Adds a stencil for each of the given slots of a face.
     void add(std::uint32_t face, const FaceGrid& grid, std::span<const std::uint32_t> slots,
-             VertexRows& rows);
+             VertexStencils& stencils);
 
   private:
-    bool isDegenerate(const RowSum& row) const;
+    bool isDegenerate(const LimitStencil& stencil) const;
 
-    const GivenCage& cage_;
+    const CheckedCage& cage_;
     const LimitSurface& positions_;
     const LimitSurface* uvs_;
-    double step_;  ///< Of a face's parameters from one vertex to the next.
-    RowSum position_, positionInside_, uv_, uvInside_;
+    double step_;  ///< The distance of neighbouring vertices in the parameters of a face.
+    LimitStencil position_, positionInside_, uv_, uvInside_;
 };
 
-}  // namespace candela_opensubdiv
+}  // namespace candela_plugins::opensubdiv

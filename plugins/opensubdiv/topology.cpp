@@ -1,11 +1,69 @@
 #include "topology.h"
 
+#include <opensubdiv/far/error.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 
-#include "failure.h"
-#include "messages.h"
+#include <limits>
+#include <mutex>
+#include <string>
+#include <vector>
 
-namespace candela_opensubdiv {
+#include "../common/failure.h"
+#include "face_grid.h"
+
+namespace candela_plugins::opensubdiv {
+
+/// Catches the messages of OpenSubdiv, which it would print. Its callbacks are global, so they are set once
+/// and hand each message to the catcher of the same thread; without one it is dropped.
+class MessageCatcher {
+  public:
+    MessageCatcher();
+    ~MessageCatcher();
+    MessageCatcher(const MessageCatcher&) = delete;
+    MessageCatcher& operator=(const MessageCatcher&) = delete;
+
+    /// The first error since the catcher was made; empty where there was none. Warnings are dropped: the
+    /// plugin makes these checks itself.
+    const std::string& error() const { return error_; }
+
+    void take(const char* error);
+
+  private:
+    std::string error_;
+    MessageCatcher* outer_;
+};
+
+namespace {
+
+namespace Far = OpenSubdiv::Far;
+
+thread_local MessageCatcher* current = nullptr;
+
+void takeError(Far::ErrorType, const char* message) {
+    if (current != nullptr) current->take(message);
+}
+
+void dropWarning(const char*) {}
+
+}  // namespace
+
+MessageCatcher::MessageCatcher() : outer_(current) {
+    static std::once_flag set;
+    std::call_once(set, [] {
+        Far::SetErrorCallback(takeError);
+        Far::SetWarningCallback(dropWarning);
+    });
+    current = this;
+}
+
+MessageCatcher::~MessageCatcher() {
+    current = outer_;
+}
+
+void MessageCatcher::take(const char* error) {
+    if (error_.empty()) error_ = error;
+}
+
 namespace {
 
 namespace Far = OpenSubdiv::Far;
@@ -24,7 +82,7 @@ constexpr Sdc::Options::CreasingMethod creaseMethods[] = {Sdc::Options::CREASE_U
 constexpr Sdc::Options::TriangleSubdivision triangleRules[] = {Sdc::Options::TRI_SUB_CATMARK,
                                                                Sdc::Options::TRI_SUB_SMOOTH};
 
-Sdc::Options optionsOf(const GivenCage& cage) {
+Sdc::Options optionsOf(const CheckedCage& cage) {
     Sdc::Options options;
     options.SetVtxBoundaryInterpolation(boundaries[cage.boundaryInterpolation]);
     options.SetFVarLinearInterpolation(faceVaryings[cage.faceVaryingInterpolation]);
@@ -33,12 +91,12 @@ Sdc::Options optionsOf(const GivenCage& cage) {
     return options;
 }
 
-/// OpenSubdiv's indices are int; `checkedCage` has made sure that all of ours fit.
+/// OpenSubdiv's indices are int; `checkCage` has checked that all of ours fit.
 const int* asInts(std::span<const std::uint32_t> values) {
     return reinterpret_cast<const int*>(values.data());
 }
 
-Far::TopologyDescriptor describe(const GivenCage& cage,
+Far::TopologyDescriptor describe(const CheckedCage& cage,
                                  const Far::TopologyDescriptor::FVarChannel& textureCoordinates) {
     Far::TopologyDescriptor descriptor;
     descriptor.numVertices = static_cast<int>(cage.vertexCount);
@@ -58,7 +116,7 @@ Far::TopologyDescriptor describe(const GivenCage& cage,
     return descriptor;
 }
 
-void checkCreases(const GivenCage& cage, const Far::TopologyLevel& base) {
+void checkCreases(const CheckedCage& cage, const Far::TopologyLevel& base) {
     for (std::size_t crease = 0; crease < cage.creaseSharpness.size(); ++crease) {
         const std::uint32_t vertex0 = cage.creaseEdges[2 * crease];
         const std::uint32_t vertex1 = cage.creaseEdges[2 * crease + 1];
@@ -74,7 +132,7 @@ Sdc::SchemeType osdScheme(candela_scheme scheme) {
     return schemes[scheme];
 }
 
-std::unique_ptr<Far::TopologyRefiner> makeTopology(const GivenCage& cage) {
+std::unique_ptr<Far::TopologyRefiner> makeTopology(const CheckedCage& cage) {
     using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
     Far::TopologyDescriptor::FVarChannel textureCoordinates;
     textureCoordinates.numValues = static_cast<int>(cage.uvCount);
@@ -91,4 +149,48 @@ std::unique_ptr<Far::TopologyRefiner> makeTopology(const GivenCage& cage) {
     return topology;
 }
 
-}  // namespace candela_opensubdiv
+namespace {
+
+namespace Far = OpenSubdiv::Far;
+
+/// Counts the vertices that a face's surface depends on: those of all faces around its corners.
+class Neighbourhoods {
+  public:
+    explicit Neighbourhoods(const Far::TopologyLevel& base)
+        : base_(base), lastSeen_(static_cast<std::size_t>(base.GetNumVertices()), -1) {}
+
+    std::uint64_t count(int face) {
+        std::uint64_t count = 0;
+        for (const int corner : base_.GetFaceVertices(face)) {
+            for (const int neighbour : base_.GetVertexFaces(corner)) {
+                for (const int vertex : base_.GetFaceVertices(neighbour)) {
+                    int& seen = lastSeen_[static_cast<std::size_t>(vertex)];
+                    if (seen != face) ++count;
+                    seen = face;
+                }
+            }
+        }
+        return count;
+    }
+
+  private:
+    const Far::TopologyLevel& base_;
+    std::vector<int> lastSeen_;
+};
+
+}  // namespace
+
+void checkTableSize(const Far::TopologyRefiner& topology, std::uint32_t level) {
+    const Far::TopologyLevel& base = topology.GetLevel(0);
+    Neighbourhoods neighbourhoods(base);
+    std::uint64_t entries = 0;
+    for (int face = 0; face < base.GetNumFaces(); ++face) {
+        const auto size = static_cast<std::uint64_t>(base.GetFaceVertices(face).size());
+        entries += gridPoints(topology.GetSchemeType(), size, level) * neighbourhoods.count(face);
+        if (entries <= std::numeric_limits<std::uint32_t>::max()) continue;
+        throw Failure{"level " + std::to_string(level),
+                      "the stencil table could have more than 4294967295 entries"};
+    }
+}
+
+}  // namespace candela_plugins::opensubdiv

@@ -1,17 +1,13 @@
 // The layout of Bevy's stress test of many lights: small lights far from the camera, each a few pixels wide.
-#include "cloud.h"
-
-#include "count.h"
-#include "generator.h"
-#include "hash.h"
-#include "pushing.h"
-#include "shapes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-namespace plaza {
+#include "geometry.h"
+#include "scene_builder.h"
+#include "scenes.h"
+
+namespace candela_plugins::plaza {
 namespace {
 
 constexpr double cloudRadius = 50.0;  // metres
@@ -21,32 +17,32 @@ constexpr std::uint32_t shellSegments = 256;
 constexpr float lightCandela = 0.05f;
 constexpr float lightRange = 0.3f;  // metres
 constexpr double twoPi = 6.28318530717958647692;
-constexpr double goldenShare = 0.61803398874989484820;  // of a turn, from one light to the next
+constexpr double goldenFraction = 0.61803398874989484820;  // of a full turn, from one light to the next
 
-void addShell(const candela_host& host) {
+void addShell(const Host& host) {
     const std::string name = "shell";
-    Shape shell = makeSphere(shellRadius, shellSegments, shellSegments / 2);
-    turnInsideOut(shell);
-    addShape(host, shell, addGreyMaterial(host, name, 0.75f, 0.6f), name);
+    Geometry shell = makeSphere(shellRadius, shellSegments, shellSegments / 2);
+    flipFaces(shell);
+    addGeometry(host, shell, addGreyMaterial(host, name, 0.75f, 0.6f), name);
 }
 
-// Fibonacci's spiral: equal steps in height, and the golden share of a turn in between.
+// A Fibonacci sphere: equal steps in height, with the golden fraction of a full turn between them.
 candela_light lightAt(std::uint32_t index, std::uint32_t count) {
     const double y = 1.0 - 2.0 * (index + 0.5) / count;
     const double around = std::sqrt(1.0 - y * y);
-    const double turns = index * goldenShare, angle = twoPi * (turns - std::floor(turns));
+    const double turns = index * goldenFraction, angle = twoPi * (turns - std::floor(turns));
     candela_light light = plainLight(lightCandela, lightRange);
     light.position[0] = static_cast<float>(cloudRadius * around * gridSine(angle));
     light.position[1] = static_cast<float>(cloudRadius * y);
     light.position[2] = static_cast<float>(cloudRadius * around * gridCosine(angle));
-    const std::array<float, 3> color = hueColor(hashedShare(index, 0));
+    const std::array<float, 3> color = hueColor(hashedFraction(index, 0));
     std::copy(color.begin(), color.end(), light.color);
     return light;
 }
 
 }  // namespace
 
-void makeCloud(const candela_host& host, const std::string& arguments) {
+void makeCloud(const Host& host, const std::string& arguments) {
     const std::uint32_t lights = parseCount(arguments, "number of lights", "cloud:100000");
     addShell(host);
     const std::string name = "camera";
@@ -54,4 +50,4 @@ void makeCloud(const candela_host& host, const std::string& arguments) {
     addLights(host, lights, [&](std::uint32_t index) { return lightAt(index, lights); });
 }
 
-}  // namespace plaza
+}  // namespace candela_plugins::plaza

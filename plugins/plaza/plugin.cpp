@@ -1,25 +1,18 @@
-// The plugin of procedural scenes. A further one is a scheme and a generator in the table, in files of its
-// own.
-
-#include "cloud.h"
-#include "generator.h"
-#include "plaza.h"
-#include "rooms.h"
-#include "sculpture.h"
-
 #include <candela/plugin.h>
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <string>
 
-namespace plaza {
+#include "scenes.h"
+
+namespace candela_plugins::plaza {
 namespace {
 
+/// A further procedural scene is a generator and a row of the table.
 struct ProceduralScene {
     const char* scheme;
-    Generator generate;
+    void (*generate)(const Host& host, const std::string& arguments);
 };
 
 constexpr std::array proceduralScenes{
@@ -42,25 +35,15 @@ std::string schemeOf(const std::string& uri) {
     return scheme;
 }
 
-void generate(const candela_host& host, const candela_request& request) {
+void generate(const Host& host, const candela_request& request) {
     const std::string scheme = schemeOf(request.uri);
     for (const ProceduralScene& scene : proceduralScenes)
         if (scheme == scene.scheme) return scene.generate(host, request.name);
-    throw BadRequest("scheme", "'" + scheme + "' is not one of this plugin's");
+    throw Failure{"scheme", "'" + scheme + "' is not one of this plugin's"};
 }
 
 candela_status importScene(const candela_host* host, const candela_request* request) {
-    try {
-        generate(*host, *request);
-        return CANDELA_OK;
-    } catch (const HostRefused&) {
-        return CANDELA_FAILED;
-    } catch (const BadRequest& bad) {
-        host->fail(host->self, bad.element.c_str(), bad.what());
-    } catch (const std::exception& error) {
-        host->fail(host->self, nullptr, error.what());
-    }
-    return CANDELA_FAILED;
+    return runGuarded(*host, [&] { generate(Host(*host), *request); });
 }
 
 constexpr candela_importer importer{sizeof(candela_importer), nullptr, schemes.data(), importScene};
@@ -77,8 +60,8 @@ constexpr candela_plugin plugin{sizeof(candela_plugin),
                                 nullptr};
 
 }  // namespace
-}  // namespace plaza
+}  // namespace candela_plugins::plaza
 
 const candela_plugin* candela_plugin_query(uint32_t hostMajor, uint32_t) {
-    return hostMajor == CANDELA_PLUGIN_MAJOR ? &plaza::plugin : nullptr;
+    return hostMajor == CANDELA_PLUGIN_MAJOR ? &candela_plugins::plaza::plugin : nullptr;
 }

@@ -1,20 +1,17 @@
-#include "sculpture.h"
-
-#include "generator.h"
-#include "plaza.h"
-#include "pushing.h"
-#include "shapes.h"
-
 #include <array>
 #include <cstdint>
 #include <vector>
 
-namespace plaza {
+#include "geometry.h"
+#include "scene_builder.h"
+#include "scenes.h"
+
+namespace candela_plugins::plaza {
 namespace {
 
 constexpr std::uint32_t segments = 20;                     // around the ring
 constexpr std::uint32_t sides = 4;                         // of its section
-constexpr std::uint32_t halfTurns = 3;                     // of the section on its way about the ring
+constexpr std::uint32_t halfTurns = 3;                     // of the section over the length of the ring
 constexpr double ringRadius = 2.35, sectionRadius = 1.15;  // metres
 constexpr double pi = 3.14159265358979323846;
 constexpr float infinitelySharp = 10.0f;
@@ -25,8 +22,8 @@ struct Ring {
     std::vector<float> creaseSharpness;
 };
 
-// Corner `side` of section `segment`. After an odd number of half turns, what closes the ring is two corners
-// on.
+// Corner `side` of section `segment`. After an odd number of half turns the ring is closed with an offset of
+// two corners.
 std::uint32_t corner(std::uint32_t segment, std::uint32_t side) {
     const std::uint32_t shift = segment < segments ? 0 : sides / 2;
     return segment % segments * sides + (side + shift) % sides;
@@ -59,18 +56,18 @@ Ring makeRing() {
     return ring;
 }
 
-int32_t addClay(const candela_host& host) {
+int32_t addClayMaterial(const Host& host) {
     const std::string name = "sculpture";
     candela_material material = plainMaterial(name);
     constexpr std::array<float, 3> darkClay{0.09f, 0.1f, 0.13f};
     for (std::uint32_t i = 0; i < 3; ++i) material.base_color[i] = darkClay[i];
     material.roughness = 0.3f;
-    return accepted(host.add_material(host.self, &material));
+    return host.add(material);
 }
 
-int32_t addRing(const candela_host& host) {
+int32_t addRing(const Host& host) {
     const Ring ring = makeRing();
-    const std::vector<int32_t> materials(ring.faceSizes.size(), addClay(host));
+    const std::vector<int32_t> materials(ring.faceSizes.size(), addClayMaterial(host));
     candela_cage cage{};
     cage.struct_size = sizeof cage;
     cage.name = "sculpture";
@@ -84,22 +81,25 @@ int32_t addRing(const candela_host& host) {
     cage.crease_edges = ring.creaseEdges.data();
     cage.crease_sharpness = ring.creaseSharpness.data();
     cage.face_materials = materials.data();
-    return accepted(host.add_cage(host.self, &cage));
+    return host.add(cage);
 }
 
 }  // namespace
 
-void makeSculpture(const candela_host& host, const std::string& arguments) {
+void makeSculpture(const Host& host, const std::string& arguments) {
+    if (!host.takesCages())
+        throw Failure{"sculpture", "the host has no subdivision cages: it is older than version 1.1"};
     makePlaza(host, arguments);
-    candela_node node = plainNode("sculpture", -1);
+    const std::string name = "sculpture";
+    candela_node node = plainNode(name, -1);
     node.translation[1] = static_cast<float>(sectionRadius);
     node.translation[2] = 25.0f;  // between two rows of spheres
-    candela_cage_instance shown{};
-    shown.struct_size = sizeof shown;
-    shown.cage = addRing(host);
-    shown.node = accepted(host.add_node(host.self, &node));
-    shown.skin = -1;
-    if (host.show_cage(host.self, &shown) != CANDELA_OK) throw HostRefused{};
+    candela_cage_instance instance{};
+    instance.struct_size = sizeof instance;
+    instance.cage = addRing(host);
+    instance.node = host.add(node);
+    instance.skin = -1;
+    host.add(instance);
 }
 
-}  // namespace plaza
+}  // namespace candela_plugins::plaza

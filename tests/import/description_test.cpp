@@ -1,5 +1,4 @@
 // The rules that a plugin's description has to keep, broken one at a time.
-#include "import/plugin_description.h"
 #include "import/plugin_file.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The example of docs/plugins.md: it is shown as it is compiled, and it does what the page says.
+// The example of docs/plugins.md: it is instance as it is compiled, and it does what the page says.
 #include "expect_error.h"
 #include "temporary_folder.h"
 

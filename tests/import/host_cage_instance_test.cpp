@@ -1,6 +1,6 @@
 // What the host takes and refuses of skins, of nodes that show cages and of moving morph weights.
 #include "expect_error.h"
-#include "host_pushes.h"
+#include "host_calls.h"
 #include "import_samples.h"
 
 #include <candela/scene.h>
@@ -16,46 +16,46 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-using Push = std::function<void(const candela_host&)>;
+using Add = std::function<void(const candela_host&)>;
 
-void expectRefused(const Push& pushIt, const std::string& text) {
-    EXPECT_EQ(expectError([&] { pushedScene(pushIt); }, ErrorKind::badInput, ""), "test: " + text);
+void expectRefused(const Add& addIt, const std::string& text) {
+    EXPECT_EQ(expectError([&] { importedScene(addIt); }, ErrorKind::badInput, ""), "test: " + text);
 }
 
 // Two nodes, a cage and a skin.
-void pushParts(const candela_host& host) {
-    push(host, samples::node());
-    push(host, samples::node());
-    push(host, samples::cage());
-    push(host, samples::skin());
+void addParts(const candela_host& host) {
+    add(host, samples::node());
+    add(host, samples::node());
+    add(host, samples::cage());
+    add(host, samples::skin());
 }
 
 void expectSkinRefused(const std::function<void(candela_skin&)>& spoil, const std::string& text) {
     expectRefused(
         [&](const candela_host& host) {
-            pushParts(host);
-            push(host, spoiled(samples::skin(), spoil));
+            addParts(host);
+            add(host, spoiled(samples::skin(), spoil));
         },
         "skin 1 'rig': " + text);
 }
 
-void expectShowRefused(const std::function<void(candela_cage_instance&)>& spoil, const std::string& text) {
+void expectInstanceRefused(const std::function<void(candela_cage_instance&)>& spoil, const std::string& text) {
     expectRefused(
         [&](const candela_host& host) {
-            pushParts(host);
-            push(host, spoiled(samples::shownCage(), spoil));
+            addParts(host);
+            add(host, spoiled(samples::cageInstance(), spoil));
         },
         text);
 }
 
-TEST(HostSkin, WhatIsPushedArrives) {
+TEST(HostSkin, CopiesWhatIsAdded) {
     std::array<float, 32> matrices{};
     for (std::size_t i = 0; i < 16; ++i) matrices[i] = matrices[16 + i] = samples::identity[i];
     matrices[16 + 13] = 7.0f;
-    const Scene scene = pushedScene([&](const candela_host& host) {
-        pushParts(host);
-        push(host,
-             spoiled(samples::skin(), [&](candela_skin& s) { s.inverse_bind_matrices = matrices.data(); }));
+    const Scene scene = importedScene([&](const candela_host& host) {
+        addParts(host);
+        add(host,
+            spoiled(samples::skin(), [&](candela_skin& s) { s.inverse_bind_matrices = matrices.data(); }));
     });
     ASSERT_EQ(scene.skins.size(), 2u);
     EXPECT_EQ(scene.skins[0].name, "rig");
@@ -72,7 +72,7 @@ TEST(HostSkinRefuses, AndNamesTheJoint) {
     const std::int32_t none[] = {0, -1}, later[] = {2, 0};
     expectSkinRefused([&](candela_skin& s) { s.joints = none; }, "joint 1 is -1, but a node was expected");
     expectSkinRefused([&](candela_skin& s) { s.joints = later; },
-                      "joint 0 is 2, but 2 were pushed so far and -1 is none");
+                      "joint 0 is 2, but 2 were added so far and -1 is none");
     auto matrix = samples::identity;
     const auto single = [&](candela_skin& s) {
         s.joint_count = 1;
@@ -87,22 +87,22 @@ TEST(HostSkinRefuses, AndNamesTheJoint) {
                       "inverse_bind_matrix 0 has the component nan, but finite numbers were expected");
 }
 
-TEST(HostShownCage, WhatIsPushedArrives) {
-    const Scene scene = pushedScene([](const candela_host& host) {
-        pushParts(host);
-        push(host, samples::shownCage());
-        push(host, spoiled(samples::shownCage(), [](candela_cage_instance& s) {
-                 s.node = 1;
-                 s.skin = -1;
-                 s.morph_weight_count = 0;
-                 s.morph_weights = nullptr;
-             }));
+TEST(HostShownCage, CopiesWhatIsAdded) {
+    const Scene scene = importedScene([](const candela_host& host) {
+        addParts(host);
+        add(host, samples::cageInstance());
+        add(host, spoiled(samples::cageInstance(), [](candela_cage_instance& s) {
+                s.node = 1;
+                s.skin = -1;
+                s.morph_weight_count = 0;
+                s.morph_weights = nullptr;
+            }));
     });
-    const auto& shown = scene.nodes.at(0).cage;
-    ASSERT_TRUE(shown);
-    EXPECT_EQ(shown->cage, 0u);
-    EXPECT_EQ(shown->skin, 0u);
-    EXPECT_EQ(shown->morphWeights, (std::vector<float>{0.25f, 0.5f}));
+    const auto& instance = scene.nodes.at(0).cage;
+    ASSERT_TRUE(instance);
+    EXPECT_EQ(instance->cage, 0u);
+    EXPECT_EQ(instance->skin, 0u);
+    EXPECT_EQ(instance->morphWeights, (std::vector<float>{0.25f, 0.5f}));
     const auto& plain = scene.nodes.at(1).cage;
     ASSERT_TRUE(plain);
     EXPECT_FALSE(plain->skin);
@@ -110,22 +110,22 @@ TEST(HostShownCage, WhatIsPushedArrives) {
 }
 
 TEST(HostShownCageRefuses, AndNamesTheNode) {
-    expectShowRefused([](candela_cage_instance& s) { s.node = -1; },
-                      "show_cage: node is -1, but a node was expected");
-    expectShowRefused([](candela_cage_instance& s) { s.node = 2; },
-                      "show_cage: node is 2, but 2 were pushed so far and -1 is none");
-    expectShowRefused([](candela_cage_instance& s) { s.cage = -1; },
+    expectInstanceRefused([](candela_cage_instance& s) { s.node = -1; },
+                      "add_cage_instance: node is -1, but a node was expected");
+    expectInstanceRefused([](candela_cage_instance& s) { s.node = 2; },
+                      "add_cage_instance: node is 2, but 2 were added so far and -1 is none");
+    expectInstanceRefused([](candela_cage_instance& s) { s.cage = -1; },
                       "node 0 'axle': cage is -1, but a cage was expected");
-    expectShowRefused([](candela_cage_instance& s) { s.cage = 1; },
-                      "node 0 'axle': cage is 1, but 1 were pushed so far and -1 is none");
-    expectShowRefused([](candela_cage_instance& s) { s.skin = 1; },
-                      "node 0 'axle': skin is 1, but 1 were pushed so far and -1 is none");
-    expectShowRefused([](candela_cage_instance& s) { s.morph_weight_count = 1; },
+    expectInstanceRefused([](candela_cage_instance& s) { s.cage = 1; },
+                      "node 0 'axle': cage is 1, but 1 were added so far and -1 is none");
+    expectInstanceRefused([](candela_cage_instance& s) { s.skin = 1; },
+                      "node 0 'axle': skin is 1, but 1 were added so far and -1 is none");
+    expectInstanceRefused([](candela_cage_instance& s) { s.morph_weight_count = 1; },
                       "node 0 'axle': morph_weight_count is 1, but cage 0 'body' has 2 morph targets");
-    expectShowRefused([](candela_cage_instance& s) { s.morph_weights = nullptr; },
+    expectInstanceRefused([](candela_cage_instance& s) { s.morph_weights = nullptr; },
                       "node 0 'axle': morph_weight is NULL, but 2 elements were expected");
     const float weights[] = {0.0f, nan};
-    expectShowRefused(
+    expectInstanceRefused(
         [&](candela_cage_instance& s) { s.morph_weights = weights; },
         "node 0 'axle': morph_weight 1 has the component nan, but finite numbers were expected");
 }
@@ -133,11 +133,11 @@ TEST(HostShownCageRefuses, AndNamesTheNode) {
 TEST(HostShownCageRefuses, ASecondCage) {
     expectRefused(
         [](const candela_host& host) {
-            pushParts(host);
-            push(host, samples::shownCage());
-            push(host, samples::shownCage());
+            addParts(host);
+            add(host, samples::cageInstance());
+            add(host, samples::cageInstance());
         },
-        "node 0 'axle': it shows cage 0 'body' already, and can not show another cage");
+        "node 0 'axle': it has an instance of cage 0 'body' already, and can not have another");
 }
 
 constexpr float morphKeys[] = {0, 0.5f, 1, 0};
@@ -147,15 +147,15 @@ void spoilPath(candela_animation_channel& channel) {
     channel.values = morphKeys;
 }
 
-void pushMoving(const candela_host& host, const candela_animation_channel& channel) {
-    push(host, spoiled(samples::animation(), [&](candela_animation& a) { a.channels = &channel; }));
+void addMoving(const candela_host& host, const candela_animation_channel& channel) {
+    add(host, spoiled(samples::animation(), [&](candela_animation& a) { a.channels = &channel; }));
 }
 
 TEST(HostMorphAnimation, HasANumberForEachTarget) {
-    const Scene scene = pushedScene([](const candela_host& host) {
-        pushParts(host);
-        push(host, samples::shownCage());
-        pushMoving(host, spoiled(samples::channel, spoilPath));
+    const Scene scene = importedScene([](const candela_host& host) {
+        addParts(host);
+        add(host, samples::cageInstance());
+        addMoving(host, spoiled(samples::channel, spoilPath));
     });
     const AnimationChannel& channel = scene.animations.at(0).channels.at(0);
     EXPECT_EQ(channel.path, AnimationPath::morphWeights);
@@ -164,14 +164,14 @@ TEST(HostMorphAnimation, HasANumberForEachTarget) {
 
 // What a matrix places can not be moved by an animation, but its morph weights can.
 TEST(HostMorphAnimation, MovesTheCageOfANodeWithAMatrix) {
-    const Scene scene = pushedScene([](const candela_host& host) {
-        pushParts(host);
-        push(host, spoiled(samples::node(), [](candela_node& n) { n.matrix = samples::identity.data(); }));
-        push(host, spoiled(samples::shownCage(), [](candela_cage_instance& s) { s.node = 2; }));
-        pushMoving(host, spoiled(samples::channel, [](candela_animation_channel& c) {
-                       spoilPath(c);
-                       c.node = 2;
-                   }));
+    const Scene scene = importedScene([](const candela_host& host) {
+        addParts(host);
+        add(host, spoiled(samples::node(), [](candela_node& n) { n.matrix = samples::identity.data(); }));
+        add(host, spoiled(samples::cageInstance(), [](candela_cage_instance& s) { s.node = 2; }));
+        addMoving(host, spoiled(samples::channel, [](candela_animation_channel& c) {
+                      spoilPath(c);
+                      c.node = 2;
+                  }));
     });
     EXPECT_EQ(scene.animations.at(0).channels.at(0).node, 2u);
 }
@@ -181,19 +181,19 @@ TEST(HostMorphAnimation, NeedsACageWithTargets) {
         "animation 0 'roll': channel 0: node is 0, which shows no cage with morph targets";
     expectRefused(
         [](const candela_host& host) {
-            pushParts(host);
-            pushMoving(host, spoiled(samples::channel, spoilPath));
+            addParts(host);
+            addMoving(host, spoiled(samples::channel, spoilPath));
         },
         text);
     expectRefused(
         [](const candela_host& host) {
-            pushParts(host);
-            push(host, spoiled(samples::cage(), [](candela_cage& c) { c.morph_target_count = 0; }));
-            push(host, spoiled(samples::shownCage(), [](candela_cage_instance& s) {
-                     s.cage = 1;
-                     s.morph_weight_count = 0;
-                 }));
-            pushMoving(host, spoiled(samples::channel, spoilPath));
+            addParts(host);
+            add(host, spoiled(samples::cage(), [](candela_cage& c) { c.morph_target_count = 0; }));
+            add(host, spoiled(samples::cageInstance(), [](candela_cage_instance& s) {
+                    s.cage = 1;
+                    s.morph_weight_count = 0;
+                }));
+            addMoving(host, spoiled(samples::channel, spoilPath));
         },
         text);
 }

@@ -1,6 +1,6 @@
 // What the host takes and refuses of cages, of skins and of nodes that show cages.
 #include "expect_error.h"
-#include "host_pushes.h"
+#include "host_calls.h"
 #include "import_samples.h"
 
 #include <candela/scene.h>
@@ -29,14 +29,14 @@ using SpoilCage = std::function<void(candela_cage&)>;
 
 void expectCageRefused(const SpoilCage& spoil, const std::string& text,
                        ErrorKind kind = ErrorKind::badInput) {
-    const auto pushIt = [&] {
-        pushedScene([&](const candela_host& host) { push(host, spoiled(samples::cage(), spoil)); });
+    const auto addIt = [&] {
+        importedScene([&](const candela_host& host) { add(host, spoiled(samples::cage(), spoil)); });
     };
-    EXPECT_EQ(expectError(pushIt, kind, ""), "test: cage 0 'body': " + text);
+    EXPECT_EQ(expectError(addIt, kind, ""), "test: cage 0 'body': " + text);
 }
 
-TEST(HostCage, WhatIsPushedArrives) {
-    const Scene scene = pushedScene([](const candela_host& host) { push(host, samples::cage()); });
+TEST(HostCage, CopiesWhatIsAdded) {
+    const Scene scene = importedScene([](const candela_host& host) { add(host, samples::cage()); });
     const Cage& cage = scene.cages.at(0);
     EXPECT_EQ(cage.name, "body");
     EXPECT_EQ(cage.scheme, SubdivisionScheme::catmullClark);
@@ -67,7 +67,7 @@ TEST(HostCage, WhatIsPushedArrives) {
 
 TEST(HostCage, EnumeratorsAreTranslated) {
     const auto cageOf = [](const SpoilCage& spoil) {
-        return pushedScene([&](const candela_host& host) { push(host, spoiled(samples::cage(), spoil)); })
+        return importedScene([&](const candela_host& host) { add(host, spoiled(samples::cage(), spoil)); })
             .cages.at(0);
     };
     const Cage cage = cageOf([](candela_cage& c) {
@@ -95,7 +95,7 @@ TEST(HostCage, EnumeratorsAreTranslated) {
 }
 
 TEST(HostCage, JointWeightsAreBroughtToTheSumOne) {
-    const Scene scene = pushedScene([](const candela_host& host) { push(host, samples::cage()); });
+    const Scene scene = importedScene([](const candela_host& host) { add(host, samples::cage()); });
     const std::vector<float>& weights = scene.cages.at(0).jointWeights;
     // 1 and 3 of a sum of 4: exact in binary.
     EXPECT_EQ(weights.at(2), 0.25f);
@@ -107,19 +107,19 @@ TEST(HostCage, JointWeightsAreBroughtToTheSumOne) {
 TEST(HostCage, MaterialsOfFaces) {
     candela_material material = samples::material();
     const std::int32_t materials[] = {-1, 0};
-    const Scene scene = pushedScene([&](const candela_host& host) {
+    const Scene scene = importedScene([&](const candela_host& host) {
         host.add_material(host.self, &material);
-        push(host, spoiled(samples::cage(), [&](candela_cage& c) { c.face_materials = materials; }));
+        add(host, spoiled(samples::cage(), [&](candela_cage& c) { c.face_materials = materials; }));
     });
     ASSERT_EQ(scene.cages.at(0).faceMaterials.size(), 2u);
     EXPECT_FALSE(scene.cages[0].faceMaterials[0]);
     EXPECT_EQ(scene.cages[0].faceMaterials[1], 0u);
     const std::int32_t later[] = {-1, 3};
     expectCageRefused([&](candela_cage& c) { c.face_materials = later; },
-                      "face 1: material is 3, but 0 were pushed so far and -1 is none");
+                      "face 1: material is 3, but 0 were added so far and -1 is none");
     const std::int32_t negative[] = {-2, -1};
     expectCageRefused([&](candela_cage& c) { c.face_materials = negative; },
-                      "face 0: material is -2, but 0 were pushed so far and -1 is none");
+                      "face 0: material is -2, but 0 were added so far and -1 is none");
 }
 
 TEST(HostCageRefuses, UnknownRules) {
@@ -242,22 +242,22 @@ TEST(HostCageRefuses, MorphTargetsOfNothing) {
 }
 
 TEST(HostCageRefuses, StructsThatAreNoneOrTooSmall) {
-    const auto refused = [](const std::function<void(const candela_host&)>& pushIt, const char* text) {
-        expectError([&] { pushedScene(pushIt); }, ErrorKind::badInput, text);
+    const auto refused = [](const std::function<void(const candela_host&)>& addIt, const char* text) {
+        expectError([&] { importedScene(addIt); }, ErrorKind::badInput, text);
     };
     refused([](const candela_host& host) { host.add_cage(host.self, nullptr); },
-            "test: cage 0: the pushed struct is NULL");
+            "test: cage 0: the struct is NULL");
     refused([](const candela_host& host) { host.add_skin(host.self, nullptr); },
-            "test: skin 0: the pushed struct is NULL");
-    refused([](const candela_host& host) { host.show_cage(host.self, nullptr); },
-            "test: show_cage: the pushed struct is NULL");
-    const auto shorten = [](auto& pushed) { pushed.struct_size = 12; };
-    refused([&](const candela_host& host) { push(host, spoiled(samples::cage(), shorten)); },
+            "test: skin 0: the struct is NULL");
+    refused([](const candela_host& host) { host.add_cage_instance(host.self, nullptr); },
+            "test: add_cage_instance: the struct is NULL");
+    const auto shorten = [](auto& source) { source.struct_size = 12; };
+    refused([&](const candela_host& host) { add(host, spoiled(samples::cage(), shorten)); },
             "test: cage 0: struct_size is 12, but version 1.1 has ");
-    refused([&](const candela_host& host) { push(host, spoiled(samples::skin(), shorten)); },
+    refused([&](const candela_host& host) { add(host, spoiled(samples::skin(), shorten)); },
             "test: skin 0: struct_size is 12, but version 1.1 has ");
-    refused([&](const candela_host& host) { push(host, spoiled(samples::shownCage(), shorten)); },
-            "test: show_cage: struct_size is 12, but version 1.1 has ");
+    refused([&](const candela_host& host) { add(host, spoiled(samples::cageInstance(), shorten)); },
+            "test: add_cage_instance: struct_size is 12, but version 1.1 has ");
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-// Random bytes in all numbers of all pushed structs: the host refuses or takes them, and never crashes. The
+// Random bytes in all numbers of all source structs: the host refuses or takes them, and never crashes. The
 // arrays are as long as the counts say, for a plugin that lies about those can not be helped.
 #include "import_samples.h"
 
-#include "import/finish_scene.h"
+#include "import/abi_import.h"
 #include "import/host.h"
 #include "support/fuzz_iterations.h"
 
@@ -98,7 +98,7 @@ std::uint32_t sumOf(const std::vector<std::uint32_t>& sizes) {
     return static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, 1000));
 }
 
-void pushImage(Fuzzer& fuzz, const candela_host& host) {
+void addImage(Fuzzer& fuzz, const candela_host& host) {
     std::array<std::uint8_t, 256> texels;
     texels.fill(static_cast<std::uint8_t>(fuzz.bits()));
     candela_image image = samples::image();
@@ -112,7 +112,7 @@ void pushImage(Fuzzer& fuzz, const candela_host& host) {
     host.add_image(host.self, &image);
 }
 
-void pushMaterial(Fuzzer& fuzz, const candela_host& host) {
+void addMaterial(Fuzzer& fuzz, const candela_host& host) {
     candela_material material = samples::material();
     material.struct_size = fuzz.structSize(material.struct_size);
     fuzz.spoil(material.base_color);
@@ -131,7 +131,7 @@ void pushMaterial(Fuzzer& fuzz, const candela_host& host) {
     host.add_material(host.self, &material);
 }
 
-void pushMesh(Fuzzer& fuzz, const candela_host& host) {
+void addMesh(Fuzzer& fuzz, const candela_host& host) {
     candela_mesh mesh = samples::mesh();
     mesh.struct_size = fuzz.structSize(mesh.struct_size);
     mesh.vertex_count = fuzz.below(maxElements);
@@ -158,7 +158,7 @@ void pushMesh(Fuzzer& fuzz, const candela_host& host) {
     host.add_mesh(host.self, &mesh);
 }
 
-void pushNode(Fuzzer& fuzz, const candela_host& host) {
+void addNode(Fuzzer& fuzz, const candela_host& host) {
     candela_node node = samples::node();
     node.struct_size = fuzz.structSize(node.struct_size);
     fuzz.spoil(node.parent);
@@ -172,7 +172,7 @@ void pushNode(Fuzzer& fuzz, const candela_host& host) {
     host.add_node(host.self, &node);
 }
 
-void pushCamera(Fuzzer& fuzz, const candela_host& host) {
+void addCamera(Fuzzer& fuzz, const candela_host& host) {
     candela_camera camera = samples::camera();
     camera.struct_size = fuzz.structSize(camera.struct_size);
     fuzz.spoil(camera.vertical_fov);
@@ -181,7 +181,7 @@ void pushCamera(Fuzzer& fuzz, const candela_host& host) {
     host.add_camera(host.self, &camera);
 }
 
-void pushLight(Fuzzer& fuzz, const candela_host& host) {
+void addLight(Fuzzer& fuzz, const candela_host& host) {
     candela_light light = samples::light();
     light.struct_size = fuzz.structSize(light.struct_size);
     fuzz.spoil(light.type);
@@ -196,7 +196,7 @@ void pushLight(Fuzzer& fuzz, const candela_host& host) {
     host.add_light(host.self, &light);
 }
 
-void pushAnimation(Fuzzer& fuzz, const candela_host& host) {
+void addAnimation(Fuzzer& fuzz, const candela_host& host) {
     candela_animation_channel channel = samples::channel;
     fuzz.spoil(channel.node);
     fuzz.spoil(channel.path);
@@ -214,7 +214,7 @@ void pushAnimation(Fuzzer& fuzz, const candela_host& host) {
     host.add_animation(host.self, &animation);
 }
 
-void pushCage(Fuzzer& fuzz, const candela_host& host) {
+void addCage(Fuzzer& fuzz, const candela_host& host) {
     candela_cage cage = samples::cage();
     cage.struct_size = fuzz.structSize(cage.struct_size);
     if (fuzz.oneIn(4)) fuzz.spoil(cage.scheme);
@@ -250,7 +250,7 @@ void pushCage(Fuzzer& fuzz, const candela_host& host) {
     host.add_cage(host.self, &cage);
 }
 
-void pushSkin(Fuzzer& fuzz, const candela_host& host) {
+void addSkin(Fuzzer& fuzz, const candela_host& host) {
     candela_skin skin = samples::skin();
     skin.struct_size = fuzz.structSize(skin.struct_size);
     std::array<std::int32_t, 4> joints{};
@@ -264,26 +264,26 @@ void pushSkin(Fuzzer& fuzz, const candela_host& host) {
     host.add_skin(host.self, &skin);
 }
 
-void pushShownCage(Fuzzer& fuzz, const candela_host& host) {
-    candela_cage_instance shown = samples::shownCage();
-    shown.struct_size = fuzz.structSize(shown.struct_size);
-    if (fuzz.oneIn(2)) fuzz.spoil(shown.node);
-    if (fuzz.oneIn(2)) fuzz.spoil(shown.cage);
-    if (fuzz.oneIn(2)) fuzz.spoil(shown.skin);
+void addCageInstance(Fuzzer& fuzz, const candela_host& host) {
+    candela_cage_instance instance = samples::cageInstance();
+    instance.struct_size = fuzz.structSize(instance.struct_size);
+    if (fuzz.oneIn(2)) fuzz.spoil(instance.node);
+    if (fuzz.oneIn(2)) fuzz.spoil(instance.cage);
+    if (fuzz.oneIn(2)) fuzz.spoil(instance.skin);
     std::vector<float> weights;
     if (fuzz.oneIn(2)) {
-        shown.morph_weight_count = fuzz.below(4);
-        shown.morph_weights = fuzz.array(weights, shown.morph_weight_count);
+        instance.morph_weight_count = fuzz.below(4);
+        instance.morph_weights = fuzz.array(weights, instance.morph_weight_count);
     }
-    host.show_cage(host.self, &shown);
+    host.add_cage_instance(host.self, &instance);
 }
 
-using Push = void (*)(Fuzzer&, const candela_host&);
-constexpr std::array<Push, 10> pushes{pushImage, pushMaterial,  pushMesh, pushNode, pushCamera,
-                                      pushLight, pushAnimation, pushCage, pushSkin, pushShownCage};
+using Add = void (*)(Fuzzer&, const candela_host&);
+constexpr std::array<Add, 10> adds{addImage, addMaterial,  addMesh, addNode, addCamera,
+                                   addLight, addAnimation, addCage, addSkin, addCageInstance};
 
-// Without these, hardly a cage would ever be shown: too much has to go well before.
-void pushFaultlessCage(const candela_host& host) {
+// Without these, hardly a cage would ever be instance: too much has to go well before.
+void addFaultlessCage(const candela_host& host) {
     const candela_node node = samples::node();
     const candela_cage cage = samples::cage();
     const candela_skin skin = samples::skin();
@@ -296,9 +296,9 @@ void pushFaultlessCage(const candela_host& host) {
 std::optional<Scene> importRandomScene(std::uint32_t seed) {
     Fuzzer fuzz(seed);
     ImportHost host("fuzz:" + std::to_string(seed), nullptr, {});
-    if (fuzz.oneIn(3)) pushFaultlessCage(host.interface());
+    if (fuzz.oneIn(3)) addFaultlessCage(host.interface());
     const std::uint32_t count = 1 + fuzz.below(6);
-    for (std::uint32_t i = 0; i < count; ++i) pushes[fuzz.below(pushes.size())](fuzz, host.interface());
+    for (std::uint32_t i = 0; i < count; ++i) adds[fuzz.below(adds.size())](fuzz, host.interface());
     try {
         host.rethrowFailure();
         Scene scene = host.takeScene();
@@ -319,16 +319,16 @@ bool showsCage(const Scene& scene) {
 
 TEST(HostFuzz, RandomNumbersNeverCrash) {
     const std::uint32_t rounds = candela_test::fuzzIterations<std::uint32_t>(20000);
-    std::uint32_t taken = 0, shown = 0;
+    std::uint32_t taken = 0, instances = 0;
     for (std::uint32_t seed = 0; seed < rounds; ++seed) {
         const auto scene = importRandomScene(seed);
         taken += scene ? 1 : 0;
-        shown += scene && showsCage(*scene) ? 1 : 0;
+        instances += scene && showsCage(*scene) ? 1 : 0;
     }
     // A fuzzer whose scenes are all refused at the first number, or none of them, would test little.
     EXPECT_GT(taken, rounds / 50);
     EXPECT_LT(taken, rounds / 2);
-    EXPECT_GT(shown, rounds / 500);
+    EXPECT_GT(instances, rounds / 500);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Meshes that are pushed as polygons: the host cuts them into triangles.
+// Meshes that are source as polygons: the host cuts them into triangles.
 #include "expect_error.h"
-#include "host_pushes.h"
+#include "host_calls.h"
 #include "import_samples.h"
 
 #include <candela/scene.h>
@@ -41,13 +41,13 @@ candela_mesh polygons() {
 
 using SpoilMesh = std::function<void(candela_mesh&)>;
 
-Mesh pushedMesh(const SpoilMesh& spoil = [](candela_mesh&) {}) {
-    return pushedScene([&](const candela_host& host) { push(host, spoiled(polygons(), spoil)); })
+Mesh importedMesh(const SpoilMesh& spoil = [](candela_mesh&) {}) {
+    return importedScene([&](const candela_host& host) { add(host, spoiled(polygons(), spoil)); })
         .meshes.at(0);
 }
 
 void expectRefused(const SpoilMesh& spoil, const std::string& text) {
-    EXPECT_EQ(expectError([&] { pushedMesh(spoil); }, ErrorKind::badInput, ""),
+    EXPECT_EQ(expectError([&] { importedMesh(spoil); }, ErrorKind::badInput, ""),
               "test: mesh 0 'wheel': " + text);
 }
 
@@ -65,7 +65,7 @@ float doubleArea(const Mesh& mesh, const Submesh& run) {
 }
 
 TEST(HostPolygons, AreCutIntoTriangles) {
-    const Mesh mesh = pushedMesh();
+    const Mesh mesh = importedMesh();
     EXPECT_EQ(mesh.indices.size(), 3u * (1 + 2 + 3));
     ASSERT_EQ(mesh.submeshes.size(), 2u);
     EXPECT_EQ(mesh.submeshes[0].firstIndex, 3u);
@@ -79,7 +79,7 @@ TEST(HostPolygons, AreCutIntoTriangles) {
 }
 
 TEST(HostPolygons, MayBeNone) {
-    const Mesh mesh = pushedMesh([](candela_mesh& m) {
+    const Mesh mesh = importedMesh([](candela_mesh& m) {
         m.face_count = m.index_count = 0;
         m.submesh_count = 0;
     });
@@ -94,7 +94,7 @@ TEST(HostPolygons, OfThreeCornersNeedNoSizes) {
         m.submesh_count = 1;
         m.submeshes = all.data();
     };
-    EXPECT_EQ(pushedMesh(asTriangles).indices, std::vector<std::uint32_t>(corners.begin(), corners.end()));
+    EXPECT_EQ(importedMesh(asTriangles).indices, std::vector<std::uint32_t>(corners.begin(), corners.end()));
     expectRefused(
         [&](candela_mesh& m) {
             asTriangles(m);
@@ -106,8 +106,8 @@ TEST(HostPolygons, OfThreeCornersNeedNoSizes) {
 // Between the sizes of two versions a pointer may be cut in half.
 TEST(HostPolygonsRefuses, AStructOfNoVersion) {
     const auto size = static_cast<std::uint32_t>(offsetof(candela_mesh, face_sizes) + 4);
-    const auto pushIt = [&] { pushedMesh([&](candela_mesh& m) { m.struct_size = size; }); };
-    expectError(pushIt, ErrorKind::badInput, "mesh 0: struct_size is " + std::to_string(size));
+    const auto addIt = [&] { importedMesh([&](candela_mesh& m) { m.struct_size = size; }); };
+    expectError(addIt, ErrorKind::badInput, "mesh 0: struct_size is " + std::to_string(size));
 }
 
 TEST(HostPolygonsRefuses, Sizes) {
@@ -144,7 +144,7 @@ TEST(HostPolygonsRefuses, RunsThatCutAFace) {
     run = {0xFFFFFFFF, 3, -1};
     expectRefused(change, "submesh 0 ends at index 4294967298, but there are 12 indices");
     run = {3, 4, 0};
-    expectRefused(change, "submesh 0: material is 0, but 0 were pushed so far and -1 is none");
+    expectRefused(change, "submesh 0: material is 0, but 0 were added so far and -1 is none");
 }
 
 }  // namespace

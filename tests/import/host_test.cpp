@@ -1,4 +1,4 @@
-// What the host says to each fault that an importer can push.
+// What the host says to each fault that an importer can add.
 #include "expect_error.h"
 
 #include <candela/import.h>
@@ -17,26 +17,26 @@ const PluginRegistry& fixturePlugins() {
     return plugins;
 }
 
-ImportedScene push(const std::string& name, const ImportProgress& progress = {}) {
-    return importScene(fixturePlugins(), "push:" + name, progress);
+ImportedScene add(const std::string& name, const ImportProgress& progress = {}) {
+    return importScene(fixturePlugins(), "add:" + name, progress);
 }
 
 struct Fault {
-    const char* pushed;
-    const char* text;  // What the error says behind "push:CASE: ".
+    const char* name;
+    const char* text;  // What the error says behind "add:CASE: ".
 };
 
 class HostRefuses : public testing::TestWithParam<Fault> {};
 
 TEST_P(HostRefuses, AndNamesTheElement) {
     const Fault& fault = GetParam();
-    const std::string uri = std::string("push:") + fault.pushed;
-    const std::string text = expectError([&] { push(fault.pushed); }, ErrorKind::badInput, "");
+    const std::string uri = std::string("add:") + fault.name;
+    const std::string text = expectError([&] { add(fault.name); }, ErrorKind::badInput, "");
     EXPECT_EQ(text, uri + ": " + fault.text);
 }
 
 std::string nameOf(const testing::TestParamInfo<Fault>& info) {
-    std::string name = info.param.pushed;
+    std::string name = info.param.name;
     for (char& c : name)
         if (c == '-') c = '_';
     return name;
@@ -59,9 +59,9 @@ const Fault materialFaults[] = {
     {"material-roughness", "material 0 'paint': roughness is -0.1, but 0 to 1 was expected"},
     {"material-emission", "material 0 'paint': emission is inf, but a finite number was expected"},
     {"material-image",
-     "material 0 'paint': normal_texture.image is 1, but 1 were pushed so far and -1 is none"},
+     "material 0 'paint': normal_texture.image is 1, but 1 were added so far and -1 is none"},
     {"material-image-negative",
-     "material 0 'paint': normal_texture.image is -2, but 1 were pushed so far and -1 is none"},
+     "material 0 'paint': normal_texture.image is -2, but 1 were added so far and -1 is none"},
     {"material-uv-set", "material 0 'paint': emission_texture.uv_set is 2, but 0 or 1 was expected"},
     {"material-wrap", "material 0 'paint': base_color_texture.wrap_t is 3, but 0 to 2 was expected"},
     {"material-min-filter",
@@ -76,7 +76,7 @@ const Fault materialFaults[] = {
 INSTANTIATE_TEST_SUITE_P(Materials, HostRefuses, testing::ValuesIn(materialFaults), nameOf);
 
 const Fault meshFaults[] = {
-    {"mesh-null", "mesh 0: the pushed struct is NULL"},
+    {"mesh-null", "mesh 0: the struct is NULL"},
     {"mesh-positions-null", "mesh 0 'wheel': position is NULL, but 4 elements were expected"},
     {"mesh-position-nan",
      "mesh 0 'wheel': position 2 has the component nan, but finite numbers were expected"},
@@ -85,20 +85,19 @@ const Fault meshFaults[] = {
     {"mesh-index-count", "mesh 0 'wheel': index_count is 5, but a multiple of 3 was expected"},
     {"mesh-indices-null", "mesh 0 'wheel': indices is NULL, but index_count is 6"},
     {"mesh-submeshes-null", "mesh 0 'wheel': submeshes is NULL, but submesh_count is 1"},
-    {"mesh-no-submesh", "mesh 0 'wheel': no submesh draws its 6 indices"},
     {"mesh-submesh-end", "mesh 0 'wheel': submesh 0 ends at index 9, but there are 6 indices"},
     {"mesh-submesh-overflow", "mesh 0 'wheel': submesh 0 ends at index 4294967298, but there are 6 indices"},
     {"mesh-submesh-count", "mesh 0 'wheel': submesh 0: index_count is 4, but a multiple of 3 was expected"},
     {"mesh-submesh-material",
-     "mesh 0 'wheel': submesh 0: material is 0, but 0 were pushed so far and -1 is none"},
-    {"mesh-name", "mesh 0 'two lines \uFFFD': index_count is 1, but a multiple of 3 was expected"},
+     "mesh 0 'wheel': submesh 0: material is 0, but 0 were added so far and -1 is none"},
+    {"mesh-name", "mesh 0 'two?lines \uFFFD': index_count is 1, but a multiple of 3 was expected"},
 };
 INSTANTIATE_TEST_SUITE_P(Meshes, HostRefuses, testing::ValuesIn(meshFaults), nameOf);
 
 const Fault nodeFaults[] = {
-    {"node-parent-itself", "node 1 'axle': parent is 1, but 1 were pushed so far and -1 is none"},
-    {"node-parent-later", "node 1 'axle': parent is 5, but 1 were pushed so far and -1 is none"},
-    {"node-mesh", "node 1 'axle': mesh is 0, but 0 were pushed so far and -1 is none"},
+    {"node-parent-itself", "node 1 'axle': parent is 1, but 1 were added so far and -1 is none"},
+    {"node-parent-later", "node 1 'axle': parent is 5, but 1 were added so far and -1 is none"},
+    {"node-mesh", "node 1 'axle': mesh is 0, but 0 were added so far and -1 is none"},
     {"node-translation", "node 1 'axle': translation is nan, but a finite number was expected"},
     {"node-rotation", "node 1 'axle': rotation has the length 0.5, but a unit quaternion was expected"},
     {"node-matrix-projective",
@@ -111,7 +110,7 @@ const Fault viewFaults[] = {
     {"camera-fov-0", "camera 0 'front': vertical_fov is 0, but more than 0 and less than pi was expected"},
     {"camera-fov-pi", "camera 0 'front': vertical_fov is 3.2, but more than 0 and less than pi was expected"},
     {"camera-near", "camera 0 'front': near_plane is -1, but 0 or more was expected"},
-    {"camera-node", "camera 0 'front': node is 0, but 0 were pushed so far and -1 is none"},
+    {"camera-node", "camera 0 'front': node is 0, but 0 were added so far and -1 is none"},
     {"light-type", "light 0 'lamp': type is 3, but 0 to 2 was expected"},
     {"light-color", "light 0 'lamp': color is -1, but 0 or more was expected"},
     {"light-intensity", "light 0 'lamp': intensity is nan, but a finite number was expected"},
@@ -120,13 +119,13 @@ const Fault viewFaults[] = {
      "light 0 'lamp': inner_cone_angle is 0.5, but less than outer_cone_angle (0.5) was expected"},
     {"light-outer-cone", "light 0 'lamp': outer_cone_angle is 1.6, but 0 to 1.5708 was expected"},
     {"light-direction", "light 0 'lamp': direction has the length 0"},
-    {"light-node", "light 0 'lamp': node is -7, but 0 were pushed so far and -1 is none"},
+    {"light-node", "light 0 'lamp': node is -7, but 0 were added so far and -1 is none"},
 };
 INSTANTIATE_TEST_SUITE_P(Views, HostRefuses, testing::ValuesIn(viewFaults), nameOf);
 
 const Fault animationFaults[] = {
     {"animation-channels-null", "animation 0 'roll': channels is NULL, but channel_count is 1"},
-    {"channel-node", "animation 0 'roll': channel 0: node is 2, but 2 were pushed so far and -1 is none"},
+    {"channel-node", "animation 0 'roll': channel 0: node is 2, but 2 were added so far and -1 is none"},
     {"channel-no-node", "animation 0 'roll': channel 0: node is -1, but a node was expected"},
     {"channel-matrix-node",
      "animation 0 'roll': channel 0: node is 1, whose transform is a matrix and can not be animated"},
@@ -143,27 +142,27 @@ const Fault animationFaults[] = {
 INSTANTIATE_TEST_SUITE_P(Animations, HostRefuses, testing::ValuesIn(animationFaults), nameOf);
 
 const Fault otherFaults[] = {
-    {"progress-nan", "progress: nan was told, but 0 to 1 was expected"},
+    {"progress-nan", "progress: nan was reported, but 0 to 1 was expected"},
     {"fail", "part 7: it is broken"},
     {"fail-null", "the plugin gives no reason"},
     {"first-failure-counts", "camera 0 'front': vertical_fov is nan, but a finite number was expected"},
     {"read-null", "read_file: its path or its result is NULL"},
-    {"read-in-made-scene", "file 'file': a procedural scene has no folder to read files from"},
-    {"returns-failed", "the plugin 'push-cases' failed and gave no reason"},
-    {"throws", "the plugin 'push-cases' threw an exception, which the plugin interface forbids"},
+    {"read-in-procedural-scene", "file 'file': a procedural scene has no folder to read files from"},
+    {"returns-failed", "the plugin 'add-cases' failed and gave no reason"},
+    {"throws", "the plugin 'add-cases' threw an exception, which the plugin interface forbids"},
 };
 INSTANTIATE_TEST_SUITE_P(Others, HostRefuses, testing::ValuesIn(otherFaults), nameOf);
 
 // The sizes depend on the machine; they are named all the same.
 TEST(Host, StructSizeTooSmall) {
-    expectError([] { push("mesh-struct-size"); }, ErrorKind::badInput,
+    expectError([] { add("mesh-struct-size"); }, ErrorKind::badInput,
                 "mesh 0: struct_size is 0, but version 1.0 has");
-    expectError([] { push("image-struct-size"); }, ErrorKind::badInput,
+    expectError([] { add("image-struct-size"); }, ErrorKind::badInput,
                 "image 0: struct_size is 8, but version 1.0");
 }
 
 TEST(Host, StructOfALaterMinorVersionIsTaken) {
-    EXPECT_EQ(push("longer-struct").scene.cameras.size(), 1u);
+    EXPECT_EQ(add("longer-struct").scene.cameras.size(), 1u);
 }
 
 TEST(Host, StructsOfTheFirstVersionAreTaken) {
@@ -172,10 +171,10 @@ TEST(Host, StructsOfTheFirstVersionAreTaken) {
     EXPECT_EQ(imported.scene.meshes.at(0).indices.size(), 6u);
 }
 
-TEST(Host, WhatIsPushedArrives) {
-    const ImportedScene imported = push("all");
+TEST(Host, CopiesWhatIsAdded) {
+    const ImportedScene imported = add("all");
     const Scene& scene = imported.scene;
-    EXPECT_EQ(imported.report.plugin, "push-cases");
+    EXPECT_EQ(imported.report.plugin, "add-cases");
     ASSERT_EQ(scene.images.size(), 1u);
     EXPECT_EQ(scene.images[0].name, "checks");
     EXPECT_EQ(scene.images[0].pixels.size(), 16u);
@@ -202,24 +201,50 @@ TEST(Host, WhatIsPushedArrives) {
 }
 
 TEST(Host, MissingNormalsBecomeFlat) {
-    const Mesh mesh = push("flat").scene.meshes.at(0);
+    const Mesh mesh = add("flat").scene.meshes.at(0);
     EXPECT_EQ(mesh.positions.size(), 6u) << "each triangle has vertices of its own";
     for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, glm::vec3(0, 0, 1));
 }
 
+TEST(Host, AMeshWithoutSubmeshesIsDrawnAsAWhole) {
+    const Mesh mesh = add("mesh-no-submesh").scene.meshes.at(0);
+    ASSERT_EQ(mesh.submeshes.size(), 1u);
+    EXPECT_EQ(mesh.submeshes[0].firstIndex, 0u);
+    EXPECT_EQ(mesh.submeshes[0].indexCount, mesh.indices.size());
+    EXPECT_FALSE(mesh.submeshes[0].material) << "the default material";
+}
+
+TEST(Host, PluginsBuiltForOlderVersionsImport) {
+    const PluginRegistry old({std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-0",
+                              std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-1"});
+    const Scene first = importScene(old, "built-for-1-0:").scene;
+    EXPECT_EQ(first.meshes.at(0).indices.size(), 3u);
+    EXPECT_EQ(first.lights.size(), 1u);
+    const Scene second = importScene(old, "built-for-1-1:").scene;
+    EXPECT_EQ(second.meshes.at(0).indices.size(), 6u) << "a quad";
+    EXPECT_EQ(second.cages.size(), 1u);
+    ASSERT_TRUE(second.nodes.at(1).cage);
+    EXPECT_EQ(second.nodes[1].cage->cage, 0u);
+}
+
+TEST(Host, RunsParallelLoops) {
+    const ImportedScene imported = add("parallel-loop");
+    EXPECT_EQ(imported.scene.lights.size(), 1000u) << "a light for each index that ran once";
+}
+
 TEST(Host, TangentsWithoutNormalsAreLeftOutAndNoted) {
-    const ImportedScene imported = push("tangents-without-normals");
+    const ImportedScene imported = add("tangents-without-normals");
     EXPECT_TRUE(imported.scene.meshes.at(0).tangents.empty());
     EXPECT_EQ(imported.report.notes,
-              std::vector<std::string>{"mesh 0 'wheel': its tangents are not used, for it has no normals"});
+              std::vector<std::string>{"mesh 0 'wheel': its tangents are not used: it has no normals"});
 }
 
 TEST(Host, TangentsAreBroughtToUnitLength) {
-    EXPECT_EQ(push("tangents").scene.meshes.at(0).tangents.at(1), glm::vec4(1, 0, 0, -1));
+    EXPECT_EQ(add("tangents").scene.meshes.at(0).tangents.at(1), glm::vec4(1, 0, 0, -1));
 }
 
 TEST(Host, NormalsOfLengthZeroBecomeThoseOfAFace) {
-    const ImportedScene imported = push("zero-normal");
+    const ImportedScene imported = add("zero-normal");
     EXPECT_EQ(imported.scene.meshes.at(0).normals.at(0), glm::vec3(0, 0, 1));
     ASSERT_EQ(imported.report.notes.size(), 1u);
     EXPECT_EQ(imported.report.notes[0],
@@ -227,18 +252,18 @@ TEST(Host, NormalsOfLengthZeroBecomeThoseOfAFace) {
 }
 
 TEST(Host, NotesBeyondAThousandAreCounted) {
-    const std::vector<std::string> notes = push("many-notes").report.notes;
+    const std::vector<std::string> notes = add("many-notes").report.notes;
     ASSERT_EQ(notes.size(), 1001u);
     EXPECT_EQ(notes.back(), "and 500 more notes");
 }
 
 TEST(Host, ProgressIsHandedOn) {
-    std::vector<double> told;
-    push("progress-twice", [&](double fraction) {
-        told.push_back(fraction);
+    std::vector<double> reported;
+    add("progress-twice", [&](double fraction) {
+        reported.push_back(fraction);
         return true;
     });
-    EXPECT_EQ(told, (std::vector<double>{0.5, 1.0}));
+    EXPECT_EQ(reported, (std::vector<double>{0.5, 1.0}));
 }
 
 // The fixture goes on after the host asked it to stop.
@@ -248,13 +273,13 @@ TEST(Host, ACancelledImportIsAnErrorEvenIfTheImporterGoesOn) {
         ++calls;
         return false;
     };
-    expectError([&] { push("progress-twice", cancel); }, ErrorKind::cancelled, "the import was cancelled");
+    expectError([&] { add("progress-twice", cancel); }, ErrorKind::cancelled, "the import was cancelled");
     EXPECT_EQ(calls, 1) << "who has cancelled is not asked again";
 }
 
 TEST(Host, WhatTheCallersProgressThrowsReachesTheCaller) {
     struct Own {};
-    EXPECT_THROW(push("progress-twice", [](double) -> bool { throw Own{}; }), Own);
+    EXPECT_THROW(add("progress-twice", [](double) -> bool { throw Own{}; }), Own);
 }
 
 }  // namespace

@@ -84,24 +84,24 @@ Cage fuzzedCage(TableFuzzer& fuzz) {
 RefinedCage refinedFromRandom(TableFuzzer& fuzz, const Cage& cage) {
     const std::uint32_t points = 1 + fuzz.below(9), vertices = points + fuzz.below(4);
     const auto faces = fuzz.below(9), faceSize = fuzz.oneIn(20) ? fuzz.below(7) : 3 + fuzz.below(2);
-    const auto twins = fuzz.indices(vertices - points, points);
+    const auto seamPoints = fuzz.indices(vertices - points, points);
     const FuzzedRows positions(fuzz, vertices, static_cast<std::uint32_t>(cage.positions.size()));
     const FuzzedRows uvs(fuzz, cage.uvs.empty() ? 0 : vertices,
                          static_cast<std::uint32_t>(std::max<std::size_t>(cage.uvs.size(), 1)));
     const auto faceVertices = fuzz.indices(std::size_t{faces} * faceSize, vertices);
     const auto cageFaces = fuzz.indices(faces, static_cast<std::uint32_t>(cage.faceSizes.size()));
-    candela_refined_cage delivered{};
-    delivered.struct_size = sizeof delivered;
-    delivered.point_count = points;
-    delivered.vertex_count = vertices;
-    delivered.seam_points = twins.data();
-    delivered.positions = positions.get();
-    delivered.uvs = uvs.get();
-    delivered.face_size = faceSize;
-    delivered.face_count = faces;
-    delivered.face_vertices = faceVertices.data();
-    delivered.cage_faces = cageFaces.data();
-    return refinedCageFrom(delivered, AbiReader("cage", std::nullopt, "fuzzed"), cage);
+    candela_refined_cage result{};
+    result.struct_size = sizeof result;
+    result.point_count = points;
+    result.vertex_count = vertices;
+    result.seam_points = seamPoints.data();
+    result.positions = positions.get();
+    result.uvs = uvs.get();
+    result.face_size = faceSize;
+    result.face_count = faces;
+    result.face_vertices = faceVertices.data();
+    result.cage_faces = cageFaces.data();
+    return refinedCageFrom(result, AbiReader("cage", std::nullopt, "fuzzed"), cage);
 }
 
 bool allBelow(const std::vector<std::uint32_t>& indices, std::size_t end) {
@@ -131,7 +131,7 @@ void expectSound(const RefinedCage& refined, const Cage& cage) {
         EXPECT_EQ(std::count(refined.cageFaces.begin(), refined.cageFaces.end(), hole), 0);
 }
 
-TEST(DeliveredCageFuzz, WhatIsTakenIsSound) {
+TEST(RefinedCageFuzz, WhatIsTakenIsSound) {
     const std::uint32_t rounds = candela_test::fuzzIterations<std::uint32_t>(20000);
     std::uint32_t taken = 0;
     for (std::uint32_t seed = 0; seed < rounds; ++seed) {

@@ -169,12 +169,12 @@ inline candela_skin skin() {
 }
 
 /// Cage 0 with skin 0 at node 0, which have to be there.
-inline candela_cage_instance shownCage() {
-    candela_cage_instance shown{};
-    shown.struct_size = sizeof shown;
-    shown.morph_weight_count = morphWeights.size();
-    shown.morph_weights = morphWeights.data();
-    return shown;
+inline candela_cage_instance cageInstance() {
+    candela_cage_instance instance{};
+    instance.struct_size = sizeof instance;
+    instance.morph_weight_count = morphWeights.size();
+    instance.morph_weights = morphWeights.data();
+    return instance;
 }
 
 }  // namespace samples

@@ -29,14 +29,14 @@ TEST_F(ImportScene, ByEndingInAnyCase) {
 }
 
 TEST_F(ImportScene, BySchemeInAnyCase) {
-    EXPECT_EQ(importScene(plugins, "PUSH:all").report.plugin, "push-cases");
+    EXPECT_EQ(importScene(plugins, "ADD:all").report.plugin, "add-cases");
 }
 
 TEST_F(ImportScene, AFileOfThatNameWinsOverAScheme) {
-    folder.write("push:all.list", "");
+    folder.write("add:all.list", "");
     const fs::path before = fs::current_path();
     fs::current_path(folder.path());
-    const ImportedScene imported = importScene(plugins, "push:all.list");
+    const ImportedScene imported = importScene(plugins, "add:all.list");
     fs::current_path(before);
     EXPECT_EQ(imported.report.plugin, "list-reader");
 }
@@ -47,7 +47,7 @@ TEST_F(ImportScene, UnknownEndingSaysWhatIsTaken) {
         expectError([&] { importScene(plugins, file.string()); }, ErrorKind::unsupported,
                     "no plugin takes files ending in '.XYZ'; the plugins loaded take .list, .tri");
     EXPECT_EQ(text.find(file.string()), 0u) << text;
-    EXPECT_NE(text.find("push:"), std::string::npos) << text;
+    EXPECT_NE(text.find("add:"), std::string::npos) << text;
 }
 
 TEST_F(ImportScene, NoEnding) {

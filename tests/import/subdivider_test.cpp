@@ -1,10 +1,11 @@
 // The service that refines cages: what it is handed, and what is said of what it hands back.
 #include "expect_error.h"
-#include "host_pushes.h"
+#include "host_calls.h"
 #include "import_samples.h"
 
-#include "import/cage_struct.h"
+#include "import/refinement.h"
 
+#include <candela/import.h>
 #include <candela/plugin_registry.h>
 #include <candela/subdivider.h>
 
@@ -12,9 +13,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace candela {
@@ -33,7 +36,7 @@ Subdivider fixtureSubdivider() {
 
 // The fixture looks at the name. Face 1 is a hole.
 Cage sampleCage(const std::string& name) {
-    Cage cage = pushedScene([](const candela_host& host) { push(host, samples::cage()); }).cages.at(0);
+    Cage cage = importedScene([](const candela_host& host) { add(host, samples::cage()); }).cages.at(0);
     cage.name = name;
     return cage;
 }
@@ -63,7 +66,7 @@ TEST(SubdividerService, TheFirstInSearchOrderWins) {
     EXPECT_NE(plugins.importerForScheme("both"), nullptr) << "that plugin offers both services";
 }
 
-TEST(Subdivider, WhatIsDeliveredArrives) {
+TEST(Subdivider, CopiesTheResult) {
     const RefinedCage refined = fixtureSubdivider().refine(sampleCage("good"), 3);
     EXPECT_EQ(refined.level, 3u);
     EXPECT_EQ(refined.pointCount, 6u);
@@ -118,7 +121,9 @@ TEST(Subdivider, MoreThan32BitsCanCount) {
     Cage cage = sampleCage("good");
     cage.holes.clear();
     cage.faceSizes.assign(16384, 4);
-    cage.faceVertices.assign(65536, 0);
+    cage.faceVertices.clear();
+    for (int face = 0; face < 16384; ++face) cage.faceVertices.insert(cage.faceVertices.end(), {0, 1, 4, 3});
+    cage.creases.clear();
     cage.faceUvs = cage.faceVertices;
     expectError([&] { fixtureSubdivider().refine(cage, 8); }, ErrorKind::limit,
                 "cage 'good': at level 8 it has 4294967296 corners, more than 32 bits can count");
@@ -128,6 +133,57 @@ TEST(Subdivider, ACageWithoutName) {
     const std::string text =
         expectError([&] { fixtureSubdivider().refine(sampleCage(""), 1); }, ErrorKind::badInput, "");
     EXPECT_EQ(text, "cage: case: unknown");
+}
+
+// What `validate` refuses, a subdivider does not get.
+TEST(Subdivider, CagesThatAreNotValid) {
+    const Subdivider subdivider = fixtureSubdivider();
+    const auto expectRefused = [&](void (*spoil)(Cage&), const char* text) {
+        Cage cage = sampleCage("good");
+        spoil(cage);
+        expectError([&] { subdivider.refine(cage, 2); }, ErrorKind::badInput, text);
+    };
+    expectRefused([](Cage& cage) { cage.faceVertices[5] = 6; }, "cage 'good': face 1 names vertex 6");
+    expectRefused([](Cage& cage) { cage.faceVertices.pop_back(); }, "cage 'good': has 7 vertices of faces");
+    expectRefused([](Cage& cage) { cage.faceUvs[0] = 99; },
+                  "cage 'good': face 0 names texture coordinate 99");
+    expectRefused([](Cage& cage) { cage.holes[0] = 2; }, "cage 'good': hole 0 names face 2");
+    expectRefused([](Cage& cage) { cage.positions[3].y = std::numeric_limits<float>::quiet_NaN(); },
+                  "cage 'good': position 3 is not a finite number");
+    expectRefused([](Cage& cage) { cage.scheme = static_cast<SubdivisionScheme>(7); },
+                  "cage 'good': its scheme is unknown");
+}
+
+TEST(Subdivider, ThatWasMovedFrom) {
+    Subdivider subdivider = fixtureSubdivider();
+    const Subdivider other = std::move(subdivider);
+    EXPECT_EQ(other.name(), "subdivider-cases");
+    // NOLINTNEXTLINE(bugprone-use-after-move)
+    expectError([&] { subdivider.refine(sampleCage("good"), 1); }, ErrorKind::badInput, "was moved from");
+    expectError([&] { subdivider.name(); }, ErrorKind::badInput, "was moved from");
+}
+
+TEST(PluginRegistry, ThatWasMovedFrom) {
+    PluginRegistry plugins({fixtures / "subdividers"});
+    const PluginRegistry other = std::move(plugins);
+    EXPECT_TRUE(other.subdivider());
+    // NOLINTNEXTLINE(bugprone-use-after-move)
+    expectError([&] { plugins.reports(); }, ErrorKind::badInput, "was moved from");
+    expectError([&] { plugins.subdivider(); }, ErrorKind::badInput, "was moved from");
+    expectError([&] { plugins.importerForScheme("both"); }, ErrorKind::badInput, "was moved from");
+    expectError([&] { plugins.importerForExtension("both"); }, ErrorKind::badInput, "was moved from");
+    expectError([&] { importScene(plugins, "both:"); }, ErrorKind::badInput, "was moved from");
+}
+
+// The plugin in fixtures/abi_1_1 is compiled with the header of that version.
+TEST(Subdivider, OfAPluginBuiltForVersion1_1) {
+    const PluginRegistry plugins({fixtures / "built-for-1-1"});
+    ASSERT_EQ(plugins.reports().at(0).state, PluginState::loaded) << plugins.reports()[0].detail;
+    const Cage cage = sampleCage("body");
+    const RefinedCage refined = plugins.subdivider().value().refine(cage, 1);
+    EXPECT_EQ(refined.vertexCount(), cage.positions.size() + 1);
+    EXPECT_EQ(refined.seamPoints, std::vector<std::uint32_t>{2});
+    EXPECT_EQ(refined.positions.weights, std::vector<float>(refined.vertexCount(), 1.0f));
 }
 
 struct Fault {
@@ -159,9 +215,9 @@ std::string nameOf(const testing::TestParamInfo<Fault>& info) {
 }
 
 const Fault calls[] = {
-    {"nothing", "the plugin 'subdivider-cases' has delivered nothing"},
-    {"twice", "the plugin 'subdivider-cases' delivers more than once"},
-    {"delivers-and-fails", "the plugin 'subdivider-cases' failed and gave no reason"},
+    {"nothing", "the plugin 'subdivider-cases' has set no result"},
+    {"twice", "the plugin 'subdivider-cases' sets more than one result"},
+    {"sets-a-result-and-fails", "the plugin 'subdivider-cases' failed and gave no reason"},
     {"failed", "the plugin 'subdivider-cases' failed and gave no reason"},
     {"fails", "face 7: two of its corners are one"},
     {"fails-as-a-whole", "it is not manifold"},
@@ -188,19 +244,20 @@ const Fault tables[] = {
     {"struct-size", "struct_size is 16"},
     {"refused-but-ok", "face_size is 2, but 3 or 4 was expected"},
     {"points", "point_count is 8, but there are 7 vertices"},
-    {"twin", "seam_points 0 is 6, but there are 6 points"},
-    {"null-twins", "seam_points is NULL, but 1 elements were expected"},
-    {"row-count", "positions.row_count is 6, but 7 vertices need a row each"},
-    {"null-starts", "positions.row_starts is NULL, but 8 elements were expected"},
-    {"first-start", "positions.row_starts 0 is 1, but 0 was expected"},
-    {"falling-start", "positions.row_starts 4 is 4, but no less than the one before it, 100, was expected"},
-    {"column", "positions.columns 2 is 6, but there are 6 vertices of the cage"},
-    {"null-columns", "positions.columns is NULL, but 7 elements were expected"},
+    {"seam-point", "seam_points 0 is 6, but there are 6 points"},
+    {"null-seam-points", "seam_points is NULL, but 1 elements were expected"},
+    {"stencil-count", "positions.stencil_count is 6, but 7 vertices need a stencil each"},
+    {"null-offsets", "positions.offsets is NULL, but 8 elements were expected"},
+    {"first-offset", "positions.offsets 0 is 1, but 0 was expected"},
+    {"decreasing-offset", "positions.offsets 4 is 4, but no less than the one before it, 100, was expected"},
+    {"control-index", "positions.control_indices 2 is 6, but there are 6 vertices of the cage"},
+    {"null-control-indices", "positions.control_indices is NULL, but 7 elements were expected"},
     {"nan-weight", "positions.weights 4 has the component nan, but finite numbers were expected"},
     {"infinite-du", "positions.du_weights 5 has the component inf, but finite numbers were expected"},
     {"null-dv", "positions.dv_weights is NULL, but 7 elements were expected"},
-    {"no-uvs", "uvs.row_count is 0, but 7 vertices need a row each"},
-    {"uv-column", "uvs.columns 0 is 4294967295, but there are 6 texture coordinates of the cage"},
+    {"no-uvs", "uvs.stencil_count is 0, but 7 vertices need a stencil each"},
+    {"uv-control-index",
+     "uvs.control_indices 0 is 4294967295, but there are 6 texture coordinates of the cage"},
     {"uv-nan", "uvs.dv_weights 6 has the component nan, but finite numbers were expected"},
     {"face-size", "face_size is 5, but 3 or 4 was expected"},
     {"face-count", "it has 4294967296 corners, more than 32 bits can count", ErrorKind::limit},
@@ -215,12 +272,12 @@ TEST(Subdivider, RowsForTextureCoordinatesThatAreNot) {
     cage.uvs.clear();
     cage.faceUvs.clear();
     expectError([&] { fixtureSubdivider().refine(cage, 1); }, ErrorKind::badInput,
-                "uvs.row_count is 7, but the cage has no texture coordinates");
+                "uvs.stencil_count is 7, but the cage has no texture coordinates");
 }
 
-// What the plugin is handed is what an importer has pushed, but for what only moves or paints the cage.
-TEST(CageStruct, HasWhatWasPushed) {
-    const candela_cage pushed = samples::cage();
+// What the plugin is handed is what an importer has source, but for what only moves or paints the cage.
+TEST(CageStruct, HasTheMembersOfTheCage) {
+    const candela_cage source = samples::cage();
     const Cage cage = sampleCage("body");
     const CageStruct object(cage);
     const candela_cage& handed = object.get();
@@ -230,15 +287,15 @@ TEST(CageStruct, HasWhatWasPushed) {
     EXPECT_EQ(handed.struct_size, sizeof handed);
     EXPECT_STREQ(handed.name, "body");
     ASSERT_EQ(handed.vertex_count, 6u);
-    EXPECT_TRUE(same(handed.positions, pushed.positions, 18));
+    EXPECT_TRUE(same(handed.positions, source.positions, 18));
     ASSERT_EQ(handed.face_count, 2u);
-    EXPECT_TRUE(same(handed.face_sizes, pushed.face_sizes, 2));
-    EXPECT_TRUE(same(handed.face_vertices, pushed.face_vertices, 8));
+    EXPECT_TRUE(same(handed.face_sizes, source.face_sizes, 2));
+    EXPECT_TRUE(same(handed.face_vertices, source.face_vertices, 8));
     ASSERT_EQ(handed.uv_count, 6u);
-    EXPECT_TRUE(same(handed.uvs, pushed.uvs, 12));
-    EXPECT_TRUE(same(handed.face_uvs, pushed.face_uvs, 8));
+    EXPECT_TRUE(same(handed.uvs, source.uvs, 12));
+    EXPECT_TRUE(same(handed.face_uvs, source.face_uvs, 8));
     ASSERT_EQ(handed.crease_count, 1u);
-    EXPECT_TRUE(same(handed.crease_edges, pushed.crease_edges, 2));
+    EXPECT_TRUE(same(handed.crease_edges, source.crease_edges, 2));
     EXPECT_EQ(handed.crease_sharpness[0], 2.5f);
     ASSERT_EQ(handed.corner_count, 1u);
     EXPECT_EQ(handed.corner_vertices[0], 3u);

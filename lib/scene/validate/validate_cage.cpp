@@ -198,7 +198,7 @@ void validateMorphTargets(const Cage& cage, const ErrorContext& element) {
 
 }  // namespace
 
-void validateCage(const Cage& cage, const Scene& scene, const ErrorContext& element) {
+void validateCageSurface(const Cage& cage, const ErrorContext& element) {
     validateRules(cage, element);
     validateFaceSizes(cage, element);
     requireFinite(cage.positions, "position", element);
@@ -209,9 +209,13 @@ void validateCage(const Cage& cage, const Scene& scene, const ErrorContext& elem
     for (std::size_t i = 0; i < cage.holes.size(); ++i) {
         requireNamed({"hole", i}, {"face", cage.holes[i]}, cage.faceSizes.size(), element);
     }
-    validateMaterials(cage, scene, element);
     validateInfluences(cage, element);
     validateMorphTargets(cage, element);
+}
+
+void validateCage(const Cage& cage, const Scene& scene, const ErrorContext& element) {
+    validateCageSurface(cage, element);
+    validateMaterials(cage, scene, element);
 }
 
 }  // namespace candela

@@ -13,6 +13,8 @@ void validateMaterial(const Material& material, const Scene& scene, const ErrorC
 void validateMesh(const Mesh& mesh, const Scene& scene, const ErrorContext& element);
 /// All but which of the skin's joints it names: see `validateCageInstances`.
 void validateCage(const Cage& cage, const Scene& scene, const ErrorContext& element);
+/// The part of `validateCage` that needs no scene: all but the materials.
+void validateCageSurface(const Cage& cage, const ErrorContext& element);
 void validateSkin(const Skin& skin, const Scene& scene, const ErrorContext& element);
 void validateAnimation(const Animation& animation, const Scene& scene, const ErrorContext& element);
 

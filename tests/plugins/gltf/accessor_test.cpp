@@ -14,7 +14,7 @@ candela::Mesh meshOf(const GltfFile& file) {
     return load(file).scene.meshes.at(0);
 }
 
-/// A shown triangle whose TEXCOORD_0 is accessor 2.
+/// A instance triangle whose TEXCOORD_0 is accessor 2.
 void showTextured(GltfFile& file) {
     file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2})");
 }

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "image_files.h"
 #include "loading.h"
-#include "png_file.h"
 
 namespace candela_test {
 namespace {
@@ -19,7 +19,8 @@ std::string document(const std::string& members) {
     return R"({"asset":{"version":"2.0"},)" + members + "}";
 }
 
-/// A shown mesh 'wheel' whose primitive has these members; accessors 0 and 1 are its positions and normals.
+/// A instance mesh 'wheel' whose primitive has these members; accessors 0 and 1 are its positions and
+/// normals.
 GltfFile wheel(const std::string& primitive) {
     GltfFile file;
     addTriangle(file);
@@ -111,8 +112,8 @@ std::vector<Case> brokenNodes() {
         {"negativeIndex", document(R"("nodes":[{"mesh":-1}])"), {"node 0, mesh", "mesh -1 does not exist"}},
         {"fractionalIndex", document(R"("nodes":[{"children":[0.5]}])"), {"node 0, children", "index"}},
         {"largeIndex", document(R"("nodes":[{"children":[4294967296]}])"), {"node 4294967296"}},
-        {"ownChild", document(R"("nodes":[{"name":"hub","children":[0]}])"), {"node 0 'hub'", "circle"}},
-        {"cycle", document(R"("nodes":[{"children":[1]},{"children":[0]}])"), {"node 0", "circle"}},
+        {"ownChild", document(R"("nodes":[{"name":"hub","children":[0]}])"), {"node 0 'hub'", "cycle"}},
+        {"cycle", document(R"("nodes":[{"children":[1]},{"children":[0]}])"), {"node 0", "cycle"}},
         {"twoParents",
          document(R"("nodes":[{"children":[2]},{"children":[2]},{"name":"hub"}])"),
          {"node 2 'hub'", "two parents", "0 and 1"}},
@@ -355,8 +356,8 @@ TEST(BrokenFile, glb) {
     std::memcpy(&jsonSize, &whole[12], sizeof jsonSize);
     const std::pair<Bytes, const char*> cases[] = {
         {glbWith(4, 1), "container version 1, expected 2"},
-        {glbWith(8, size + 1), "the header tells of"},
-        {glbWith(8, 4), "the header tells of 4 bytes"},
+        {glbWith(8, size + 1), "the header says"},
+        {glbWith(8, 4), "the header says 4 bytes"},
         {glbWith(12, 0xFFFFFFFC), "chunk 0 has a length of 4294967292 bytes"},
         {glbWith(12, 3), "not a multiple of 4"},
         {glbWith(16, 0), "chunk 0 is not of type JSON"},

@@ -21,7 +21,7 @@ GltfFile skinnedFile(Weight one, const std::string& encoding = "") {
     return file;
 }
 
-/// A square like that, shown by a further node with a skin of these two joint nodes.
+/// A square like that, instance by a further node with a skin of these two joint nodes.
 GltfFile poseFile() {
     GltfFile file = skinnedFile<std::uint8_t, float>(1.0f);
     file.addData<float>("MAT4", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,  //
@@ -119,7 +119,7 @@ TEST(CageMotion, verticesOnDifferentJointsStayApart) {
     EXPECT_EQ(cageOf(file).positions.size(), 5u);
 }
 
-TEST(CageMotion, skinsOfOtherMeshesAreNotPushed) {
+TEST(CageMotion, skinsOfOtherMeshesAreNotAdded) {
     GltfFile file = triangleFile();
     file.add("nodes", R"({"mesh":0,"skin":0})");
     file.add("skins", R"({"joints":[0]})");

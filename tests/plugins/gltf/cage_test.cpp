@@ -3,7 +3,7 @@
 #include <set>
 
 #include "cage_file.h"
-#include "png_file.h"
+#include "image_files.h"
 
 namespace candela_test {
 namespace {
@@ -179,7 +179,7 @@ TEST(Cage, withoutAFaceNothingIsShown) {
     EXPECT_TRUE(hasNote(imported, "mesh 0 'cage': a cage without a face"));
 }
 
-TEST(Cage, ofAMeshThatNoNodeShowsIsNotPushed) {
+TEST(Cage, ofAMeshThatNoNodeShowsIsNotAdded) {
     GltfFile file = cubeFile();
     file.add("nodes", "{}");
     file.add("scenes", R"({"nodes":[1]})");

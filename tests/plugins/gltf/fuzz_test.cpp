@@ -3,9 +3,8 @@
 #include <chrono>
 #include <random>
 
-#include "jpeg_file.h"
+#include "image_files.h"
 #include "loading.h"
-#include "png_file.h"
 #include "support/fuzz_iterations.h"
 
 namespace candela_test {

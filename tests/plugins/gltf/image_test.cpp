@@ -1,11 +1,12 @@
+#include <candela/threads.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <iterator>
 
-#include "jpeg_file.h"
+#include "image_files.h"
 #include "loading.h"
-#include "png_file.h"
 
 namespace candela_test {
 namespace {
@@ -106,6 +107,41 @@ TEST(Image, fromAFileWithAnEscapedName) {
     const GltfFile file = fileWithImage(R"({"uri":"tex/my%20picture+1.png"})");
     const candela::ImportedScene imported = loadPath(folder.write("scene.gltf", file.text()));
     EXPECT_EQ(texels8(imported.scene.images.at(0)), (std::vector<int>{7, 8, 9, 10}));
+}
+
+/// A file whose materials use `count` images of different colours; those of `broken` are cut off.
+GltfFile fileWithImages(std::uint8_t count, const std::vector<std::uint8_t>& broken) {
+    GltfFile file;
+    for (std::uint8_t i = 0; i < count; ++i) {
+        Bytes png = makePng(16, 16, i, 0, 0, 255);
+        if (std::find(broken.begin(), broken.end(), i) != broken.end()) png.resize(png.size() / 2);
+        file.add("images", R"({"uri":"data:image/png;base64,)" + base64(png) + "\"}");
+        file.add("textures", R"({"source":)" + std::to_string(i) + "}");
+        file.add("materials", R"({"emissiveTexture":{"index":)" + std::to_string(i) + "}}");
+    }
+    return file;
+}
+
+TEST(Image, manyKeepTheirOrder) {
+    for (const unsigned threads : {1u, 4u}) {
+        candela::setThreadCount(threads);
+        const candela::ImportedScene imported = load(fileWithImages(60, {}));
+        ASSERT_EQ(imported.scene.images.size(), 60u);
+        for (std::size_t i = 0; i < 60; ++i)
+            EXPECT_EQ(std::to_integer<std::size_t>(imported.scene.images[i].pixels[0]), i);
+    }
+    candela::setThreadCount(0);
+}
+
+TEST(Image, ofSeveralBrokenOnesTheFirstIsNamed) {
+    for (const unsigned threads : {1u, 4u}) {
+        candela::setThreadCount(threads);
+        for (int run = 0; run < 10; ++run) {
+            const std::string error = errorOf(fileWithImages(60, {57, 31, 44}));
+            EXPECT_NE(error.find("image 31: the PNG file is broken"), std::string::npos) << error;
+        }
+    }
+    candela::setThreadCount(0);
 }
 
 TEST(Image, thatNothingUsesIsNotRead) {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "image_files.h"
 #include "loading.h"
-#include "png_file.h"
 
 namespace candela_test {
 namespace {

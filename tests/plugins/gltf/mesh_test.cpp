@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "image_files.h"
 #include "loading.h"
-#include "png_file.h"
 
 namespace candela_test {
 namespace {
@@ -175,7 +175,7 @@ TEST(Mesh, threeByteColorsAtAStride) {
               (std::vector<glm::vec4>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}}));
 }
 
-TEST(Mesh, sharedByTwoNodesIsPushedOnce) {
+TEST(Mesh, sharedByTwoNodesIsAddedOnce) {
     GltfFile file = triangleFile();
     file.add("nodes", R"({"mesh":0})");
     const candela::Scene scene = load(file).scene;

@@ -14,7 +14,7 @@ namespace {
 struct OldHost {
     Bytes file;
     std::string fault;
-    int pushed = 0;
+    int source = 0;
     candela_host functions{};
 
     explicit OldHost(Bytes bytes) : file(std::move(bytes)) {
@@ -32,10 +32,10 @@ struct OldHost {
         functions.note = [](void*, const char*) {};
         functions.progress = [](void*, double) { return CANDELA_OK; };
         functions.add_mesh = [](void* self, const candela_mesh*) {
-            return static_cast<OldHost*>(self)->pushed++;
+            return static_cast<OldHost*>(self)->source++;
         };
         functions.add_node = [](void* self, const candela_node*) {
-            return static_cast<OldHost*>(self)->pushed++;
+            return static_cast<OldHost*>(self)->source++;
         };
     }
 };
@@ -64,7 +64,7 @@ TEST(OldHost, isToldThatItKnowsNoCages) {
 TEST(OldHost, takesFilesWithoutCages) {
     OldHost host(triangleFile().glb());
     EXPECT_EQ(importInto(host), CANDELA_OK) << host.fault;
-    EXPECT_EQ(host.pushed, 2);
+    EXPECT_EQ(host.source, 2);
 }
 
 }  // namespace

@@ -9,15 +9,15 @@ namespace {
 
 TEST(Progress, growsFromZeroToOne) {
     const TemporaryFolder folder;
-    std::vector<double> told;
+    std::vector<double> reported;
     candela::importScene(plugins(), folder.write("a.gltf", triangleFile().text()), [&](double fraction) {
-        told.push_back(fraction);
+        reported.push_back(fraction);
         return true;
     });
-    ASSERT_GE(told.size(), 2u);
-    EXPECT_EQ(told.front(), 0.0);
-    EXPECT_EQ(told.back(), 1.0);
-    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    ASSERT_GE(reported.size(), 2u);
+    EXPECT_EQ(reported.front(), 0.0);
+    EXPECT_EQ(reported.back(), 1.0);
+    EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
 }
 
 TEST(Progress, aRefusalCancelsAtEveryStep) {

@@ -162,7 +162,7 @@ TEST(ObjCage, creaseMethodAndTriangleRule) {
 TEST(ObjCage, otherTagsAndWordsAreNoted) {
     const auto imported = loadObj(cube() + "t vertexedit 1/3/3 0 1 2 3 add P value\nt hole 1/0/0 1 2 3\n");
     EXPECT_TRUE(hasNote(imported, "line 15: the tag 'vertexedit' is not used"));
-    EXPECT_TRUE(hasNote(imported, "line 16: 2 more words of the tag 'hole' are not announced and not used"));
+    EXPECT_TRUE(hasNote(imported, "line 16: 2 surplus words of the tag 'hole' are not used"));
     EXPECT_EQ(imported.scene.cages.at(0).holes, Numbers{1});
 }
 

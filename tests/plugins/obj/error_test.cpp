@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "../gltf/png_file.h"
+#include "../gltf/image_files.h"
 #include "obj_scene.h"
 
 namespace candela_test {
@@ -78,7 +78,7 @@ TEST(ObjError, tags) {
          {"t hole 1/x/0 1", "line 15: t: 'x' is not a whole number"},
          {"t hole -1/0/0 1", "line 15: t hole: counts such as 2/1/0 were expected"},
          {"t hole 999999999999999/0/0 1", "line 15: t hole: counts such as 2/1/0 were expected"},
-         {"t hole 2/0/0 1", "line 15: t hole: 2 words are announced, but 1 follows"},
+         {"t hole 2/0/0 1", "line 15: t hole: 2 words were expected, but 1 follows"},
          {"t hole 1/0/0 1.5", "line 15: t: '1.5' is not a whole number"},
          {"t hole 1/0/0 6", "line 15: t hole: face 6, but 0 to 5 was expected"},
          {"t hole 1/0/0 -1", "line 15: t hole: face -1, but 0 to 5 was expected"},

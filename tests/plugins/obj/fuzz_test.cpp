@@ -4,7 +4,7 @@
 #include <chrono>
 #include <random>
 
-#include "../gltf/png_file.h"
+#include "../gltf/image_files.h"
 #include "obj_scene.h"
 #include "support/fuzz_iterations.h"
 

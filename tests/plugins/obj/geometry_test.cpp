@@ -223,8 +223,8 @@ TEST(ObjGeometry, linesAloneAreAnEmptyScene) {
 }
 
 TEST(ObjGeometry, aLargeFileIsReadWhole) {
-    // A fan: one vertex has a thousand texture coordinates, so that anything that walks all twins of a vertex
-    // for each corner would show.
+    // A fan: one vertex has a thousand texture coordinates, so that anything that walks over all seam
+    // vertices of a vertex for each corner would show.
     constexpr int count = 100'000;
     std::string text = "v 0 0 0\n";
     for (int i = 0; i < count; ++i)

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "../gltf/png_file.h"
+#include "../gltf/image_files.h"
 #include "obj_scene.h"
 
 namespace candela_test {
@@ -172,7 +172,7 @@ TEST(ObjMaterial, optionsThatDifferAreNoted) {
         hasNote(imported, "a.mtl, line 3: map_Pm: its options are not used, but those of a.mtl, line 2"));
 }
 
-TEST(ObjMaterial, aPictureIsPushedOnce) {
+TEST(ObjMaterial, aPictureIsAddedOnce) {
     const auto imported =
         loadObj(squareVertices() + "mtllib a.mtl\nusemtl m\nf 1 2 3\nusemtl n\nf 2 3 4\nusemtl m\nf 1 3 4\n",
                 {{"a.mtl",

@@ -46,12 +46,12 @@ TableRow tableRow(const StencilTable& rows, std::uint32_t row, std::size_t colum
 
 /// By how much a row differs from the reference beyond what rounding explains.
 double excess(const TableRow& row, const ReferenceRow& reference, std::vector<double> ReferenceRow::*member) {
-    double greatest = 0.0;
+    double maximum = 0.0;
     for (std::size_t i = 0; i < (reference.*member).size(); ++i) {
         const double difference = std::abs((row.weights.*member)[i] - (reference.*member)[i]);
-        greatest = std::max(greatest, difference - (row.slack.*member)[i]);
+        maximum = std::max(maximum, difference - (row.slack.*member)[i]);
     }
-    return greatest;
+    return maximum;
 }
 
 glm::dvec3 applied(const std::vector<double>& weights, const std::vector<glm::vec3>& points) {
@@ -155,7 +155,7 @@ bool hasSemiSharpChaikin(const Cage& cage) {
 }
 
 /// Whether Bfr itself gives the surface that uniform refinement has. (OpenSubdiv 3.5.0: see LimitSurface.)
-bool bfrKnows(const Cage& cage, Primvar primvar) {
+bool isExactInBfr(const Cage& cage, Primvar primvar) {
     if (hasSemiSharpChaikin(cage)) return false;
     const bool sharpensByNeighbours =
         cage.faceVaryingInterpolation == FaceVaryingInterpolation::cornersPlus1 ||
@@ -167,7 +167,7 @@ bool bfrKnows(const Cage& cage, Primvar primvar) {
 /// Whether adaptive refinement gives what uniform refinement does. Far 3.5.0 does not refine beyond holes,
 /// which with a boundary that is not interpolated all its faces are, and loses Chaikin creases there: weights
 /// are off by some 1e-4.
-bool farKnows(const Cage& cage) {
+bool isExactInFar(const Cage& cage) {
     const bool hasHoles = !cage.holes.empty() || cage.boundaryInterpolation == BoundaryInterpolation::none;
     return !(hasHoles && hasSemiSharpChaikin(cage));
 }
@@ -203,10 +203,10 @@ void expectAgreement(const Cage& cage, std::uint32_t level) {
     References far{"Far", farReference(cage, level, vertices, Primvar::position), {}};
     if (!cage.uvs.empty()) far.uvs = farReference(cage, level, vertices, Primvar::uv);
     expectRows(cage, refined, vertices, far);
-    if (farKnows(cage)) expectVertices(cage, refined, vertices);
-    if (!bfrKnows(cage, Primvar::position)) return;
+    if (isExactInFar(cage)) expectVertices(cage, refined, vertices);
+    if (!isExactInBfr(cage, Primvar::position)) return;
     References bfr{"Bfr", bfrReference(cage, level, vertices, Primvar::position), {}};
-    if (!cage.uvs.empty() && bfrKnows(cage, Primvar::uv)) {
+    if (!cage.uvs.empty() && isExactInBfr(cage, Primvar::uv)) {
         bfr.uvs = bfrReference(cage, level, vertices, Primvar::uv);
     }
     expectRows(cage, refined, vertices, bfr);

@@ -118,7 +118,7 @@ int refinedOf(std::uint32_t seed, int count) {
     for (int i = 0; i < count; ++i) {
         const RandomCage cage(random);
         const CallResult result = callPlugin(cage.get(), 1 + static_cast<std::uint32_t>(i % 3));
-        EXPECT_EQ(result.delivered, result.status == CANDELA_OK);
+        EXPECT_EQ(result.hasResult, result.status == CANDELA_OK);
         EXPECT_EQ(result.failures, result.status == CANDELA_OK ? 0 : 1);
         if (result.status == CANDELA_OK) ++refined;
     }

@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <cstddef>
 #include <stdexcept>
 
 namespace candela {
@@ -25,8 +26,8 @@ void fail(void* self, const char* element, const char* reason) {
     result.reason = reason;
 }
 
-candela_status deliver(void* self, const candela_refined_cage*) {
-    static_cast<CallResult*>(self)->delivered = true;
+candela_status setResult(void* self, const candela_refined_cage*) {
+    static_cast<CallResult*>(self)->hasResult = true;
     return CANDELA_OK;
 }
 
@@ -34,7 +35,12 @@ candela_status deliver(void* self, const candela_refined_cage*) {
 
 CallResult callPlugin(const candela_cage& cage, std::uint32_t level) {
     CallResult result;
-    const candela_refinement refinement{sizeof(candela_refinement), &result, fail, deliver};
+    // As a host of version 1.1, which has no parallel loops.
+    candela_refinement refinement{};
+    refinement.struct_size = offsetof(candela_refinement, worker_count);
+    refinement.self = &result;
+    refinement.fail = fail;
+    refinement.set_result = setResult;
     result.status = subdivider().refine(&refinement, &cage, level);
     return result;
 }

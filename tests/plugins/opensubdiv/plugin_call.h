@@ -10,7 +10,7 @@ namespace candela {
 /// What became of a call of the plugin's own function, without the library in between.
 struct CallResult {
     candela_status status = CANDELA_FAILED;
-    bool delivered = false;
+    bool hasResult = false;
     int failures = 0;  ///< How often the plugin called `fail`.
     std::string element, reason;
 };

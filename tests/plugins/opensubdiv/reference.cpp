@@ -105,14 +105,14 @@ struct Locations {
 int semiSharpLevels(const Cage& cage) {
     const auto topology = osdTopology(cage);
     const Far::TopologyLevel& base = topology->GetLevel(0);
-    float greatest = 0.0f;
+    float maximum = 0.0f;
     for (int edge = 0; edge < base.GetNumEdges(); ++edge) {
-        if (!base.IsEdgeInfSharp(edge)) greatest = std::max(greatest, base.GetEdgeSharpness(edge));
+        if (!base.IsEdgeInfSharp(edge)) maximum = std::max(maximum, base.GetEdgeSharpness(edge));
     }
     for (int vertex = 0; vertex < base.GetNumVertices(); ++vertex) {
-        if (!base.IsVertexInfSharp(vertex)) greatest = std::max(greatest, base.GetVertexSharpness(vertex));
+        if (!base.IsVertexInfSharp(vertex)) maximum = std::max(maximum, base.GetVertexSharpness(vertex));
     }
-    return static_cast<int>(std::ceil(greatest));
+    return static_cast<int>(std::ceil(maximum));
 }
 
 ReferenceRows farReference(const Cage& cage, std::uint32_t level, const std::vector<GridVertex>& vertices,

@@ -25,7 +25,7 @@ void expectRejection(const candela_cage& cage, const std::string& element, const
     EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), "");
     EXPECT_EQ(result.status, CANDELA_FAILED);
     EXPECT_EQ(result.failures, 1);
-    EXPECT_FALSE(result.delivered);
+    EXPECT_FALSE(result.hasResult);
     EXPECT_EQ(result.element, element);
     EXPECT_NE(result.reason.find(reason), std::string::npos) << result.reason;
 }
@@ -35,7 +35,7 @@ TEST(Rejection, noneOfAGoodCage) {
     for (std::uint32_t level = 1; level <= 8; ++level) {
         const CallResult result = callPlugin(arrays.cage, level);
         EXPECT_EQ(result.status, CANDELA_OK) << result.element << ": " << result.reason;
-        EXPECT_TRUE(result.delivered);
+        EXPECT_TRUE(result.hasResult);
     }
 }
 

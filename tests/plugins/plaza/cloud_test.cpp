@@ -40,12 +40,12 @@ TEST(Cloud, LightsLieEvenlyOnTheSphere) {
 
 TEST(Cloud, NeighboursKeepTheirDistance) {
     const Scene scene = cloud("1000");
-    float least = 1.0e9f;
+    float minDistance = 1.0e9f;
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            least = std::min(least, glm::length(scene.lights[i].position - scene.lights[j].position));
+            minDistance = std::min(minDistance, glm::length(scene.lights[i].position - scene.lights[j].position));
     // Each light has 4 pi 50² / 1000 = 31.4 m² to itself, 5.6 m square.
-    EXPECT_GT(least, 0.5f * 5.6f);
+    EXPECT_GT(minDistance, 0.5f * 5.6f);
 }
 
 // Every point of the shell near a light is within the light's reach, and in front of the shell.

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "failure.h"
+#include "host.h"
+
+namespace candela_plugins {
+
+enum class SampleSize : std::size_t { bits8 = 1, bits16 = 2 };
+
+/// A decoded image: RGBA, rows from the top, tightly packed; 16-bit samples in the machine's byte order.
+struct Image {
+    std::uint32_t width = 0, height = 0;
+    SampleSize sampleSize = SampleSize::bits8;
+    std::vector<std::uint8_t> pixels;
+};
+
+/// The largest width and height that the host takes.
+inline constexpr std::uint32_t maxSide = 32768;
+
+// stb_image, the decoder of tinygltf, is not used: Debian's build aborts on some damaged JPEG files, and
+// reads damaged PNG files without an error.
+
+bool isPng(const Bytes& file);
+bool isJpeg(const Bytes& file);
+
+/// Decodes a PNG file; 16-bit samples are kept, all others become 8 bits. Colour profiles and gamma are
+/// ignored, as glTF 2.0, 3.8.3 asks. Throws `Failure` for `element` when the file is damaged or cut off.
+Image decodePng(const Bytes& file, const std::string& element);
+
+/// Decodes a JPEG file of grey or colour. Throws `Failure` for `element` when the file is damaged or cut off.
+Image decodeJpeg(const Bytes& file, const std::string& element);
+
+/// The bytes of the decoded image as the header of the file says; 0 where it cannot be read.
+std::uint64_t decodedPngSize(const Bytes& file);
+std::uint64_t decodedJpegSize(const Bytes& file);
+/// The same for either format; 0 for other files.
+std::uint64_t decodedSize(const Bytes& file);
+
+/// Decodes a PNG or JPEG file. Throws `Failure` for `element` when it is neither, damaged or cut off.
+Image decodeImage(const Bytes& file, const std::string& element);
+
+/// An image to be made and added.
+struct ImageJob {
+    std::string name;
+    std::uint64_t bytes;          ///< The memory that `make` needs, about.
+    std::function<Image()> make;  ///< Called on any thread of the host; must not call the host.
+};
+
+/// Makes images on all threads of the host, and adds them in order. Returns their indices. Jobs run in
+/// batches of a limited size in memory, which does not depend on the number of threads. Of several failures
+/// that of the first job counts. Progress goes from `from` to `to`.
+std::vector<std::int32_t> addImages(const std::vector<ImageJob>& jobs, const Host& host, double from,
+                                    double to);
+
+}  // namespace candela_plugins

@@ -1,0 +1,118 @@
+#include "primitives.h"
+
+#include <numeric>
+
+#include "../common/failure.h"
+#include "document.h"
+
+namespace candela_plugins::gltf {
+
+int accessorOf(const tinygltf::Primitive& primitive, const std::string& attribute) {
+    const auto found = primitive.attributes.find(attribute);
+    return found == primitive.attributes.end() ? -1 : found->second;
+}
+
+std::size_t elementCount(const Document& document, int accessor) {
+    return document.model.accessors.at(static_cast<std::size_t>(accessor)).count;
+}
+
+std::vector<float> readAttribute(const Document& document, int accessor, const std::string& attribute,
+                                 const AttributeForm& form, std::size_t vertices,
+                                 const std::string& element) {
+    const std::string where = element + ", attribute " + attribute;
+    const std::size_t count = elementCount(document, accessor);
+    if (count != vertices) {
+        throw Failure{where, "accessor " + std::to_string(accessor) + " has " + std::to_string(count) +
+                                 " elements, expected " + std::to_string(vertices)};
+    }
+    const Encodings allowed = document.quantized ? form.quantized : form.plain;
+    return readFloats(document, accessor, static_cast<int>(form.components), allowed, where);
+}
+
+std::vector<std::uint32_t> readCorners(const Document& document, const tinygltf::Primitive& primitive,
+                                       std::uint32_t vertices, const std::string& element) {
+    const int accessor = accessorOf(primitive, indicesAttribute);
+    if (accessor < 0) {
+        std::vector<std::uint32_t> corners(vertices);
+        std::iota(corners.begin(), corners.end(), 0u);
+        return corners;
+    }
+    const std::string where = element + ", indices";
+    std::vector<std::uint32_t> corners = readIndices(document, accessor, where);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (corners[i] < vertices) continue;
+        throw Failure{where, "index " + std::to_string(corners[i]) + " at position " + std::to_string(i) +
+                                 ", but the primitive has " + std::to_string(vertices) + " vertices"};
+    }
+    return corners;
+}
+
+namespace {
+
+std::vector<std::uint32_t> fromStrip(const std::vector<std::uint32_t>& corners) {
+    std::vector<std::uint32_t> triangles;
+    triangles.reserve((corners.size() - 2) * 3);
+    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+        // Every other triangle of a strip has the opposite winding.
+        const std::size_t odd = i % 2;
+        triangles.insert(triangles.end(), {corners[i], corners[i + 1 + odd], corners[i + 2 - odd]});
+    }
+    return triangles;
+}
+
+std::vector<std::uint32_t> fromFan(const std::vector<std::uint32_t>& corners) {
+    std::vector<std::uint32_t> triangles;
+    triangles.reserve((corners.size() - 2) * 3);
+    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+        triangles.insert(triangles.end(), {corners[i + 1], corners[i + 2], corners[0]});
+    }
+    return triangles;
+}
+
+}  // namespace
+
+bool hasTriangles(int mode) {
+    return mode >= TINYGLTF_MODE_TRIANGLES;
+}
+
+std::vector<std::uint32_t> triangulate(int mode, std::vector<std::uint32_t> corners,
+                                       const std::string& element) {
+    const std::string count = "has " + std::to_string(corners.size()) + " corners, expected ";
+    if (mode == TINYGLTF_MODE_TRIANGLES) {
+        if (corners.size() % 3 != 0) throw Failure{element, count + "a multiple of 3"};
+        return corners;
+    }
+    if (corners.size() < 3) throw Failure{element, count + "3 or more"};
+    return mode == TINYGLTF_MODE_TRIANGLE_STRIP ? fromStrip(corners) : fromFan(corners);
+}
+
+Polygons polygonsOfTriangles(std::vector<std::uint32_t> triangles) {
+    Polygons polygons;
+    polygons.sizes.assign(triangles.size() / 3, 3u);
+    polygons.corners = std::move(triangles);
+    return polygons;
+}
+
+Polygons recoverPolygons(const std::vector<std::uint32_t>& triangles, const std::string& element) {
+    Polygons polygons;
+    for (std::size_t i = 0; i < triangles.size(); i += 3) {
+        const bool continues = i > 0 && triangles[i] == triangles[i - 3];
+        if (!continues) {
+            polygons.sizes.push_back(3);
+            polygons.corners.insert(polygons.corners.end(), &triangles[i], &triangles[i] + 3);
+            continue;
+        }
+        if (triangles[i + 1] != triangles[i - 1]) {
+            throw Failure{
+                element + ", FB_ngon_encoding",
+                "triangle " + std::to_string(i / 3) + " begins at vertex " + std::to_string(triangles[i]) +
+                    " like the one before, and continues with vertex " + std::to_string(triangles[i + 1]) +
+                    ", expected " + std::to_string(triangles[i - 1])};
+        }
+        ++polygons.sizes.back();
+        polygons.corners.push_back(triangles[i + 2]);
+    }
+    return polygons;
+}
+
+}  // namespace candela_plugins::gltf

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "../common/host.h"
+
+namespace candela_plugins::plaza {
+
+// The generators of procedural scenes. `arguments` is what follows "scheme:". Each throws `Failure` or
+// `HostRefused`.
+
+/// "plaza:N": a ground of 100 m with 16 × 16 spheres of all roughnesses under N point lights.
+void makePlaza(const Host& host, const std::string& arguments);
+
+/// "cloud:N": N lights of 0.3 m range, evenly spaced on a sphere of 50 m around the camera, and a shell just
+/// outside of it that they light. Another N moves every light.
+void makeCloud(const Host& host, const std::string& arguments);
+
+/// "rooms:N": 16 × 16 furnished rooms with doorways on 100 m × 100 m, N lights spread over them, and a camera
+/// in one of the rooms.
+void makeRooms(const Host& host, const std::string& arguments);
+
+/// "sculpture:N": the plaza with a subdivision cage before the camera, a ring of square section that is
+/// twisted by three half turns. Two of its four edges are infinitely sharp, the other two are smooth.
+void makeSculpture(const Host& host, const std::string& arguments);
+
+}  // namespace candela_plugins::plaza

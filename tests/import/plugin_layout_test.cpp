@@ -1,0 +1,239 @@
+// The layout of plugin.h, by which plugins that are built exchange data with the host. Names may change. Structs may
+// only grow at their end, and only those that begin with struct_size: then a line is added here.
+#include <candela/plugin.h>
+
+#include <cstddef>
+
+static_assert(sizeof(void*) == 8, "the table is of 64-bit machines");
+
+// clang-format off
+static_assert(offsetof(candela_image, struct_size) == 0);
+static_assert(offsetof(candela_image, name) == 8);
+static_assert(offsetof(candela_image, width) == 16);
+static_assert(offsetof(candela_image, height) == 20);
+static_assert(offsetof(candela_image, format) == 24);
+static_assert(offsetof(candela_image, pixels) == 32);
+static_assert(offsetof(candela_image, pixels_size) == 40);
+static_assert(sizeof(candela_image) == 48);
+
+static_assert(offsetof(candela_texture, image) == 0);
+static_assert(offsetof(candela_texture, uv_set) == 4);
+static_assert(offsetof(candela_texture, wrap_s) == 8);
+static_assert(offsetof(candela_texture, wrap_t) == 12);
+static_assert(offsetof(candela_texture, min_filter) == 16);
+static_assert(offsetof(candela_texture, mag_filter) == 20);
+static_assert(offsetof(candela_texture, offset) == 24);
+static_assert(offsetof(candela_texture, rotation) == 32);
+static_assert(offsetof(candela_texture, scale) == 36);
+static_assert(sizeof(candela_texture) == 44);
+
+static_assert(offsetof(candela_material, struct_size) == 0);
+static_assert(offsetof(candela_material, name) == 8);
+static_assert(offsetof(candela_material, base_color) == 16);
+static_assert(offsetof(candela_material, metallic) == 32);
+static_assert(offsetof(candela_material, roughness) == 36);
+static_assert(offsetof(candela_material, emission) == 40);
+static_assert(offsetof(candela_material, base_color_texture) == 52);
+static_assert(offsetof(candela_material, metallic_roughness_texture) == 96);
+static_assert(offsetof(candela_material, normal_texture) == 140);
+static_assert(offsetof(candela_material, occlusion_texture) == 184);
+static_assert(offsetof(candela_material, emission_texture) == 228);
+static_assert(offsetof(candela_material, normal_scale) == 272);
+static_assert(offsetof(candela_material, occlusion_strength) == 276);
+static_assert(offsetof(candela_material, alpha_mode) == 280);
+static_assert(offsetof(candela_material, alpha_cutoff) == 284);
+static_assert(offsetof(candela_material, double_sided) == 288);
+static_assert(offsetof(candela_material, unlit) == 292);
+static_assert(sizeof(candela_material) == 296);
+
+static_assert(offsetof(candela_submesh, first_index) == 0);
+static_assert(offsetof(candela_submesh, index_count) == 4);
+static_assert(offsetof(candela_submesh, material) == 8);
+static_assert(sizeof(candela_submesh) == 12);
+
+static_assert(offsetof(candela_mesh, struct_size) == 0);
+static_assert(offsetof(candela_mesh, name) == 8);
+static_assert(offsetof(candela_mesh, vertex_count) == 16);
+static_assert(offsetof(candela_mesh, positions) == 24);
+static_assert(offsetof(candela_mesh, normals) == 32);
+static_assert(offsetof(candela_mesh, tangents) == 40);
+static_assert(offsetof(candela_mesh, uv0) == 48);
+static_assert(offsetof(candela_mesh, uv1) == 56);
+static_assert(offsetof(candela_mesh, colors) == 64);
+static_assert(offsetof(candela_mesh, index_count) == 72);
+static_assert(offsetof(candela_mesh, indices) == 80);
+static_assert(offsetof(candela_mesh, submesh_count) == 88);
+static_assert(offsetof(candela_mesh, submeshes) == 96);
+static_assert(offsetof(candela_mesh, face_count) == 104);
+static_assert(offsetof(candela_mesh, face_sizes) == 112);
+static_assert(sizeof(candela_mesh) == 120);
+
+static_assert(offsetof(candela_cage, struct_size) == 0);
+static_assert(offsetof(candela_cage, name) == 8);
+static_assert(offsetof(candela_cage, scheme) == 16);
+static_assert(offsetof(candela_cage, boundary_interpolation) == 20);
+static_assert(offsetof(candela_cage, face_varying_interpolation) == 24);
+static_assert(offsetof(candela_cage, crease_method) == 28);
+static_assert(offsetof(candela_cage, triangle_subdivision) == 32);
+static_assert(offsetof(candela_cage, vertex_count) == 36);
+static_assert(offsetof(candela_cage, positions) == 40);
+static_assert(offsetof(candela_cage, face_count) == 48);
+static_assert(offsetof(candela_cage, face_sizes) == 56);
+static_assert(offsetof(candela_cage, face_vertices) == 64);
+static_assert(offsetof(candela_cage, uv_count) == 72);
+static_assert(offsetof(candela_cage, uvs) == 80);
+static_assert(offsetof(candela_cage, face_uvs) == 88);
+static_assert(offsetof(candela_cage, crease_count) == 96);
+static_assert(offsetof(candela_cage, crease_edges) == 104);
+static_assert(offsetof(candela_cage, crease_sharpness) == 112);
+static_assert(offsetof(candela_cage, corner_count) == 120);
+static_assert(offsetof(candela_cage, corner_vertices) == 128);
+static_assert(offsetof(candela_cage, corner_sharpness) == 136);
+static_assert(offsetof(candela_cage, hole_count) == 144);
+static_assert(offsetof(candela_cage, holes) == 152);
+static_assert(offsetof(candela_cage, face_materials) == 160);
+static_assert(offsetof(candela_cage, level) == 168);
+static_assert(offsetof(candela_cage, influence_count) == 172);
+static_assert(offsetof(candela_cage, joints) == 176);
+static_assert(offsetof(candela_cage, joint_weights) == 184);
+static_assert(offsetof(candela_cage, morph_target_count) == 192);
+static_assert(offsetof(candela_cage, morph_offsets) == 200);
+static_assert(sizeof(candela_cage) == 208);
+
+static_assert(offsetof(candela_skin, struct_size) == 0);
+static_assert(offsetof(candela_skin, name) == 8);
+static_assert(offsetof(candela_skin, joint_count) == 16);
+static_assert(offsetof(candela_skin, joints) == 24);
+static_assert(offsetof(candela_skin, inverse_bind_matrices) == 32);
+static_assert(sizeof(candela_skin) == 40);
+
+static_assert(offsetof(candela_cage_instance, struct_size) == 0);
+static_assert(offsetof(candela_cage_instance, node) == 4);
+static_assert(offsetof(candela_cage_instance, cage) == 8);
+static_assert(offsetof(candela_cage_instance, skin) == 12);
+static_assert(offsetof(candela_cage_instance, morph_weight_count) == 16);
+static_assert(offsetof(candela_cage_instance, morph_weights) == 24);
+static_assert(sizeof(candela_cage_instance) == 32);
+
+static_assert(offsetof(candela_camera, struct_size) == 0);
+static_assert(offsetof(candela_camera, name) == 8);
+static_assert(offsetof(candela_camera, vertical_fov) == 16);
+static_assert(offsetof(candela_camera, near_plane) == 20);
+static_assert(offsetof(candela_camera, node) == 24);
+static_assert(sizeof(candela_camera) == 32);
+
+static_assert(offsetof(candela_light, struct_size) == 0);
+static_assert(offsetof(candela_light, name) == 8);
+static_assert(offsetof(candela_light, type) == 16);
+static_assert(offsetof(candela_light, color) == 20);
+static_assert(offsetof(candela_light, intensity) == 32);
+static_assert(offsetof(candela_light, range) == 36);
+static_assert(offsetof(candela_light, inner_cone_angle) == 40);
+static_assert(offsetof(candela_light, outer_cone_angle) == 44);
+static_assert(offsetof(candela_light, position) == 48);
+static_assert(offsetof(candela_light, direction) == 60);
+static_assert(offsetof(candela_light, node) == 72);
+static_assert(sizeof(candela_light) == 80);
+
+static_assert(offsetof(candela_node, struct_size) == 0);
+static_assert(offsetof(candela_node, name) == 8);
+static_assert(offsetof(candela_node, parent) == 16);
+static_assert(offsetof(candela_node, translation) == 20);
+static_assert(offsetof(candela_node, rotation) == 32);
+static_assert(offsetof(candela_node, scale) == 48);
+static_assert(offsetof(candela_node, matrix) == 64);
+static_assert(offsetof(candela_node, mesh) == 72);
+static_assert(sizeof(candela_node) == 80);
+
+static_assert(offsetof(candela_animation_channel, node) == 0);
+static_assert(offsetof(candela_animation_channel, path) == 4);
+static_assert(offsetof(candela_animation_channel, interpolation) == 8);
+static_assert(offsetof(candela_animation_channel, key_count) == 12);
+static_assert(offsetof(candela_animation_channel, times) == 16);
+static_assert(offsetof(candela_animation_channel, values) == 24);
+static_assert(sizeof(candela_animation_channel) == 32);
+
+static_assert(offsetof(candela_animation, struct_size) == 0);
+static_assert(offsetof(candela_animation, name) == 8);
+static_assert(offsetof(candela_animation, channel_count) == 16);
+static_assert(offsetof(candela_animation, channels) == 24);
+static_assert(sizeof(candela_animation) == 32);
+
+static_assert(offsetof(candela_bytes, data) == 0);
+static_assert(offsetof(candela_bytes, size) == 8);
+static_assert(sizeof(candela_bytes) == 16);
+
+static_assert(offsetof(candela_host, struct_size) == 0);
+static_assert(offsetof(candela_host, self) == 8);
+static_assert(offsetof(candela_host, read_file) == 16);
+static_assert(offsetof(candela_host, fail) == 24);
+static_assert(offsetof(candela_host, note) == 32);
+static_assert(offsetof(candela_host, progress) == 40);
+static_assert(offsetof(candela_host, add_image) == 48);
+static_assert(offsetof(candela_host, add_material) == 56);
+static_assert(offsetof(candela_host, add_mesh) == 64);
+static_assert(offsetof(candela_host, add_node) == 72);
+static_assert(offsetof(candela_host, add_camera) == 80);
+static_assert(offsetof(candela_host, add_light) == 88);
+static_assert(offsetof(candela_host, add_animation) == 96);
+static_assert(offsetof(candela_host, add_cage) == 104);
+static_assert(offsetof(candela_host, add_skin) == 112);
+static_assert(offsetof(candela_host, add_cage_instance) == 120);
+static_assert(offsetof(candela_host, worker_count) == 128);
+static_assert(offsetof(candela_host, parallel_for) == 136);
+static_assert(sizeof(candela_host) == 144);
+
+static_assert(offsetof(candela_stencil_table, stencil_count) == 0);
+static_assert(offsetof(candela_stencil_table, offsets) == 8);
+static_assert(offsetof(candela_stencil_table, control_indices) == 16);
+static_assert(offsetof(candela_stencil_table, weights) == 24);
+static_assert(offsetof(candela_stencil_table, du_weights) == 32);
+static_assert(offsetof(candela_stencil_table, dv_weights) == 40);
+static_assert(sizeof(candela_stencil_table) == 48);
+
+static_assert(offsetof(candela_refined_cage, struct_size) == 0);
+static_assert(offsetof(candela_refined_cage, point_count) == 4);
+static_assert(offsetof(candela_refined_cage, vertex_count) == 8);
+static_assert(offsetof(candela_refined_cage, seam_points) == 16);
+static_assert(offsetof(candela_refined_cage, positions) == 24);
+static_assert(offsetof(candela_refined_cage, uvs) == 72);
+static_assert(offsetof(candela_refined_cage, face_size) == 120);
+static_assert(offsetof(candela_refined_cage, face_count) == 124);
+static_assert(offsetof(candela_refined_cage, face_vertices) == 128);
+static_assert(offsetof(candela_refined_cage, cage_faces) == 136);
+static_assert(sizeof(candela_refined_cage) == 144);
+
+static_assert(offsetof(candela_refinement, struct_size) == 0);
+static_assert(offsetof(candela_refinement, self) == 8);
+static_assert(offsetof(candela_refinement, fail) == 16);
+static_assert(offsetof(candela_refinement, set_result) == 24);
+static_assert(offsetof(candela_refinement, worker_count) == 32);
+static_assert(offsetof(candela_refinement, parallel_for) == 40);
+static_assert(sizeof(candela_refinement) == 48);
+
+static_assert(offsetof(candela_subdivider, struct_size) == 0);
+static_assert(offsetof(candela_subdivider, refine) == 8);
+static_assert(sizeof(candela_subdivider) == 16);
+
+static_assert(offsetof(candela_request, struct_size) == 0);
+static_assert(offsetof(candela_request, uri) == 8);
+static_assert(offsetof(candela_request, name) == 16);
+static_assert(offsetof(candela_request, query) == 24);
+static_assert(sizeof(candela_request) == 32);
+
+static_assert(offsetof(candela_importer, struct_size) == 0);
+static_assert(offsetof(candela_importer, extensions) == 8);
+static_assert(offsetof(candela_importer, schemes) == 16);
+static_assert(offsetof(candela_importer, import_scene) == 24);
+static_assert(sizeof(candela_importer) == 32);
+
+static_assert(offsetof(candela_plugin, struct_size) == 0);
+static_assert(offsetof(candela_plugin, major) == 4);
+static_assert(offsetof(candela_plugin, minor) == 8);
+static_assert(offsetof(candela_plugin, name) == 16);
+static_assert(offsetof(candela_plugin, version) == 24);
+static_assert(offsetof(candela_plugin, description) == 32);
+static_assert(offsetof(candela_plugin, importer) == 40);
+static_assert(offsetof(candela_plugin, subdivider) == 48);
+static_assert(sizeof(candela_plugin) == 56);
+// clang-format on
