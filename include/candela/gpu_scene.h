@@ -75,7 +75,9 @@ struct CageReport {
 ///
 /// Edits mark what they change, and the next frame brings the device up to date, at a cost in proportion to
 /// the change. They check their arguments, throw `Error` (badInput) that names the element, and change
-/// nothing then. Every function throws `Error` (badInput) on an object that has been moved from.
+/// nothing then. `setLights`, `setCagePoints` and `setMaterial` throw `Error` (environment) while the context
+/// is not current on this thread. Every function throws `Error` (badInput) on an object that has been moved
+/// from.
 class CANDELA_API GpuScene {
   public:
     /// Uploads. Throws `Error`: badInput when the scene breaks a rule of `validate`, an option is out of its
@@ -122,6 +124,8 @@ class CANDELA_API GpuScene {
 
   private:
     friend class Renderer;
+    void requireContext() const;
+
     std::shared_ptr<State> state_;
 };
 

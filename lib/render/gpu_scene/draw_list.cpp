@@ -127,7 +127,8 @@ void DrawList::finish(std::size_t instanceCount) {
     drawsOfMaterial_.resize(draws_.size());
     std::vector<std::uint32_t> next(firstOfMaterial_);
     for (std::uint32_t i = 0; i < draws_.size(); ++i) drawsOfMaterial_[next[draws_[i].material]++] = i;
-    recordBuffer_.upload(std::span<const std::array<std::uint32_t, 2>>(records));
+    recordBuffer_ =
+        gl::Buffer::immutable("draw records", std::span<const std::array<std::uint32_t, 2>>(records));
 }
 
 std::span<DrawList::Draw> DrawList::drawsOf(std::uint32_t instance) {

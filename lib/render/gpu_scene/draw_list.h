@@ -140,7 +140,7 @@ class DrawList {
     std::vector<MaterialKeys> materialKeys_;  ///< One a material, and one for draws without.
     Groups groups_;
     std::vector<std::uint32_t> pending_;
-    gl::Buffer recordBuffer_{"draw records"};
+    gl::Buffer recordBuffer_;
 };
 
 /// Can any draw of the scene come to need more than positions and normals? One may without asking for it now

@@ -47,9 +47,8 @@ void feedDraws(const gl::VertexArray& vertexArray, GLuint binding, const gl::Buf
     glVertexArrayAttribBinding(name, layout::DRAW_ATTRIBUTE, binding);
 }
 
-DefaultDetail::DefaultDetail() : vertex_("default detail") {
-    vertex_.upload(std::span<const float>(detail));
-}
+DefaultDetail::DefaultDetail()
+    : vertex_(gl::Buffer::immutable("default detail", std::span<const float>(detail))) {}
 
 void DefaultDetail::describe(const gl::VertexArray& vertexArray, GLuint binding) const {
     // A stride of 0 gives every vertex the same element.
@@ -60,11 +59,7 @@ void DefaultDetail::describe(const gl::VertexArray& vertexArray, GLuint binding)
     feedFloats(vertexArray, layout::COLOR_ATTRIBUTE, 4, binding, colorOffset);
 }
 
-GpuMeshes::GpuMeshes(std::span<const Mesh> meshes, Detail detail)
-    : detail_(detail),
-      indices_("mesh indices"),
-      surface_("mesh positions and normals"),
-      detailStream_("mesh details") {
+GpuMeshes::GpuMeshes(std::span<const Mesh> meshes, Detail detail) : detail_(detail) {
     place(meshes);
     uploadSurface(meshes);
     if (detail_ == Detail::everything) uploadDetail(meshes);
@@ -97,8 +92,8 @@ void GpuMeshes::uploadSurface(std::span<const Mesh> meshes) {
             vertices.push_back({mesh.positions[i], mesh.normals[i]});
         indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
     }
-    surface_.upload(std::span<const SurfaceVertex>(vertices));
-    indices_.upload(std::span<const std::uint32_t>(indices));
+    surface_ = gl::Buffer::immutable("mesh positions and normals", std::span<const SurfaceVertex>(vertices));
+    indices_ = gl::Buffer::immutable("mesh indices", std::span<const std::uint32_t>(indices));
 }
 
 void GpuMeshes::uploadDetail(std::span<const Mesh> meshes) {
@@ -114,7 +109,7 @@ void GpuMeshes::uploadDetail(std::span<const Mesh> meshes) {
             vertices.push_back(vertex);
         }
     }
-    detailStream_.upload(std::span<const DetailVertex>(vertices));
+    details_ = gl::Buffer::immutable("mesh details", std::span<const DetailVertex>(vertices));
 }
 
 void GpuMeshes::describe(const gl::VertexArray& vertexArray, const gl::Buffer& draws,
@@ -129,7 +124,7 @@ void GpuMeshes::describe(const gl::VertexArray& vertexArray, const gl::Buffer& d
         defaultDetail.describe(vertexArray, 2);
         return;
     }
-    glVertexArrayVertexBuffer(name, 2, detailStream_.name(), 0, sizeof(DetailVertex));
+    glVertexArrayVertexBuffer(name, 2, details_.name(), 0, sizeof(DetailVertex));
     feedFloats(vertexArray, layout::TANGENT_ATTRIBUTE, 4, 2, offsetof(DetailVertex, tangent));
     feedFloats(vertexArray, layout::UV0_ATTRIBUTE, 2, 2, offsetof(DetailVertex, uv0));
     feedFloats(vertexArray, layout::UV1_ATTRIBUTE, 2, 2, offsetof(DetailVertex, uv1));

@@ -67,7 +67,7 @@ class GpuMeshes {
     std::vector<MeshPlace> places_;
     std::uint64_t vertexCount_ = 0, indexCount_ = 0;
     Detail detail_;
-    gl::Buffer indices_, surface_, detailStream_;
+    gl::Buffer indices_, surface_, details_;
 };
 
 }  // namespace candela

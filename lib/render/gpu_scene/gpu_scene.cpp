@@ -30,7 +30,12 @@ const GpuScene::State& GpuScene::state() const {
     return *state_;
 }
 
+void GpuScene::requireContext() const {
+    state().binding->requireCurrent("a GpuScene");
+}
+
 void GpuScene::setLights(std::span<const WorldLight> lights) {
+    requireContext();
     state().setLights(lights);
 }
 
@@ -43,6 +48,7 @@ void GpuScene::setTime(double seconds) {
 }
 
 void GpuScene::setCagePoints(std::uint32_t node, std::span<const glm::vec3> points) {
+    requireContext();
     state().setCagePoints(node, points);
 }
 
@@ -51,6 +57,7 @@ void GpuScene::setSubdivision(const SubdivisionSettings& settings) {
 }
 
 void GpuScene::setMaterial(std::uint32_t index, const Material& material) {
+    requireContext();
     state().setMaterial(index, material);
 }
 

@@ -24,11 +24,10 @@ std::vector<CageEdge> edgesOf(const RefinedCage& refined);
 
 /// Edges as an index buffer for GL_LINES.
 struct EdgeIndices {
-    explicit EdgeIndices(std::span<const CageEdge> edges) : count(static_cast<GLsizei>(2 * edges.size())) {
-        buffer.upload(edges);
-    }
+    explicit EdgeIndices(std::span<const CageEdge> edges)
+        : buffer(gl::Buffer::immutable("cage edges", edges)), count(static_cast<GLsizei>(2 * edges.size())) {}
 
-    gl::Buffer buffer{"cage edges"};
+    gl::Buffer buffer;
     GLsizei count;
 };
 

@@ -57,15 +57,14 @@ CageMaterials materialsOf(const Cage& cage, std::uint32_t none) {
 }
 
 GpuStencilTable::GpuStencilTable(const Cage& cage, const CageMaterials& materials, RefinedCage refined)
-    : refined_(std::move(refined)), indices_("cage indices") {
+    : refined_(std::move(refined)) {
     createTriangles(materials);
     const std::vector<std::uint32_t>& starts = refined_.positions.rowStarts;
     for (std::size_t i = 1; i < starts.size(); ++i)
         longestRow_ = std::max(longestRow_, starts[i] - starts[i - 1]);
     if (refined_.uvs.rowCount() == 0) return;
     const LimitUvs limit = evaluateLimitUvs(refined_, cage.uvs);
-    uvs_.emplace("cage texture coordinates");
-    uvs_->upload(std::span<const glm::vec2>(limit.uvs));
+    uvs_ = gl::Buffer::immutable("cage texture coordinates", std::span<const glm::vec2>(limit.uvs));
 }
 
 std::uint64_t GpuStencilTable::bytes() const {
@@ -99,7 +98,7 @@ void GpuStencilTable::createTriangles(const CageMaterials& materials) {
             indices[at++] = vertices[i];
         }
     }
-    indices_.upload(std::span<const std::uint32_t>(indices));
+    indices_ = gl::Buffer::immutable("cage indices", std::span<const std::uint32_t>(indices));
 }
 
 std::span<const glm::vec4> GpuStencilTable::uvDerivatives(const Cage& cage) {
@@ -118,19 +117,20 @@ const EdgeIndices& GpuStencilTable::faceEdges() {
 
 const GpuStencilTable::Storage& GpuStencilTable::storage() {
     if (!storage_) {
-        storage_.emplace(Storage{gl::Buffer("cage rows"), gl::Buffer("cage weights")});
         std::vector<std::uint32_t> rows(refined_.positions.rowStarts);
         rows.insert(rows.end(), refined_.seamPoints.begin(), refined_.seamPoints.end());
-        storage_->rows.upload(std::span<const std::uint32_t>(rows));
-        storage_->entries.upload(std::span<const StoredEntry>(entriesOf(refined_.positions)));
+        const std::vector<StoredEntry> entries = entriesOf(refined_.positions);
+        storage_.emplace(
+            Storage{gl::Buffer::immutable("cage rows", std::span<const std::uint32_t>(rows)),
+                    gl::Buffer::immutable("cage weights", std::span<const StoredEntry>(entries))});
     }
     return *storage_;
 }
 
 const gl::Buffer& GpuStencilTable::uvDerivativeBuffer() {
     if (!uvDerivativeBuffer_) {
-        uvDerivativeBuffer_.emplace("cage uv derivatives");
-        uvDerivativeBuffer_->upload(std::span<const glm::vec4>(uvDerivatives_));
+        uvDerivativeBuffer_ =
+            gl::Buffer::immutable("cage uv derivatives", std::span<const glm::vec4>(uvDerivatives_));
     }
     return *uvDerivativeBuffer_;
 }

@@ -13,13 +13,15 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
+#include <thread>
 
 namespace candela::test {
 namespace {
 
 const FrameRequest inputs{64, 48, lookAt({0.5f, 1.0f, 6}, {0, 0, 0}, 0.8f), BrdfModel::course,
-                         Technique::fullscreen};
+                          Technique::fullscreen};
 
 glm::mat4 at(float x, float y = 0.0f) {
     return glm::translate(glm::mat4(1.0f), {x, y, 0.0f});
@@ -242,6 +244,27 @@ TEST_F(EditTest, movedFromSceneIsRefused) {
     refusal([&] { drawn(scene, inputs); });
     // NOLINTEND(bugprone-use-after-move)
     EXPECT_EQ(taken.triangleCount(), candela::triangleCount(sceneOf(makeSphere(1.0f), Material{})));
+}
+
+TEST_F(EditTest, editsThatNeedTheContextSaySo) {
+    GpuScene scene(context(), sceneOfCage(makeCubeCage(1.0f), Material{}), subdividing(1));
+    const std::vector<glm::vec3> points = makeCubeCage(1.0f).positions;
+    const std::function<void()> edits[] = {[&] { scene.setLights({}); },
+                                           [&] { scene.setCagePoints(0, points); },
+                                           [&] { scene.setMaterial(0, {}); }};
+    for (const std::function<void()>& edit : edits) {
+        std::optional<ErrorKind> kind;
+        std::thread([&] {  // No context is current on it.
+            try {
+                edit();
+            } catch (const Error& error) {
+                kind = error.kind();
+            }
+        })
+            .join();
+        EXPECT_EQ(kind, ErrorKind::environment);
+        EXPECT_NO_THROW(edit());
+    }
 }
 
 TEST_F(EditTest, meshWithoutSubmeshesIsDrawnWithTheDefaultMaterial) {

@@ -3,6 +3,7 @@
 #include "support/drawing_test.h"
 #include "support/procedural_scene.h"
 
+#include "gl/context_binding.h"
 #include "gl/state_guard.h"
 #include "render/gpu_scene/gpu_images.h"
 
@@ -39,7 +40,7 @@ std::vector<float> texelsOf(GLuint texture) {
 class GpuImagesTest : public DrawingTest {};
 
 TEST_F(GpuImagesTest, runsOfRowsGiveTheWholeImage) {
-    const gl::StateGuard guard;
+    const gl::StateGuard guard(*context().state().binding, "a test");
     for (const PixelFormat format : {PixelFormat::rgba8, PixelFormat::rgba16, PixelFormat::rgba32f}) {
         const std::vector<Image> source{imageOf(format)};
         for (const TexelEncoding encoding : {TexelEncoding::color, TexelEncoding::data}) {
