@@ -7,7 +7,7 @@
 #include "panels/panels.h"
 #include "render_command_line.h"
 #include "settings.h"
-#include "window_picture.h"
+#include "window.h"
 
 #include <candela/error.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/scene_options.h"
-#include "light_motion.h"
+#include "light_values.h"
 
 #include <candela/gpu_scene.h>
 #include <candela/import.h>

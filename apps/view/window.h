@@ -53,3 +53,7 @@ class Window {
     std::vector<int> held_;       ///< Keys that are down for the last frame only.
     std::string layoutFile_;
 };
+
+/// Writes the back buffer of the window, panels included, as a PNG. Call before the swap. `size` is that of
+/// its framebuffer. Throws `candela::Error`.
+void writeWindowPicture(const std::filesystem::path& file, const glm::ivec2& size);

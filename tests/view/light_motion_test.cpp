@@ -1,4 +1,4 @@
-#include "light_motion.h"
+#include "light_values.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,5 +1,5 @@
-#include "panels/light_values.h"
-#include "panels/split_color.h"
+#include "light_values.h"
+#include "panels/color_values.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -86,23 +86,23 @@ candela::WorldLight strewnLight() {
 }
 
 TEST(SpelledOut, LeavesOpenWhatTheCommandLineCanLeaveOpen) {
-    const ScatterOptions choice = spelledOut({.count = 10, .range = {}, .candela = {}}, strewnLight());
+    const ScatterOptions choice = completed({.count = 10, .range = {}, .candela = {}}, strewnLight());
     EXPECT_FALSE(choice.range);
     EXPECT_FALSE(choice.candela);
-    const ScatterOptions ranged = spelledOut({.count = 10, .range = 2.0f, .candela = {}}, strewnLight());
+    const ScatterOptions ranged = completed({.count = 10, .range = 2.0f, .candela = {}}, strewnLight());
     EXPECT_EQ(ranged.range, 2.0f);
     EXPECT_FALSE(ranged.candela);
 }
 
 TEST(SpelledOut, GivesARangeBeforeAnIntensity) {
-    const ScatterOptions choice = spelledOut({.count = 10, .range = {}, .candela = 8.0f}, strewnLight());
+    const ScatterOptions choice = completed({.count = 10, .range = {}, .candela = 8.0f}, strewnLight());
     EXPECT_EQ(choice.range, 3.5f);
     EXPECT_EQ(choice.candela, 8.0f);
 }
 
 TEST(SpelledOut, GivesBothBeforeASeed) {
     const ScatterOptions choice =
-        spelledOut({.count = 10, .range = {}, .candela = {}, .seed = 7}, strewnLight());
+        completed({.count = 10, .range = {}, .candela = {}, .seed = 7}, strewnLight());
     EXPECT_EQ(choice.range, 3.5f);
     EXPECT_EQ(choice.candela, 1.25f);
     EXPECT_EQ(choice.seed, 7u);

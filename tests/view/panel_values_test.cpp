@@ -1,7 +1,6 @@
-#include "panels/frame_summary.h"
+#include "panels/panel_values.h"
+#include "panels/color_values.h"
 #include "panels/layout.h"
-#include "panels/srgb.h"
-#include "panels/texts.h"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +62,7 @@ TEST(FrameSummary, GivesLastAndMedianOfEachPass) {
     ASSERT_TRUE(summary);
     EXPECT_EQ(summary->last, 20.0);
     EXPECT_EQ(summary->median, 20.0);
-    EXPECT_EQ(summary->greatest, 30.0);
+    EXPECT_EQ(summary->max, 30.0);
     ASSERT_EQ(summary->passes.size(), 3u);
     EXPECT_EQ(summary->passes[0].name, "geometry");
     EXPECT_EQ(summary->passes[0].last, 9.0);

@@ -1,5 +1,5 @@
 #include "panels/scene_tree.h"
-#include "panels/scene_facts.h"
+#include "panels/panel_values.h"
 
 #include <gtest/gtest.h>
 

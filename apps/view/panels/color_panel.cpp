@@ -1,4 +1,3 @@
-#include "panels/panel_window.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
 

@@ -1,7 +1,5 @@
-#include "panels/panel_window.h"
-#include "panels/panel_work.h"
+#include "panels/panel_values.h"
 #include "panels/panels.h"
-#include "panels/texts.h"
 #include "panels/widgets.h"
 
 #include <imgui.h>

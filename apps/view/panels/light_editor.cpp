@@ -1,8 +1,7 @@
 #include "panels/light_editor.h"
 
-#include "color_temperature.h"
-#include "panels/light_values.h"
-#include "panels/split_color.h"
+#include "light_values.h"
+#include "panels/color_values.h"
 #include "panels/widgets.h"
 
 #include <imgui.h>

@@ -1,10 +1,7 @@
+#include "panels/color_values.h"
 #include "panels/light_editor.h"
-#include "panels/light_scattering.h"
-#include "panels/panel_window.h"
-#include "panels/panel_work.h"
+#include "panels/panel_values.h"
 #include "panels/panels.h"
-#include "panels/split_color.h"
-#include "panels/texts.h"
 #include "panels/widgets.h"
 
 #include <imgui.h>
@@ -14,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 
 namespace {
 
@@ -131,6 +129,79 @@ void drawLights(ViewModel& model) {
     drawEditor(model, kept);
 }
 
+/// The command line takes more; this guards against typing errors that would exhaust memory.
+constexpr std::uint32_t maxScattered = 10'000'000;
+
+struct ScatterForm {
+    ScatterOptions options;
+    float range = 2.0f, candela = 1.0f;  ///< Shown where the options give none.
+    bool initialised = false;
+};
+
+/// A value that the user gives or leaves open. `given` keeps what was typed last.
+void editOptional(const char* name, std::optional<float>& value, float& given, const NumberRange& range) {
+    ImGui::PushID(name);
+    bool own = value.has_value();
+    if (ImGui::Checkbox("##own", &own)) value = own ? std::optional(given) : std::nullopt;
+    ImGui::SameLine();
+    if (value) {
+        if (dragNumber(name, given, range)) value = given;
+    } else {
+        showDimText(std::string(name) + ": by their spacing");
+    }
+    ImGui::PopID();
+}
+
+void scatter(ViewModel& model, const ScatterOptions& options) {
+    tryTo(model, [&] {
+        model.document->scatterLights(options);
+        model.pickedLight.reset();
+        const auto& lights = model.document->lights();
+        if (options.count == 0) {
+            model.options.scatter.reset();
+        } else {
+            model.options.scatter = completed(options, lights.back());
+        }
+    });
+}
+
+void drawScattering(ViewModel& model) {
+    auto& form = keptOfScene<ScatterForm>(model);
+    if (!form.initialised) {
+        form.options =
+            model.options.scatter.value_or(ScatterOptions{.count = 1000, .range = {}, .candela = {}});
+        form.range = form.options.range.value_or(form.range);
+        form.candela = form.options.candela.value_or(form.candela);
+        form.initialised = true;
+    }
+    countInput("number", form.options.count, maxScattered);
+    countInput("seed", form.options.seed, std::numeric_limits<std::uint32_t>::max());
+    editOptional("range", form.options.range, form.range,
+                 {.least = 1.0e-3f, .most = 1.0e8f, .speed = 0.01f * form.range, .format = "%.4g m"});
+    editOptional("candela", form.options.candela, form.candela,
+                 {.least = 1.0e-6f, .most = 1.0e8f, .speed = 0.01f * form.candela, .format = "%.4g cd"});
+    if (ImGui::Button("Scatter")) scatter(model, form.options);
+    if (!model.options.scatter) return;
+    ImGui::SameLine();
+    if (ImGui::Button("Take them away")) scatter(model, {.count = 0, .range = {}, .candela = {}});
+}
+
+void drawMotion(ViewModel& model) {
+    LightMotion motion = model.document->lightMotion();
+    const bool toggled = ImGui::Checkbox("circle their places", &motion.moving);
+    bool changed = toggled;
+    changed =
+        dragNumber("radius", motion.radius, {.most = 1.0e6f, .speed = 0.01f, .format = "%.3f m"}) || changed;
+    changed = dragNumber("speed", motion.speed,
+                         {.least = -10.0f, .most = 10.0f, .speed = 0.005f, .format = "%.3f turns/s"}) ||
+              changed;
+    if (changed) tryTo(model, [&] { model.document->setLightMotion(motion); });
+    // The motion follows the scene time.
+    if (toggled && motion.moving) model.playing = true;
+    showWrappedText(model.playing ? "The time goes on." : "The time stands still: play it to see them move.");
+    if (ImGui::Button(model.playing ? "Pause" : "Play")) model.playing = !model.playing;
+}
+
 }  // namespace
 
 void drawLightPanel(ViewModel& model) {
@@ -141,11 +212,11 @@ void drawLightPanel(ViewModel& model) {
         ImGui::EndTabItem();
     }
     if (ImGui::BeginTabItem("Scatter")) {
-        drawLightScattering(model);
+        drawScattering(model);
         ImGui::EndTabItem();
     }
     if (ImGui::BeginTabItem("Move")) {
-        drawLightMotion(model);
+        drawMotion(model);
         ImGui::EndTabItem();
     }
     ImGui::EndTabBar();

@@ -1,18 +1,63 @@
 #include "common/timing.h"
-#include "panels/panel_window.h"
+#include "panels/panel_values.h"
 #include "panels/panels.h"
-#include "panels/path_dialog.h"
-#include "panels/texts.h"
 #include "panels/widgets.h"
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace {
+
+constexpr float fieldLetters = 36.0f;
+
+/// A modal window that asks for a path.
+class PathDialog {
+  public:
+    /// `title` names the window, `action` its button, `hint` shows while nothing is typed.
+    PathDialog(const char* title, const char* action, const char* hint, std::string path);
+
+    /// Shows it from the next `draw` on.
+    void open() { opening_ = true; }
+    /// Returns whether the user has confirmed; `path` then is what was typed.
+    bool draw();
+    const std::string& path() const { return path_; }
+
+  private:
+    const char* title_;
+    const char* action_;
+    const char* hint_;
+    std::string path_;
+    bool opening_ = false;
+};
+
+PathDialog::PathDialog(const char* title, const char* action, const char* hint, std::string path)
+    : title_(title), action_(action), hint_(hint), path_(std::move(path)) {}
+
+bool PathDialog::draw() {
+    if (std::exchange(opening_, false)) ImGui::OpenPopup(title_);
+    const ImVec2 center = ImGui::GetMainViewport()->GetCenter();
+    ImGui::SetNextWindowPos(center, ImGuiCond_Appearing, {0.5f, 0.5f});
+    if (!ImGui::BeginPopupModal(title_, nullptr,
+                                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings))
+        return false;
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(fieldLetters * ImGui::GetFontSize());
+    const bool entered =
+        ImGui::InputTextWithHint("##path", hint_, &path_, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool confirmed = (ImGui::Button(action_) || entered) && !path_.empty();
+    ImGui::SameLine();
+    const bool left = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    if (confirmed || left) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return confirmed;
+}
 
 /// The status shows the median of so many frames.
 constexpr std::size_t statusFrames = 20;

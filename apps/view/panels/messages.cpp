@@ -1,4 +1,3 @@
-#include "panels/panel_window.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
 
@@ -63,6 +62,10 @@ void showShaderError(const std::string& text) {
     ImGui::EndChild();
 }
 
+constexpr float barLetters = 30.0f;
+/// Position of the progress bar as a share of the free picture: below the messages and above the legend.
+constexpr float loadingHeight = 0.73f;
+
 }  // namespace
 
 void drawMessages(ViewModel& model) {
@@ -78,5 +81,24 @@ void drawMessages(ViewModel& model) {
                      ImGuiWindowFlags_NoFocusOnAppearing);
     if (!model.shaderError.empty()) showShaderError(model.shaderError);
     if (!model.messages.empty()) showMessages(model.messages);
+    ImGui::End();
+}
+
+void drawLoading(ViewModel& model) {
+    if (!model.loading) return;
+    const PanelPlace picture = freePicture(panelSpace());
+    ImGui::SetNextWindowPos(
+        {picture.position.x + 0.5f * picture.size.x, picture.position.y + loadingHeight * picture.size.y},
+        ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::Begin("loading", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    const float width = barLetters * ImGui::GetFontSize();
+    ImGui::PushTextWrapPos(width);
+    showText("reading " + model.loading->scene);
+    ImGui::PopTextWrapPos();
+    ImGui::ProgressBar(static_cast<float>(model.loading->share), {width, 0.0f});
+    if (ImGui::Button("Cancel")) model.requests.cancelLoading = true;
     ImGui::End();
 }

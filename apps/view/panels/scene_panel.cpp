@@ -1,9 +1,6 @@
-#include "panels/panel_window.h"
-#include "panels/panel_work.h"
+#include "panels/panel_values.h"
 #include "panels/panels.h"
-#include "panels/scene_facts.h"
 #include "panels/scene_tree.h"
-#include "panels/texts.h"
 #include "panels/widgets.h"
 
 #include <imgui.h>

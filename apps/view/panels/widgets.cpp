@@ -1,6 +1,6 @@
 #include "panels/widgets.h"
 
-#include "panels/srgb.h"
+#include "panels/color_values.h"
 
 #include <algorithm>
 #include <cmath>

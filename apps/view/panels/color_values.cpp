@@ -1,6 +1,4 @@
-#include "color_temperature.h"
-
-#include "panels/split_color.h"
+#include "panels/color_values.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -8,8 +6,18 @@
 #include <glm/vec2.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace {
+
+float encoded(float linear) {
+    const float value = std::clamp(linear, 0.0f, 1.0f);
+    return value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1.0f / 2.4f) - 0.055f;
+}
+
+float decoded(float code) {
+    return code <= 0.04045f ? code / 12.92f : std::pow((code + 0.055f) / 1.055f, 2.4f);
+}
 
 /// Linear Rec.709 from CIE XYZ; one column an XYZ channel. Source: IEC 61966-2-1, 5.2.
 constexpr glm::dmat3 rec709FromXyz{3.2406,  -0.9689, 0.0557, -1.5372, 1.8758,
@@ -36,6 +44,20 @@ float kelvinOf(float mired) {
 
 }  // namespace
 
+SplitColor splitColor(const glm::vec3& color, const glm::vec3& hueOfBlack) {
+    const float strength = std::max({color.r, color.g, color.b});
+    if (strength <= 0.0f) return {hueOfBlack, 0.0f};
+    return {color / strength, strength};
+}
+
+glm::vec3 srgbFromLinear(const glm::vec3& linear) {
+    return {encoded(linear.r), encoded(linear.g), encoded(linear.b)};
+}
+
+glm::vec3 linearFromSrgb(const glm::vec3& codes) {
+    return {decoded(codes.r), decoded(codes.g), decoded(codes.b)};
+}
+
 glm::vec3 colorOfTemperature(float kelvin) {
     const glm::dvec2 xy = chromaticity(std::clamp(kelvin, minTemperature, maxTemperature));
     const glm::dvec3 xyz(xy.x / xy.y, 1.0, (1.0 - xy.x - xy.y) / xy.y);
@@ -56,7 +78,7 @@ float nearestTemperature(const glm::vec3& color) {
     for (int i = 1; i <= steps; ++i)
         if (distanceAt(miredOf(i)) < distanceAt(miredOf(nearest))) nearest = i;
     float low = miredOf(std::max(nearest - 1, 0)), high = miredOf(std::min(nearest + 1, steps));
-    // Between neighbours of the nearest step the distance falls, then grows: the better third stays.
+    // Ternary search: between the neighbours of the nearest step the distance has one minimum.
     for (int i = 0; i < 32; ++i) {
         const float third = (high - low) / 3.0f;
         if (distanceAt(low + third) < distanceAt(high - third)) {

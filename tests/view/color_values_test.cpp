@@ -1,4 +1,4 @@
-#include "color_temperature.h"
+#include "panels/color_values.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
