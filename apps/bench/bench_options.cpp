@@ -84,6 +84,10 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
            "which also compares their pictures. Default: auto")
         ->type_name("LIST|all");
     app.add_option_function<std::string>(
+           "--tiles", [&](const std::string& text) { options.tileBackend = parseTileBackend(text); },
+           "What runs the technique tiles: auto (by device), cpu or compute. Default: auto")
+        ->type_name("WORD");
+    app.add_option_function<std::string>(
            "--brdf", [&](const std::string& text) { options.brdf = parseBrdf(text); },
            "Reflection model: course or gltf. Default: course")
         ->type_name("WORD");

@@ -22,6 +22,7 @@ struct BenchOptions {
     std::vector<std::uint64_t> lights;  ///< Empty: 4096, or the lights of a file.
     std::vector<candela::Technique> techniques{candela::Technique::automatic};
     bool compares = false;  ///< --technique all: pictures are compared and must agree.
+    candela::TileBackend tileBackend = candela::TileBackend::automatic;
     candela::BrdfModel brdf = candela::BrdfModel::course;
     Baseline baseline = Baseline::without;
     int width = 1280, height = 720;

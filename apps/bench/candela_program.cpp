@@ -19,6 +19,7 @@ class CandelaProgram final : public Program {
         scene_.setLights(scene.lights);
         view_ = scene.view;
         settings_ = {options.width, options.height, options.brdf, technique};
+        settings_.tileBackend = options.tileBackend;
     }
 
     FrameTimes draw() override {

@@ -109,6 +109,12 @@ candela::SubdivisionEvaluator parseSubdivisionEvaluator(const std::string& text)
                      [](candela::SubdivisionEvaluator evaluator) { return candela::toString(evaluator); });
 }
 
+candela::TileBackend parseTileBackend(const std::string& text) {
+    using enum candela::TileBackend;
+    return parseWord("--tiles", text, std::array{automatic, cpu, compute},
+                     [](candela::TileBackend backend) { return candela::toString(backend); });
+}
+
 candela::Technique parseTechnique(const std::string& text) {
     using enum candela::Technique;
     return parseWord("--technique", text, std::array{automatic, volumes, tiles, fullscreen},

@@ -44,6 +44,7 @@ candela::DeviceOptions parseDevice(const std::string& text);
 unsigned parseThreads(const std::string& text);
 
 candela::SubdivisionEvaluator parseSubdivisionEvaluator(const std::string& text);
+candela::TileBackend parseTileBackend(const std::string& text);
 candela::Technique parseTechnique(const std::string& text);
 candela::BrdfModel parseBrdf(const std::string& text);
 

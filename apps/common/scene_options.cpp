@@ -46,6 +46,10 @@ constexpr const char* technique =
     "(rasterised), or fullscreen (every light at every pixel, the reference). All\n"
     "give the same picture. Default: auto";
 
+constexpr const char* tiles =
+    "What runs the technique tiles: auto (by device), cpu or compute (a shader).\n"
+    "Default: auto";
+
 constexpr const char* subdivisionLevel =
     "Refine every subdivision cage to this level, 1 to 8. Default: the cage's own\n"
     "level if it states one, else a level that follows from its screen size";
@@ -185,6 +189,11 @@ void SceneOptionReader::declareLighting(CLI::App& app) {
     app.add_option_function<std::string>(
            "--technique", [this](const std::string& text) { options_.technique = parseTechnique(text); },
            help::technique)
+        ->type_name("WORD")
+        ->group("Lighting");
+    app.add_option_function<std::string>(
+           "--tiles", [this](const std::string& text) { options_.tileBackend = parseTileBackend(text); },
+           help::tiles)
         ->type_name("WORD")
         ->group("Lighting");
 }

@@ -55,6 +55,7 @@ struct SceneOptions {
 
     candela::BrdfModel brdf = candela::BrdfModel::course;
     candela::Technique technique = candela::Technique::automatic;
+    candela::TileBackend tileBackend = candela::TileBackend::automatic;
     candela::SubdivisionSettings subdivision;
     candela::SubdivisionEvaluator subdivisionEvaluator = candela::SubdivisionEvaluator::automatic;
     DebugViewOptions debug;

@@ -14,6 +14,7 @@ FrameTiming Painter::draw(const candela::CameraView& view) {
     settings.height = options_.height;
     settings.brdf = options_.brdf;
     settings.technique = options_.technique;
+    settings.tileBackend = options_.tileBackend;
     settings.debugView = options_.debug.view;
     settings.overlays = options_.debug.overlays;
 

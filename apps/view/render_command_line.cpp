@@ -109,6 +109,8 @@ std::string renderCommandLine(const SceneOptions& options) {
         command.option("--plugin-path", folder.string());
     command.option("--brdf", candela::toString(options.brdf));
     command.option("--technique", candela::toString(options.technique));
+    if (options.tileBackend != candela::TileBackend::automatic)
+        command.option("--tiles", candela::toString(options.tileBackend));
     if (!options.debug.isDefault()) command.option("--show", debugViewText(options.debug));
     addSubdivision(command, options.subdivision);
     if (options.subdivisionEvaluator != candela::SubdivisionEvaluator::automatic)

@@ -32,7 +32,8 @@ TEST(BenchUsage, EveryMistakeIsNamed) {
         BadUsage{{"--json", "r.json", "--size", "0x5"}, "whole number from 1 to 16384"},
         BadUsage{{"--json", "r.json", "--frames", "0"}, "whole number from 1"},
         BadUsage{{"--json", "r.json", "--device", "gpu"}, "software"},
-        BadUsage{{"--json", "r.json", "--threads", "-1"}, "whole number from 0 to 1024"},
+        BadUsage{{"--json", "r.json", "--tiles", "gpu"}, "auto, cpu, compute"},
+        BadUsage{{"--json", "r.json", "--threads", "--tiles", "-1"}, "whole number from 0 to 1024"},
         BadUsage{{"--json", "r.json", "--subdivision-evaluator", "gpu"}, "auto, cpu, compute"},
         BadUsage{{"--json", "r.json", "--scene", ""}, "--scene"},
     };

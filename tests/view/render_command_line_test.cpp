@@ -137,6 +137,7 @@ TEST(RenderCommandLine, KeepsWords) {
     options.subdivision.maxLevel = 7;
     options.subdivisionEvaluator = candela::SubdivisionEvaluator::compute;
     options.threads = 3;
+    options.tileBackend = candela::TileBackend::cpu;
     options.pluginFolders = {"one folder", "other"};
     options.display.display = "Display P3";
     const SceneOptions read = readBack(options);
@@ -151,6 +152,7 @@ TEST(RenderCommandLine, KeepsWords) {
     EXPECT_EQ(read.subdivision.maxLevel, 7u);
     EXPECT_EQ(read.subdivisionEvaluator, candela::SubdivisionEvaluator::compute);
     EXPECT_EQ(read.threads, 3u);
+    EXPECT_EQ(read.tileBackend, candela::TileBackend::cpu);
     EXPECT_EQ(read.pluginFolders, options.pluginFolders);
     EXPECT_EQ(read.display.display, "Display P3");
 }
