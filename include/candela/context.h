@@ -55,7 +55,8 @@ class CANDELA_API Context {
 
     /// GL_RENDERER, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
     const std::string& renderer() const;
-    /// True when the renderer runs on the CPU.
+    /// True when the renderer runs on the CPU; the paths that are fast there are taken then. False where the
+    /// environment sets CANDELA_ASSUME_GPU, with which tests draw as on a GPU.
     bool isSoftware() const;
     /// What was tried on the way to this context, in order; empty for an adopted one.
     const std::vector<ContextAttempt>& attempts() const;

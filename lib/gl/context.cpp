@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <utility>
 
 namespace candela {
@@ -125,7 +126,7 @@ const std::string& Context::renderer() const {
 }
 
 bool Context::isSoftware() const {
-    return softwareName(state().renderer);
+    return softwareName(state().renderer) && std::getenv("CANDELA_ASSUME_GPU") == nullptr;
 }
 
 const std::vector<ContextAttempt>& Context::attempts() const {

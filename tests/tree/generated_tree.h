@@ -11,9 +11,9 @@
 namespace candela {
 
 /// A small source tree of its own for one test, removed with it.
-class MadeTree : public testing::Test {
+class GeneratedTree : public testing::Test {
   protected:
-    MadeTree() {
+    GeneratedTree() {
         const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
         root_ =
             std::filesystem::path(testing::TempDir()) / ("candela_tree_" + name + std::to_string(::getpid()));
@@ -21,7 +21,7 @@ class MadeTree : public testing::Test {
         std::filesystem::create_directories(root_);
     }
 
-    ~MadeTree() override {
+    ~GeneratedTree() override {
         std::error_code ignored;
         std::filesystem::remove_all(root_, ignored);
     }

@@ -7,8 +7,11 @@
 
 namespace candela {
 
-/// One idea a file: more lines than this are more than one.
+/// One idea a file: more lines than this are more than one. The plugin interface is one file by contract.
 constexpr std::size_t maxLines = 420;
+
+/// And fewer than this are a part of one.
+constexpr std::size_t minLines = 40;
 
 /// The source files of the tree at `root`: code, shaders, scripts and CMake files.
 std::vector<std::filesystem::path> sourceFiles(const std::filesystem::path& root);
@@ -16,5 +19,26 @@ std::vector<std::filesystem::path> sourceFiles(const std::filesystem::path& root
 /// A line, "FILE:LINE: REASON", for each file of more than `maxLines` lines, each note of unfinished work,
 /// and each path of a developer's own machine in the source files.
 std::vector<std::string> sourceViolations(const std::filesystem::path& root);
+
+/// A word that the tree does not use, and what it says instead.
+struct BannedWord {
+    std::string word, instead;
+};
+
+/// Reads lines "WORD = INSTEAD"; others are comments.
+std::vector<BannedWord> readBannedWords(const std::filesystem::path& file);
+
+/// A line, "FILE:LINE: REASON", for each banned word in the source files and documents, in any case.
+std::vector<std::string> wordViolations(const std::filesystem::path& root,
+                                        const std::vector<BannedWord>& words);
+
+/// A line for each file of the tree that a document names in a code span and that does not exist.
+std::vector<std::string> missingFilesOfDocuments(const std::filesystem::path& root);
+
+/// The number of files that are short today. It may fall, and must not grow.
+constexpr std::size_t maxShortFiles = 110;
+
+/// The number of files of fewer than `minLines` lines in include, lib, plugins and apps.
+std::size_t shortFileCount(const std::filesystem::path& root);
 
 }  // namespace candela

@@ -20,13 +20,29 @@ TEST(SourceRules, OfThisTreeHold) {
     EXPECT_GT(sourceFiles(CANDELA_SOURCE_TREE).size(), 100u) << "the check means nothing without files";
 }
 
-using SourceRulesOfAMadeTree = MadeTree;
+TEST(SourceRules, WordsAreThoseOfTheField) {
+    const std::vector<BannedWord> words = readBannedWords(CANDELA_SOURCE_TREE "/tests/tree/banned_words.txt");
+    EXPECT_GT(words.size(), 10u);
+    EXPECT_EQ(joined(wordViolations(CANDELA_SOURCE_TREE, words)), "");
+}
+
+TEST(SourceRules, FilesThatDocumentsNameExist) {
+    EXPECT_EQ(joined(missingFilesOfDocuments(CANDELA_SOURCE_TREE)), "");
+}
+
+// A file holds an idea with all that belongs to it. Some ideas are short; their number must not grow
+// unnoticed.
+TEST(SourceRules, ShortFilesDoNotBecomeMore) {
+    EXPECT_LE(shortFileCount(CANDELA_SOURCE_TREE), maxShortFiles);
+}
+
+using SourceRulesOfGeneratedTree = GeneratedTree;
 
 // Written in halves, so that this file does not break the rules itself.
 const std::string mark = std::string("TO") + "DO";
 const std::string folder = std::string("/ho") + "me/";
 
-TEST_F(SourceRulesOfAMadeTree, NotesOfUnfinishedWorkAreFound) {
+TEST_F(SourceRulesOfGeneratedTree, NotesOfUnfinishedWorkAreFound) {
     write("lib/scene/scene.cpp", "int x;\nint y;  // " + mark + ": think\n");
     write("shaders/lib/lighting.glsl", "// " + mark);
     EXPECT_EQ(joined(sourceViolations(root())),
@@ -34,18 +50,18 @@ TEST_F(SourceRulesOfAMadeTree, NotesOfUnfinishedWorkAreFound) {
                   "\nshaders/lib/lighting.glsl:1: a note of unfinished work, " + mark + "\n");
 }
 
-TEST_F(SourceRulesOfAMadeTree, LongerWordsAreNoNotes) {
+TEST_F(SourceRulesOfGeneratedTree, LongerWordsAreNoNotes) {
     write("lib/scene/scene.cpp", "int MAS" + mark + "N;\nint " + mark + "_;\n");
     EXPECT_EQ(joined(sourceViolations(root())), "");
 }
 
-TEST_F(SourceRulesOfAMadeTree, PathsOfOneMachineAreFound) {
+TEST_F(SourceRulesOfGeneratedTree, PathsOfOneMachineAreFound) {
     write("scripts/demo", "cp \"" + folder + "me/x\" .\n");
     write("scripts/test", "cp build" + folder + "x ${prefix}" + folder + "y .\n");
     EXPECT_EQ(joined(sourceViolations(root())), "scripts/demo:1: a path of one machine, " + folder + "\n");
 }
 
-TEST_F(SourceRulesOfAMadeTree, LongFilesAreFound) {
+TEST_F(SourceRulesOfGeneratedTree, LongFilesAreFound) {
     std::string lines;
     for (std::size_t i = 0; i < maxLines; ++i) lines += "\n";
     write("tests/scene/long_test.cpp", lines);
@@ -54,8 +70,30 @@ TEST_F(SourceRulesOfAMadeTree, LongFilesAreFound) {
     EXPECT_EQ(joined(sourceViolations(root())), "tests/scene/long_test.cpp:421: more than 420 lines\n");
 }
 
-TEST_F(SourceRulesOfAMadeTree, BuildFoldersAreNotOurs) {
-    write("apps/hello/build/made.cpp", "// " + mark);
+TEST_F(SourceRulesOfGeneratedTree, BannedWordsAreFoundInAnyCaseAndAsWholeWords) {
+    const std::vector<BannedWord> words{{"odd word", "plain word"}};
+    write("lib/scene/scene.cpp", "// An Odd Word.\n// An odd wording.\n");
+    write("docs/page.md", "odd word\n");
+    write("CHANGELOG.md", "odd word\n");
+    EXPECT_EQ(joined(wordViolations(root(), words)),
+              "lib/scene/scene.cpp:1: \"odd word\"; say plain word\n"
+              "docs/page.md:1: \"odd word\"; say plain word\n");
+}
+
+TEST_F(SourceRulesOfGeneratedTree, FilesThatDocumentsNameAndLackAreFound) {
+    write("lib/scene/scene.cpp", "");
+    write("docs/page.md", "`lib/scene/scene.cpp` and `lib/scene` and `lib/x.h`, `lib/NAME.h`, `a/b`\n");
+    EXPECT_EQ(joined(missingFilesOfDocuments(root())), "docs/page.md:1: there is no lib/x.h\n");
+}
+
+TEST_F(SourceRulesOfGeneratedTree, ShortFilesAreCounted) {
+    write("lib/scene/short.cpp", "\n");
+    write("lib/scene/long.cpp", std::string(minLines, '\n'));
+    EXPECT_EQ(shortFileCount(root()), 1u);
+}
+
+TEST_F(SourceRulesOfGeneratedTree, BuildFoldersAreNotOurs) {
+    write("apps/hello/build/generated.cpp", "// " + mark);
     EXPECT_EQ(joined(sourceViolations(root())), "");
 }
 

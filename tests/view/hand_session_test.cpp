@@ -185,7 +185,7 @@ TEST_F(HandSession, TheProbeTellsOfThePixelUnderThePointer) {
     EXPECT_FALSE(session->model().probe) << "the background";
 }
 
-/// A scene that takes long to draw: the coarseness of its picture is up to the hand.
+/// A scene that takes long to draw: the resolution scale of its picture is up to the hand.
 class SlowHandSession : public HandSession {
   protected:
     void SetUp() override {

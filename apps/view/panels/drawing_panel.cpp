@@ -70,7 +70,7 @@ void showReport(const candela::CageReport& report) {
         return showWrappedText("No plugin that refines cages is loaded: their polygons are drawn.");
     showText(levelsText(report) + ", tables of " + bytesText(report.tableBytes));
     if (report.lodClamped > 0)
-        showWrappedText(groupedText(report.lodClamped) + " held back below what the size asks for");
+        showWrappedText(groupedText(report.lodClamped) + " clamped below what the size asks for");
     if (!report.evaluator.empty()) showText("points are moved by " + report.evaluator);
 }
 

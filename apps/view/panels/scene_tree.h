@@ -27,10 +27,10 @@ class SceneTree {
     void set(std::uint32_t node, Branch branch);
     /// And all branches on it.
     void setAll(std::uint32_t node, Branch branch);
-    /// Opens what the node hangs on. Returns its line.
+    /// Opens the ancestors of the node. Returns its line.
     std::size_t reveal(std::uint32_t node);
 
-    /// The node and all that hangs on it, parents first.
+    /// The node and its descendants, parents first.
     std::vector<std::uint32_t> subtree(std::uint32_t node) const;
 
   private:

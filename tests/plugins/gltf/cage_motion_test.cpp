@@ -10,7 +10,7 @@ std::string attribute(const std::string& name, int accessor) {
     return ",\"" + name + "\":" + std::to_string(accessor);
 }
 
-/// Node 0 shows a square from (0, 0) to (1, 1); its lower edge hangs on joint 0 and its upper one on joint 1,
+/// Node 0 shows a square from (0, 0) to (1, 1); its lower edge follows joint 0 and its upper one on joint 1,
 /// both with weight 1. The joints are nodes 1 and 2.
 template <typename Joint, typename Weight>
 GltfFile skinnedFile(Weight one, const std::string& encoding = "") {
@@ -115,7 +115,7 @@ TEST(CageMotion, verticesOnDifferentJointsStayApart) {
                                         1, 0, 0, 0, 0, 9, 0, 0, 0, 0, 0, 0});
     file.addData<float>("VEC4", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
     addCageMesh(file, R"({"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}})", "{}");
-    // (0, 1, 0) hangs on two joints; at (1, 0, 0) the joint without weight makes no difference.
+    // (0, 1, 0) follows two joints; at (1, 0, 0) the joint without weight makes no difference.
     EXPECT_EQ(cageOf(file).positions.size(), 5u);
 }
 

@@ -47,13 +47,12 @@ StencilTable randomRows(std::mt19937& random, std::size_t rowCount, std::uint32_
     return rows;
 }
 
-RefinedCage randomTable(std::mt19937& random, std::uint32_t pointCount, std::uint32_t twinCount,
+RefinedCage randomTable(std::mt19937& random, std::uint32_t pointCount, std::uint32_t seamCount,
                         std::uint32_t cagePointCount) {
     RefinedCage refined;
     refined.level = 1;
     refined.pointCount = pointCount;
-    for (std::uint32_t twin = 0; twin < twinCount; ++twin)
-        refined.seamPoints.push_back(below(random, pointCount));
+    for (std::uint32_t i = 0; i < seamCount; ++i) refined.seamPoints.push_back(below(random, pointCount));
     refined.positions = randomRows(random, refined.vertexCount(), cagePointCount);
     refined.uvs = randomRows(random, refined.vertexCount(), cagePointCount);
     return refined;

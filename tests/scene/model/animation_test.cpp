@@ -159,7 +159,7 @@ TEST(WorldTransforms, EveryAnimationPlaysAndMovesWhatHangsOnItsNodes) {
     const std::vector<glm::mat4> world = worldTransforms(scene, 0.5);
     EXPECT_EQ(glm::vec3(world[0][3]), glm::vec3(0, 5, 0));
     EXPECT_EQ(glm::vec3(world[1][3]), glm::vec3(1, 0, 0));
-    EXPECT_EQ(glm::vec3(world[2][3]), glm::vec3(1, 10, 0)) << "the child hangs on a node scaled by 2 in y";
+    EXPECT_EQ(glm::vec3(world[2][3]), glm::vec3(1, 10, 0)) << "the parent is scaled by 2 in y";
     EXPECT_EQ(glm::vec3(world[3][3]), glm::vec3(0, 5, 0));
 }
 

@@ -128,7 +128,7 @@ TEST(PoseCage, OneWeightOverManyKeys) {
     EXPECT_EQ(sampleMorphWeights(channel, 0.5), std::vector<float>{0.5f});
 }
 
-// An arm along x: a joint at the origin and one at (2, 0, 0). The vertex at x = 1 hangs on the first, that at
+// An arm along x: a joint at the origin and one at (2, 0, 0). The vertex at x = 1 follows the first, that at
 // x = 3 on both alike, and that at x = 4 on the second.
 Scene arm() {
     Scene scene;
