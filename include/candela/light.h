@@ -39,14 +39,16 @@ struct WorldLight {
 };
 
 /// The luminous intensity, in candela, of a point light that gives `lumen` over the whole sphere: lumen / 4
-/// pi.
+/// pi. Throws `Error` (badInput) unless `lumen` is finite and 0 or more.
 CANDELA_API float candelaFromLumen(float lumen);
 
 /// The luminous intensity, in candela, of a spot light of half angle `outerConeAngle` (radians) whose `lumen`
-/// all fall evenly into its cone: lumen / (2 pi (1 - cos(outerConeAngle))).
+/// all fall evenly into its cone: lumen / (2 pi (1 - cos(outerConeAngle))). Throws `Error` (badInput) unless
+/// `lumen` is finite and 0 or more, the angle over 0 and at most pi, and the result a finite float.
 CANDELA_API float candelaFromLumen(float lumen, float outerConeAngle);
 
-/// Lumen from radiant watt at the luminous efficacy of 683 lm/W, which glTF exporters use for "watt".
+/// Lumen from radiant watt at the luminous efficacy of 683 lm/W, which glTF exporters use for "watt". Throws
+/// `Error` (badInput) unless `watt` is finite and 0 or more, and the result a finite float.
 CANDELA_API float lumenFromWatt(float watt);
 
 }  // namespace candela

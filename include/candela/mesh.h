@@ -11,14 +11,14 @@
 
 namespace candela {
 
-/// A run of a mesh's indices drawn with one material.
+/// A range of a mesh's indices drawn with one material.
 struct Submesh {
     std::uint32_t firstIndex = 0, indexCount = 0;  ///< Multiples of 3.
     std::optional<std::uint32_t> material;  ///< Index into `Scene::materials`; none: a default `Material`.
 };
 
 /// Indexed triangles, counter-clockwise from the front. `positions` and `normals` have one element a vertex;
-/// every other array has as many or is empty.
+/// every other vertex array has as many or is empty.
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;  ///< Metres.
@@ -27,7 +27,7 @@ struct Mesh {
     std::vector<glm::vec2> uv0, uv1;
     std::vector<glm::vec4> colors;  ///< Linear Rec.709 and alpha: multiplies the base colour.
     std::vector<std::uint32_t> indices;
-    std::vector<Submesh> submeshes;  ///< Empty: all indices are drawn with a default `Material`.
+    std::vector<Submesh> submeshes;  ///< Empty: all indices are one submesh with the default material.
 };
 
 }  // namespace candela

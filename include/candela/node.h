@@ -19,7 +19,7 @@ struct Transform {
     glm::vec3 scale{1.0f};
 };
 
-/// That a node shows a cage. A skinned cage stands where its joints are, not where its node is.
+/// An instance of a cage at a node. A skinned cage stands where its joints are, not where its node is.
 struct CageInstance {
     std::uint32_t cage = 0;             ///< Index into `Scene::cages`.
     std::optional<std::uint32_t> skin;  ///< Index into `Scene::skins`.

@@ -13,8 +13,9 @@
 
 namespace candela {
 
-/// A sparse matrix by rows, with a weight for the value and one for each of its two derivatives. Row r has
-/// the entries rowStarts[r] to rowStarts[r + 1] - 1.
+/// Stencils: a sparse matrix by rows, with a weight for the value and one for each of its two derivatives.
+/// Row r, the stencil of vertex r, has the entries rowStarts[r] to rowStarts[r + 1] - 1. (OpenSubdiv's
+/// `Far::LimitStencilTable` calls rowStarts the offsets and columns the control indices.)
 struct StencilTable {
     std::vector<std::uint32_t> rowStarts;  ///< One more than there are rows; empty where there are none.
     std::vector<std::uint32_t> columns;    ///< One an entry, as are the weights.
@@ -23,26 +24,24 @@ struct StencilTable {
     std::size_t rowCount() const { return rowStarts.empty() ? 0 : rowStarts.size() - 1; }
 };
 
-/// A cage refined to one level: its topology and the weights that make the limit surface of any pose of the
+/// A cage refined to one level: its topology, and the stencils that give the limit surface of any pose of the
 /// cage. It has `pointCount` distinct limit points, and `vertexCount()` vertices to draw: vertex i lies at
-/// point i for i < pointCount; those after them are twins, which share a point but not its tangents or
-/// texture coordinates: they stand on the other side of a crease or of a texture seam.
+/// point i for i < pointCount; those after them are seam vertices, which share the position of a point but
+/// not its tangents or texture coordinates: they lie on the other side of a crease or of a texture seam.
 struct RefinedCage {
     std::uint32_t level = 0;  ///< Each edge of the cage is 2^level edges long; 0: the cage's own polygons.
     std::uint32_t pointCount = 0;
-    std::vector<std::uint32_t> seamPoints;  ///< The point of each twin.
-    StencilTable positions;  ///< A row a vertex, of the cage's points. A twin's own weights are not used,
-                             ///< only those of its derivatives.
-    StencilTable uvs;  ///< A row a vertex, of the cage's texture coordinates; no rows without those.
+    std::vector<std::uint32_t> seamPoints;  ///< The point of each seam vertex.
+    StencilTable positions;  ///< A row a vertex, of the cage's points. The value weights of a seam vertex are
+                             ///< not used, only those of its derivatives.
+    StencilTable uvs;        ///< A row a vertex, of the cage's texture coordinates; no rows without those.
     std::uint32_t faceSize = 4;               ///< 3 or 4.
     std::vector<std::uint32_t> faceVertices;  ///< `faceSize` a face, counter-clockwise.
     std::vector<std::uint32_t> cageFaces;     ///< The cage's face that each face stems from.
 
     std::size_t vertexCount() const { return pointCount + seamPoints.size(); }
-    /// The point at which a vertex lies.
-    std::uint32_t pointOf(std::uint32_t vertex) const {
-        return vertex < pointCount ? vertex : seamPoints[vertex - pointCount];
-    }
+    /// The point at which a vertex lies. Throws `Error` (badInput) when there is no such vertex.
+    CANDELA_API std::uint32_t pointOf(std::uint32_t vertex) const;
 };
 
 /// What `evaluateLimit` writes, one element a vertex. `du` and `dv` may be empty: they are left out then.
@@ -52,7 +51,9 @@ struct LimitVertices {
     std::span<glm::vec3> du, dv;     ///< Derivatives along the parameters of the face, not normalised.
 };
 
-/// Applies the table to the points of the cage, on all cores. The sizes have to fit.
+/// Applies the stencils to the points of the cage, in parallel. The result does not depend on the number of
+/// threads. Throws `Error` (badInput) when a size or an index of `refined` does not fit, a stencil reads a
+/// point that `cagePoints` does not have, or an array of `out` does not have one element a vertex.
 CANDELA_API void evaluateLimit(const RefinedCage& refined, std::span<const glm::vec3> cagePoints,
                                const LimitVertices& out);
 
@@ -61,13 +62,16 @@ CANDELA_API void evaluateLimit(const RefinedCage& refined, std::span<const glm::
 struct LimitUvs {
     std::vector<glm::vec2> uvs, du, dv;
 };
+
+/// Applies the stencils to the texture coordinates of the cage, in parallel. Throws `Error` (badInput) when
+/// the table of `refined` is not whole or reads a texture coordinate that `cageUvs` does not have.
 CANDELA_API LimitUvs evaluateLimitUvs(const RefinedCage& refined, std::span<const glm::vec2> cageUvs);
 
-/// The polygons of a cage that has passed `validate`, cut into triangles, as a table like any other, of level
-/// 0: what is drawn where no subdivider is at hand. A vertex a corner; holes are left out. The derivatives
-/// span the plane that fits the polygon best as it stands in `cage.positions` (with more than 64 corners: the
-/// plane of three that are far apart), and follow it where it moves. Throws `Error` (limit) when 32 bits
-/// cannot count the weights.
+/// The polygons of a cage, cut into triangles, as a refined cage of level 0: what is drawn without a
+/// subdivider. A vertex a corner; holes are left out. The derivatives span the plane that fits the polygon
+/// best as it stands in `cage.positions` (with more than 64 corners: the plane of three that are far apart),
+/// and follow it where it moves. Throws `Error`: badInput when faces, texture coordinates or holes break a
+/// rule of `validate`, limit when 32 bits cannot count the weights.
 CANDELA_API RefinedCage cagePolygons(const Cage& cage);
 
 }  // namespace candela

@@ -31,56 +31,66 @@ struct Scene {
     std::vector<Animation> animations;
 };
 
-/// An axis-aligned box, metres; empty while min > max.
+/// An axis-aligned box, metres; empty where `min` is over `max` on an axis.
 struct CANDELA_API Bounds {
     glm::vec3 min{1e30f}, max{-1e30f};
 
-    bool empty() const { return min.x > max.x; }
+    bool empty() const { return min.x > max.x || min.y > max.y || min.z > max.z; }
     /// Grows to hold `other` too.
     void add(const Bounds& other);
 };
 
 /// World matrices of all nodes, one a node. With animations the nodes stand as at `time` (seconds); every
 /// animation of the scene plays, and where two move the same property of a node, the later one holds.
-/// Interpolation is that of glTF 2.0, appendix C. Throws `Error` (badInput) when `time` is not finite.
+/// Interpolation is that of glTF 2.0, appendix C. Throws `Error` (badInput) when `time` is not finite, a
+/// parent does not stand before its child, or a channel does not fit its node.
 CANDELA_API std::vector<glm::mat4> worldTransforms(const Scene& scene, double time = 0.0);
 
 /// The scene's lights in world space, in the order of `Scene::lights`. `world` comes from `worldTransforms`.
-/// As KHR_lights_punctual says, a node moves and turns its lights, but does not scale range or intensity.
+/// As KHR_lights_punctual says, a node moves and rotates its lights, but does not scale range or intensity.
+/// Throws `Error` (badInput) when `world` does not have one matrix a node, or a light breaks a rule of
+/// `validate`.
 CANDELA_API std::vector<WorldLight> worldLights(const Scene& scene, const std::vector<glm::mat4>& world);
 
-/// A cage as a node shows it at one time.
+/// The points of a cage instance at one time.
 struct PosedCage {
     std::vector<glm::vec3> points;    ///< Metres, one a vertex of the cage.
     glm::mat4 worldFromPoints{1.0f};  ///< The node's world matrix; the identity for a skinned cage.
 };
 
 /// The cage that node `node` shows, moved by its morph targets and then by its skin (glTF 2.0, 3.7.2.2 and
-/// 3.7.3.3). `world` comes from `worldTransforms` of the same `time`.
+/// 3.7.3.3). `world` comes from `worldTransforms` of the same `time`. Throws `Error` (badInput) when there is
+/// no such node, it shows no cage, `world` does not have one matrix a node, `time` is not finite, or cage,
+/// skin, morph weights and animation do not fit each other.
 CANDELA_API PosedCage poseCage(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
                                double time = 0.0);
 
 /// The world-space box around the mesh and the cage that node `node` itself shows at `time`; `world` comes
-/// from `worldTransforms` of that time. A limit surface lies within the box of its cage.
+/// from `worldTransforms` of that time. A limit surface lies within the box of its cage. Empty for a node
+/// that shows neither. Throws `Error` (badInput) as `poseCage`.
 CANDELA_API Bounds nodeBounds(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
                               double time = 0.0);
 
 /// The world-space box around all meshes and cages as their nodes place them at `time`; `world` comes from
-/// `worldTransforms` of that time. A limit surface lies within the box of its cage.
+/// `worldTransforms` of that time. A limit surface lies within the box of its cage. Throws `Error` (badInput)
+/// as `nodeBounds`.
 CANDELA_API Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& world, double time = 0.0);
 
-/// The view of camera `index` of the scene. A camera ignores its node's scale, shear and mirroring.
+/// The view of camera `index` of the scene. A camera ignores its node's scale, shear and mirroring. Throws
+/// `Error` (badInput) when there is no such camera, it breaks a rule of `validate`, or `world` does not have
+/// one finite matrix a node.
 CANDELA_API CameraView cameraView(const Scene& scene, std::uint32_t index,
                                   const std::vector<glm::mat4>& world);
 
 /// A view in which all of `bounds` is seen, from the front, a little to the right and above, 45 degrees high;
-/// `aspect` is width over height. An empty box gives a view from (0, 0, 5) to the origin.
+/// `aspect` is width over height. An empty box gives a view from (0, 0, 5) to the origin. Throws `Error`
+/// (badInput) when `aspect` is not finite and over 0, or a box that is not empty is not finite.
 CANDELA_API CameraView frameBounds(const Bounds& bounds, float aspect);
 
-/// Lengthens `lights` by `count` point lights scattered over `bounds` by a fixed hash of `seed`, with
-/// saturated colours, `range` in metres and `candela` each. The first lights are the same for every larger
-/// count, and the same on every machine. Throws `Error`: badInput when the box is empty or not finite, the
-/// range not over 0 or the intensity not within 0 to 1e20; limit when memory does not hold the lights.
+/// Appends `count` point lights to `lights`, scattered over `bounds` by a fixed hash of `seed`, with
+/// saturated colours, `range` in metres and intensity `candela` each. The first lights are the same for every
+/// larger count, and the same on every machine. Throws `Error`: badInput when the box is empty or not finite,
+/// the range not over 0 or the intensity not within 0 to 1e20; limit when memory does not hold the lights.
 CANDELA_API void scatterLights(std::vector<Light>& lights, const Bounds& bounds, std::uint32_t count,
                                float range, float candela, std::uint32_t seed = 1);
 
@@ -99,8 +109,12 @@ CANDELA_API void scatterLights(std::vector<Light>& lights, const Bounds& bounds,
 /// Every imported scene has passed this.
 CANDELA_API void validate(const Scene& scene);
 
+/// The number of triangles that a mesh draws: those of its submeshes, or all where it has no submeshes.
+CANDELA_API std::uint64_t triangleCount(const Mesh& mesh);
+
 /// The number of triangles that the scene's meshes draw: those of every mesh, times the nodes that show it.
-/// Triangles of cages depend on their level: see `GpuScene::cageReport`.
+/// Triangles of cages depend on their level: see `GpuScene::cageReport`. Throws `Error` (badInput) when a
+/// node names a mesh that does not exist.
 CANDELA_API std::uint64_t triangleCount(const Scene& scene);
 
 }  // namespace candela

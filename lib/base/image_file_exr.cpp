@@ -11,7 +11,6 @@
 #include <ImfStandardAttributes.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cstddef>
 #include <cstring>
 #include <exception>
@@ -76,24 +75,43 @@ void encode(MemoryStream& stream, std::uint32_t width, std::uint32_t height,
     file.writePixels(int(height));
 }
 
-[[maybe_unused]] bool namesDiffer(std::span<const ExrChannel> channels) {
+void requireNames(std::span<const ExrChannel> channels, const std::string& path) {
     std::vector<std::string> names;
-    for (const ExrChannel& channel : channels) names.push_back(channel.name);
+    for (const ExrChannel& channel : channels) {
+        // OpenEXR keeps names as C strings of up to 255 bytes.
+        if (channel.name.empty() || channel.name.size() > 255 || channel.name.find('\0') != std::string::npos)
+            throw Error(ErrorKind::badInput, path,
+                        "an EXR channel has no name that a file can hold: 1 to 255 bytes were expected");
+        names.push_back(channel.name);
+    }
     std::ranges::sort(names);
-    return std::ranges::adjacent_find(names) == names.end();
+    const auto repeated = std::ranges::adjacent_find(names);
+    if (repeated != names.end())
+        throw Error(ErrorKind::badInput, path, "two EXR channels have the name '" + *repeated + "'");
+}
+
+void requireFits(const std::string& path, std::uint32_t width, std::uint32_t height,
+                 std::span<const ExrChannel> channels) {
+    constexpr std::uint32_t maxSide = std::numeric_limits<int>::max();
+    const std::string size = std::to_string(width) + " x " + std::to_string(height);
+    if (width < 1 || height < 1 || width > maxSide || height > maxSide)
+        throw Error(ErrorKind::badInput, path,
+                    "an EXR can not have " + size + " pixels; 1 to 2147483647 along each side were expected");
+    if (channels.empty()) throw Error(ErrorKind::badInput, path, "an EXR needs at least one channel");
+    requireNames(channels, path);
+    for (const ExrChannel& channel : channels) {
+        if (channel.values.size() == std::uint64_t{width} * height) continue;
+        throw Error(ErrorKind::badInput, path,
+                    "EXR channel '" + channel.name + "' has " + std::to_string(channel.values.size()) +
+                        " values for " + size + " pixels; one a pixel was expected");
+    }
 }
 
 }  // namespace
 
 void writeExr(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
               std::span<const ExrChannel> channels, const Chromaticities& chromaticities) {
-    assert(width > 0 && height > 0 && !channels.empty());
-    assert(width <= std::uint32_t(std::numeric_limits<int>::max()));
-    assert(height <= std::uint32_t(std::numeric_limits<int>::max()));
-    assert(namesDiffer(channels));
-    assert(std::ranges::all_of(channels, [&](const ExrChannel& channel) {
-        return channel.values.size() == std::size_t{width} * height;
-    }));
+    requireFits(path.string(), width, height, channels);
     MemoryStream stream(path.string());
     try {
         encode(stream, width, height, channels, chromaticities);

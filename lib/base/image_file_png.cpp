@@ -6,7 +6,7 @@
 #include <png.h>
 
 #include <array>
-#include <cassert>
+#include <cmath>
 #include <csetjmp>
 #include <cstddef>
 #include <cstdio>
@@ -104,12 +104,27 @@ bool encode(const PngWriter& writer, PngOutput& output, std::uint32_t width, std
     return true;
 }
 
+void requireFits(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
+                 std::size_t bytes) {
+    const std::string size = std::to_string(width) + " x " + std::to_string(height);
+    if (width < 1 || height < 1 || width > PNG_UINT_31_MAX || height > PNG_UINT_31_MAX)
+        throw Error(ErrorKind::badInput, path.string(),
+                    "a PNG can not have " + size + " pixels; 1 to 2147483647 along each side were expected");
+    const std::uint64_t pixels = std::uint64_t{width} * height;
+    if (bytes / 4 != pixels || bytes % 4 != 0)
+        throw Error(ErrorKind::badInput, path.string(),
+                    "there are " + std::to_string(bytes) + " bytes for " + size +
+                        " pixels of RGBA; 4 a pixel were expected");
+}
+
 }  // namespace
 
 void writePng(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
               std::span<const std::uint8_t> rgba, const DisplayEncoding& encoding) {
-    assert(width > 0 && height > 0);
-    assert(rgba.size() == std::size_t{width} * height * 4);
+    requireFits(path, width, height, rgba.size());
+    const bool hasGamma = encoding.transfer == DisplayEncoding::Transfer::gamma;
+    if (hasGamma && !(encoding.gamma > 0.0 && std::isfinite(encoding.gamma)))
+        throw Error(ErrorKind::badInput, path.string(), "the gamma of a display must be finite and over 0");
     PngOutput output;
     const PngWriter writer(output, onError, onWarning);
     if (!writer.isReady() || !encode(writer, output, width, height, rgba.data(), encoding))

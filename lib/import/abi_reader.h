@@ -2,7 +2,7 @@
 
 #include "import/plugin_abi.h"
 #include "import/text.h"
-#include "scene/validate/error_context.h"
+#include "base/error_context.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>

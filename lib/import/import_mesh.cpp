@@ -2,7 +2,7 @@
 
 #include "import/abi_reader.h"
 #include "scene/geometry/normals.h"
-#include "scene/geometry/perpendicular.h"
+#include "scene/geometry/axes.h"
 #include "scene/geometry/tangents.h"
 #include "scene/geometry/triangulate.h"
 

@@ -6,7 +6,7 @@
 #include "import/plugin_abi.h"
 #include "import/plugin_file.h"
 #include "import/refinement.h"
-#include "scene/validate/validate_parts.h"
+#include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>
 

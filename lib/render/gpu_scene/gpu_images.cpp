@@ -1,7 +1,7 @@
 #include "render/gpu_scene/gpu_images.h"
 
 #include "render/gbuffer/srgb.h"
-#include "scene/validate/error_context.h"
+#include "base/error_context.h"
 
 #include <candela/error.h>
 

@@ -1,7 +1,7 @@
 #include "render/gpu_scene/gpu_materials.h"
 
 #include "render/layout.h"
-#include "scene/validate/error_context.h"
+#include "base/error_context.h"
 
 #include <candela/gbuffer.h>
 

@@ -1,9 +1,10 @@
 #include "render/gpu_scene/gpu_scene_state.h"
 
+#include "base/error_context.h"
 #include "gl/state_guard.h"
-#include "scene/model/frame.h"
-#include "scene/validate/finite.h"
-#include "scene/validate/validate_parts.h"
+#include "scene/geometry/axes.h"
+#include "scene/model/animation.h"
+#include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>
 

@@ -2,7 +2,8 @@
 
 #include "base/thread_pool.h"
 #include "render/layout.h"
-#include "scene/geometry/perpendicular.h"
+#include "scene/geometry/axes.h"
+#include "scene/geometry/limit_evaluation.h"
 
 #include <candela/error.h>
 
@@ -128,7 +129,7 @@ void CpuEvaluator::evaluate(const EvaluationRequest& request) {
         out.du = du_;
         out.dv = dv_;
     }
-    evaluateLimit(refined, request.points, out);
+    evaluateValidatedLimit(refined, request.points, out);
     if (needsTangents) writeTangents(request, out.normals);
 }
 

@@ -1,5 +1,6 @@
-#include "scene/geometry/polygon_plane.h"
+#include "scene/geometry/axes.h"
 #include "scene/geometry/triangulate.h"
+#include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>
 #include <candela/refined_cage.h>
@@ -55,12 +56,12 @@ std::vector<std::uint32_t> fittedCorners(const std::vector<glm::dvec2>& points) 
     return {a, b, c};
 }
 
-/// The edges at the first corner, for a polygon that gives no better frame.
+/// The edges at the first corner, for a polygon without a plane.
 Derivatives edgesOf(std::size_t size) {
     return {{0, 1, static_cast<std::uint32_t>(size - 1)}, {-1.0f, 1.0f, 0.0f}, {-1.0f, 0.0f, 1.0f}};
 }
 
-/// Least squares: with p the corners as seen in the plane, relative to their mean, the weights are the
+/// Least squares: with p the corners projected into the plane, relative to their mean, the weights are the
 /// columns of M⁻¹ p for M = Σ p pᵀ.
 std::optional<Derivatives> fit(const std::vector<glm::dvec2>& points) {
     Derivatives result;
@@ -91,7 +92,7 @@ std::optional<Derivatives> fit(const std::vector<glm::dvec2>& points) {
 Derivatives derivativesOf(std::span<const glm::vec3> polygon) {
     const std::optional<PolygonPlane> plane = polygonPlane(polygon);
     std::optional<Derivatives> fitted;
-    if (plane) fitted = fit(plane->view(polygon));
+    if (plane) fitted = fit(plane->project(polygon));
     return fitted ? std::move(*fitted) : edgesOf(polygon.size());
 }
 
@@ -218,6 +219,7 @@ RefinedCage PolygonTable::take() {
 }  // namespace
 
 RefinedCage cagePolygons(const Cage& cage) {
+    requireFaces(cage, ErrorContext("cage", {}, cage.name));
     return PolygonTable(cage).take();
 }
 

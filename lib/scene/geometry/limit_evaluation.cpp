@@ -1,11 +1,11 @@
-#include <candela/refined_cage.h>
+#include "scene/geometry/limit_evaluation.h"
 
+#include "base/error_context.h"
 #include "base/thread_pool.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstring>
 
@@ -13,7 +13,7 @@ namespace candela {
 
 namespace {
 
-/// A point in one register; what it has no component for is 0.
+/// A point in one vector register; missing components are 0.
 typedef float Four __attribute__((vector_size(16)));
 
 Four padded(const glm::vec3& v) {
@@ -102,32 +102,87 @@ void forRowBlocks(const StencilTable& rows, const Body& body) {
     };
     const std::size_t blockCount = costBefore(rowCount) / blockCost + 1;
     const auto run = [&](std::size_t block, unsigned) { body(firstRow(block), firstRow(block + 1)); };
-    // Not worth waking threads for.
+    // Too little work for several threads.
     if (blockCount == 1) return run(0, 0);
     ThreadPool::shared()->run(blockCount, run);
 }
 
-/// Puts the twins where their points are.
+/// Gives seam vertices the positions of their points.
 void positionSeamVertices(const RefinedCage& refined, std::span<glm::vec3> positions) {
     constexpr std::size_t blockSize = 1 << 14;
-    const std::span<glm::vec3> twins = positions.subspan(refined.pointCount);
+    const std::span<glm::vec3> vertices = positions.subspan(refined.pointCount);
     const auto run = [&](std::size_t block, unsigned) {
-        const std::size_t end = std::min(twins.size(), (block + 1) * blockSize);
-        for (std::size_t twin = block * blockSize; twin < end; ++twin)
-            twins[twin] = positions[refined.seamPoints[twin]];
+        const std::size_t end = std::min(vertices.size(), (block + 1) * blockSize);
+        for (std::size_t i = block * blockSize; i < end; ++i) vertices[i] = positions[refined.seamPoints[i]];
     };
-    if (twins.size() <= blockSize) return run(0, 0);
-    ThreadPool::shared()->run((twins.size() + blockSize - 1) / blockSize, run);
+    if (vertices.size() <= blockSize) return run(0, 0);
+    ThreadPool::shared()->run((vertices.size() + blockSize - 1) / blockSize, run);
+}
+
+void requireTable(const char* name, const StencilTable& table, std::size_t vertices, std::size_t sources) {
+    const ErrorContext context(name);
+    context.requireCount("rows", table.rowCount(), "vertices", vertices);
+    context.require(table.rowStarts.empty() || table.rowStarts.front() == 0, "its first row must start at 0");
+    context.require(std::is_sorted(table.rowStarts.begin(), table.rowStarts.end()),
+                    "its row starts must not descend");
+    const std::size_t entries = table.rowStarts.empty() ? 0 : table.rowStarts.back();
+    context.requireCount("columns", table.columns.size(), "entries", entries);
+    context.requireCount("weights", table.weights.size(), "entries", entries);
+    context.requireCount("weights of du", table.duWeights.size(), "entries", entries);
+    context.requireCount("weights of dv", table.dvWeights.size(), "entries", entries);
+    context.requireEach("column", table.columns, "names a point that the cage does not have",
+                        [sources](std::uint32_t column) { return column < sources; });
+}
+
+constexpr const char* positionTable = "stencil table of positions";
+constexpr const char* uvTable = "stencil table of texture coordinates";
+
+/// All but the tables.
+void requireTopology(const RefinedCage& refined) {
+    const ErrorContext context("refined cage");
+    context.require(refined.faceSize == 3 || refined.faceSize == 4, "its faces must have 3 or 4 vertices");
+    context.require(refined.vertexCount() <= 0xffffffffu, "has more vertices than 32 bits can count");
+    context.requireCount("vertices of faces", refined.faceVertices.size(), "corners",
+                         std::uint64_t{refined.cageFaces.size()} * refined.faceSize);
+    context.requireEach("seam vertex", refined.seamPoints, "names a point that does not exist",
+                        [&](std::uint32_t point) { return point < refined.pointCount; });
+    context.requireEach("face vertex", refined.faceVertices, "names a vertex that does not exist",
+                        [&](std::uint32_t vertex) { return vertex < refined.vertexCount(); });
+}
+
+void requireOutput(const RefinedCage& refined, const LimitVertices& out) {
+    const ErrorContext context("limit vertices");
+    const std::size_t vertices = refined.vertexCount();
+    context.requireCount("positions", out.positions.size(), "vertices", vertices);
+    context.requireCount("normals", out.normals.size(), "vertices", vertices);
+    if (!out.du.empty()) context.requireCount("du", out.du.size(), "vertices", vertices);
+    if (!out.dv.empty()) context.requireCount("dv", out.dv.size(), "vertices", vertices);
 }
 
 }  // namespace
 
+void validateRefinedCage(const RefinedCage& refined, std::size_t cagePoints, std::size_t cageUvs) {
+    requireTopology(refined);
+    requireTable(positionTable, refined.positions, refined.vertexCount(), cagePoints);
+    if (refined.uvs.rowCount() != 0) requireTable(uvTable, refined.uvs, refined.vertexCount(), cageUvs);
+}
+
+std::uint32_t RefinedCage::pointOf(std::uint32_t vertex) const {
+    if (vertex < pointCount) return vertex;
+    ErrorContext("refined cage").require(vertex < vertexCount(), "it has no such vertex");
+    return seamPoints[vertex - pointCount];
+}
+
 void evaluateLimit(const RefinedCage& refined, std::span<const glm::vec3> cagePoints,
                    const LimitVertices& out) {
-    assert(refined.positions.rowCount() == refined.vertexCount());
-    assert(out.positions.size() == refined.vertexCount() && out.normals.size() == refined.vertexCount());
-    assert(out.du.empty() || out.du.size() == refined.vertexCount());
-    assert(out.dv.empty() || out.dv.size() == refined.vertexCount());
+    requireTopology(refined);
+    requireTable(positionTable, refined.positions, refined.vertexCount(), cagePoints.size());
+    evaluateValidatedLimit(refined, cagePoints, out);
+}
+
+void evaluateValidatedLimit(const RefinedCage& refined, std::span<const glm::vec3> cagePoints,
+                            const LimitVertices& out) {
+    requireOutput(refined, out);
     if (refined.vertexCount() == 0) return;
     const std::vector<Four> points = paddedPoints(cagePoints);
     forRowBlocks(refined.positions, [&](std::size_t first, std::size_t end) {
@@ -146,7 +201,7 @@ LimitUvs evaluateLimitUvs(const RefinedCage& refined, std::span<const glm::vec2>
     LimitUvs result;
     const std::size_t rowCount = refined.uvs.rowCount();
     if (rowCount == 0) return result;
-    assert(rowCount == refined.vertexCount());
+    requireTable(uvTable, refined.uvs, refined.vertexCount(), cageUvs.size());
     result.uvs.resize(rowCount);
     result.du.resize(rowCount);
     result.dv.resize(rowCount);

@@ -1,7 +1,7 @@
 #include "scene/geometry/normals.h"
 
-#include "scene/geometry/mesh_indices.h"
-#include "scene/validate/finite.h"
+#include "base/error_context.h"
+#include "scene/validate/scene_rules.h"
 
 #include <glm/geometric.hpp>
 
@@ -39,7 +39,7 @@ void spread(std::vector<Value>& values, const Mesh& mesh, std::size_t vertices, 
 
 void makeFlatNormals(Mesh& mesh) {
     const ErrorContext element("mesh", {}, mesh.name);
-    requireIndices(mesh, element);
+    requireTriangles(mesh, element);
     const std::size_t vertices = mesh.positions.size();
     std::vector<glm::vec3> normals(mesh.indices.size());
     for (std::size_t corner = 0; corner < mesh.indices.size(); corner += 3) {
@@ -59,7 +59,7 @@ void makeFlatNormals(Mesh& mesh) {
 
 std::uint32_t replaceZeroNormals(Mesh& mesh) {
     const ErrorContext element("mesh", {}, mesh.name);
-    requireIndices(mesh, element);
+    requireTriangles(mesh, element);
     element.require(mesh.normals.size() == mesh.positions.size(), "there must be one normal a vertex");
     std::vector<bool> missing(mesh.normals.size());
     std::uint32_t count = 0;

@@ -1,9 +1,9 @@
 #include "scene/geometry/tangents.h"
 
-#include "scene/geometry/mesh_indices.h"
-#include "scene/geometry/perpendicular.h"
+#include "base/error_context.h"
+#include "scene/geometry/axes.h"
 #include "scene/geometry/tangent_groups.h"
-#include "scene/validate/error_context.h"
+#include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>
 
@@ -135,7 +135,7 @@ glm::vec4 anyTangent(const glm::vec3& normal) {
 
 void requireArrays(const Mesh& mesh, std::uint32_t uvSet) {
     const ErrorContext element("mesh", {}, mesh.name);
-    requireIndices(mesh, element);
+    requireTriangles(mesh, element);
     const std::size_t vertices = mesh.positions.size();
     element.require(uvSet <= 1, "tangents need set 0 or 1 of texture coordinates");
     element.require(mesh.normals.size() == vertices, "tangents need one normal a vertex");

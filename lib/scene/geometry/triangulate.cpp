@@ -1,7 +1,7 @@
 #include "scene/geometry/triangulate.h"
 
+#include "scene/geometry/axes.h"
 #include "scene/geometry/point_grid.h"
-#include "scene/geometry/polygon_plane.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -210,7 +210,7 @@ void triangulate(std::span<const glm::vec3> corners, std::vector<std::uint32_t>&
     const std::optional<PolygonPlane> plane = polygonPlane(corners);
     if (!plane) return appendFan(static_cast<std::uint32_t>(corners.size()), triangles);
     if (corners.size() == 4) return cutQuad(corners, *plane, triangles);
-    std::vector<glm::dvec2> points = plane->view(corners);
+    std::vector<glm::dvec2> points = plane->project(corners);
     fitUnitSquare(points);
     EarClipper(std::move(points), triangles).run();
 }

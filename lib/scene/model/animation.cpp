@@ -1,5 +1,7 @@
 #include "scene/model/animation.h"
 
+#include "scene/validate/scene_rules.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -93,22 +95,22 @@ glm::dvec4 rotationAt(const AnimationChannel& channel, const Moment& moment) {
     } else {
         for (int i = 0; i < 4; ++i) value[i] = numberAt(channel, static_cast<std::size_t>(i), moment);
     }
-    // A spline may pass through nothing, which has no direction; then the key before holds.
+    // A spline may pass through zero, which has no direction; then the key before holds.
     return unitOr(value, unitOr(from, glm::dvec4(0.0, 0.0, 0.0, 1.0)));
 }
 
-void apply(const AnimationChannel& channel, double time, Transform& trs) {
+void apply(const AnimationChannel& channel, double time, Transform& transform) {
     const glm::dvec4 value = sampleChannel(channel, time);
     switch (channel.path) {
         case AnimationPath::translation:
-            trs.translation = glm::vec3(value);
+            transform.translation = glm::vec3(value);
             break;
         case AnimationPath::scale:
-            trs.scale = glm::vec3(value);
+            transform.scale = glm::vec3(value);
             break;
         case AnimationPath::rotation: {
             const glm::vec4 q(value);
-            trs.rotation = glm::quat(q.w, q.x, q.y, q.z);
+            transform.rotation = glm::quat(q.w, q.x, q.y, q.z);
             break;
         }
         case AnimationPath::morphWeights:
@@ -137,8 +139,11 @@ std::vector<float> sampleMorphWeights(const AnimationChannel& channel, double ti
 
 std::vector<PosedNode> poseAnimatedNodes(const Scene& scene, double time) {
     std::map<std::uint32_t, Transform> poses;
-    for (const Animation& animation : scene.animations) {
-        for (const AnimationChannel& channel : animation.channels) {
+    for (std::size_t a = 0; a < scene.animations.size(); ++a) {
+        const Animation& animation = scene.animations[a];
+        for (std::size_t c = 0; c < animation.channels.size(); ++c) {
+            const AnimationChannel& channel = animation.channels[c];
+            requireChannel(channel, c, scene, ErrorContext("animation", a, animation.name));
             if (channel.path == AnimationPath::morphWeights) continue;
             const Transform& rest = std::get<Transform>(scene.nodes[channel.node].transform);
             apply(channel, time, poses.try_emplace(channel.node, rest).first->second);
@@ -146,15 +151,19 @@ std::vector<PosedNode> poseAnimatedNodes(const Scene& scene, double time) {
     }
     std::vector<PosedNode> nodes;
     nodes.reserve(poses.size());
-    for (const auto& [node, trs] : poses) nodes.push_back({node, trs});
+    for (const auto& [node, transform] : poses) nodes.push_back({node, transform});
     return nodes;
 }
 
 std::vector<float> morphWeightsAt(const Scene& scene, std::uint32_t node, double time) {
     const AnimationChannel* last = nullptr;
-    for (const Animation& animation : scene.animations) {
-        for (const AnimationChannel& channel : animation.channels) {
-            if (channel.node == node && channel.path == AnimationPath::morphWeights) last = &channel;
+    for (std::size_t a = 0; a < scene.animations.size(); ++a) {
+        const Animation& animation = scene.animations[a];
+        for (std::size_t c = 0; c < animation.channels.size(); ++c) {
+            const AnimationChannel& channel = animation.channels[c];
+            if (channel.node != node || channel.path != AnimationPath::morphWeights) continue;
+            requireChannel(channel, c, scene, ErrorContext("animation", a, animation.name));
+            last = &channel;
         }
     }
     return last ? sampleMorphWeights(*last, time) : scene.nodes[node].cage->morphWeights;

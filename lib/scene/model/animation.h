@@ -21,18 +21,23 @@ std::vector<float> sampleMorphWeights(const AnimationChannel& channel, double ti
 /// A node as animations pose it.
 struct PosedNode {
     std::uint32_t node = 0;
-    Transform trs;
+    Transform transform;
 };
 
-/// The nodes whose transforms are animated, at `time`, in growing order of node; where two animations move
-/// the same property, the later one in the scene holds.
+/// The nodes whose transforms are animated, at `time`, in ascending order of node; where two animations move
+/// the same property, the later one in the scene holds. Throws `Error` (badInput) when a channel does not fit
+/// its node.
 std::vector<PosedNode> poseAnimatedNodes(const Scene& scene, double time);
 
 /// The local matrix of a node's transform.
 glm::mat4 localMatrix(const std::variant<Transform, glm::mat4>& transform);
 
+/// One of `worldLights`. The light has passed `validate`, and `world` has one matrix a node.
+WorldLight worldLight(const Light& light, const std::vector<glm::mat4>& world);
+
 /// The weights at `time` of the morph targets of the cage that `node` shows: those of the last channel that
-/// animates them, else the node's own. May be empty: all 0.
+/// animates them, else the node's own. May be empty: all 0. Throws `Error` (badInput) when the channel does
+/// not fit the node.
 std::vector<float> morphWeightsAt(const Scene& scene, std::uint32_t node, double time);
 
 }  // namespace candela

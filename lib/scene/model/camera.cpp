@@ -1,7 +1,7 @@
 #include <candela/camera.h>
 
-#include "scene/model/frame.h"
-#include "scene/validate/finite.h"
+#include "scene/geometry/axes.h"
+#include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>
 #include <candela/scene.h>
@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -17,7 +16,7 @@ namespace candela {
 
 namespace {
 
-// Below this sine of the angle between the line of sight and Y, +Y can not say where up is.
+// Below this sine of the angle between the view direction and Y, +Y does not tell which way is up.
 constexpr double minSine = 1e-6;
 
 glm::mat4 rigid(const glm::dmat3& axes, const glm::dvec3& eye) {
@@ -33,17 +32,25 @@ glm::dmat3 axesLooking(const glm::dvec3& back) {
     return {right, glm::cross(back, right), back};
 }
 
-void requireView(bool holds, const char* rule) {
+void require(bool holds, const char* rule) {
     if (!holds) throw Error(ErrorKind::badInput, {}, rule);
+}
+
+void requireFov(float verticalFov) {
+    require(verticalFov > 0.0f && verticalFov < std::numbers::pi_v<float>,
+            "the camera's field of view must lie between 0 and 180 degrees");
+}
+
+void requireAspect(float aspect) {
+    ErrorContext("picture").requirePositive("its aspect ratio", aspect);
 }
 
 }  // namespace
 
 CameraView lookAt(const glm::vec3& eye, const glm::vec3& target, float verticalFov) {
-    requireView(allFinite(eye) && allFinite(target), "the camera's eye and target must be finite numbers");
-    requireView(eye != target, "the camera's eye and target must not be the same point");
-    requireView(verticalFov > 0.0f && verticalFov < std::numbers::pi_v<float>,
-                "the camera's field of view must lie between 0 and 180 degrees");
+    require(allFinite(eye) && allFinite(target), "the camera's eye and target must be finite numbers");
+    require(eye != target, "the camera's eye and target must not be the same point");
+    requireFov(verticalFov);
     const glm::dvec3 back = glm::normalize(glm::dvec3(eye) - glm::dvec3(target));
     CameraView view;
     view.worldFromCamera = rigid(axesLooking(back), eye);
@@ -52,7 +59,9 @@ CameraView lookAt(const glm::vec3& eye, const glm::vec3& target, float verticalF
 }
 
 glm::mat4 projection(const CameraView& view, float aspect) {
-    assert(aspect > 0.0f && view.nearPlane > 0.0f);
+    requireAspect(aspect);
+    requireFov(view.verticalFov);
+    ErrorContext("camera view").requirePositive("its near plane", view.nearPlane);
     const double focal = 1.0 / std::tan(0.5 * view.verticalFov);
     glm::mat4 clip(0.0f);
     clip[0][0] = static_cast<float>(focal / aspect);
@@ -63,13 +72,17 @@ glm::mat4 projection(const CameraView& view, float aspect) {
 }
 
 CameraView cameraView(const Scene& scene, std::uint32_t index, const std::vector<glm::mat4>& world) {
-    assert(index < scene.cameras.size() && world.size() == scene.nodes.size());
+    ErrorContext("scene").requireIndex("camera", index, scene.cameras.size());
+    requireWorldMatrices(scene, world);
     const Camera& camera = scene.cameras[index];
+    const ErrorContext element("camera", index, camera.name);
+    validateCamera(camera, scene, element);
     CameraView view;
     view.verticalFov = camera.verticalFov;
     view.nearPlane = camera.nearPlane;
     if (!camera.node) return view;
     const glm::mat4& node = world[*camera.node];
+    element.requireFinite("the world matrix of its node", node);
     glm::dmat3 axes = unscaledFrame(node);
     axes[0] = glm::cross(axes[1], axes[2]);  // A mirrored node does not mirror the picture.
     view.worldFromCamera = rigid(axes, glm::dvec3(node[3]));
@@ -77,34 +90,39 @@ CameraView cameraView(const Scene& scene, std::uint32_t index, const std::vector
 }
 
 CameraView frameBounds(const Bounds& bounds, float aspect) {
-    assert(aspect > 0.0f);
+    requireAspect(aspect);
     constexpr float fov = std::numbers::pi_v<float> / 4.0f;
     if (bounds.empty()) return lookAt({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f), fov);
+    const ErrorContext box("box");
+    box.requireFinite("its minimum", bounds.min);
+    box.requireFinite("its maximum", bounds.max);
 
-    constexpr double margin = 1.05;  // Leaves a little air around the box.
+    constexpr double margin = 1.05;  // Some room around the box.
     const glm::dvec3 from(0.4, 0.3, 1.0);
     const glm::dmat3 axes = axesLooking(glm::normalize(from));
     const double tanY = std::tan(0.5 * fov) / margin;
     const double tanX = tanY * aspect;
-    const glm::dvec3 low(bounds.min), high(bounds.max);
-    const glm::dvec3 center = 0.5 * (low + high);
+    const glm::dvec3 min(bounds.min), max(bounds.max);
+    const glm::dvec3 center = 0.5 * (min + max);
 
-    // A corner at (x, y, z) of the camera's axes, seen from `distance`, is inside when |x| and |y| are at
-    // most (distance - z) times the tangents.
+    // A corner at (x, y, z) along the camera's axes lies inside the view from `distance` when |x| and |y| are
+    // at most (distance - z) times the tangents.
     double distance = 0.0, nearest = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 position((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
-                                  (corner & 4) != 0 ? high.z : low.z);
-        const glm::dvec3 seen = (position - center) * axes;
-        distance = std::max({distance, seen.z + std::abs(seen.x) / tanX, seen.z + std::abs(seen.y) / tanY});
-        nearest = std::max(nearest, seen.z);
+        const glm::dvec3 position((corner & 1) != 0 ? max.x : min.x, (corner & 2) != 0 ? max.y : min.y,
+                                  (corner & 4) != 0 ? max.z : min.z);
+        const glm::dvec3 inCamera = (position - center) * axes;
+        distance = std::max(
+            {distance, inCamera.z + std::abs(inCamera.x) / tanX, inCamera.z + std::abs(inCamera.y) / tanY});
+        nearest = std::max(nearest, inCamera.z);
     }
-    // A point, a line along the sight, and a box of a few float steps far from the origin still need room.
-    const glm::dvec3 reach = glm::max(glm::abs(low), glm::abs(high));
-    const double size = glm::length(high - low);
-    const double room =
-        std::max(size > 0.0 ? 0.01 * size : 1.0, 1e-5 * std::max({reach.x, reach.y, reach.z}));
-    distance = std::max(distance, nearest + room);
+    // A point, a line along the view direction, and a box of a few float steps far from the origin need a
+    // distance too.
+    const glm::dvec3 extent = glm::max(glm::abs(min), glm::abs(max));
+    const double size = glm::length(max - min);
+    const double clearance =
+        std::max(size > 0.0 ? 0.01 * size : 1.0, 1e-5 * std::max({extent.x, extent.y, extent.z}));
+    distance = std::max(distance, nearest + clearance);
 
     CameraView view;
     view.worldFromCamera = rigid(axes, center + axes[2] * distance);

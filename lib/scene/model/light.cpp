@@ -1,29 +1,31 @@
 #include <candela/light.h>
 
-#include "scene/model/frame.h"
+#include "scene/geometry/axes.h"
+#include "scene/model/animation.h"
+#include "scene/validate/scene_rules.h"
 
 #include <candela/scene.h>
 
 #include <glm/geometric.hpp>
 
-#include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace candela {
 
 namespace {
 
-WorldLight withoutPlace(const Light& light) {
-    WorldLight placed;
-    placed.type = light.type;
-    placed.position = light.position;
-    placed.range = light.range.value_or(0.0f);
-    placed.direction = light.direction;
-    placed.intensity = light.color * light.intensity;
-    placed.innerConeAngle = light.innerConeAngle;
-    placed.outerConeAngle = light.outerConeAngle;
-    return placed;
+WorldLight inNodeFrame(const Light& light) {
+    WorldLight result;
+    result.type = light.type;
+    result.position = light.position;
+    result.range = light.range.value_or(0.0f);
+    result.direction = light.direction;
+    result.intensity = light.color * light.intensity;
+    result.innerConeAngle = light.innerConeAngle;
+    result.outerConeAngle = light.outerConeAngle;
+    return result;
 }
 
 glm::vec3 unitOr(const glm::dvec3& vector, const glm::vec3& fallback) {
@@ -31,24 +33,35 @@ glm::vec3 unitOr(const glm::dvec3& vector, const glm::vec3& fallback) {
     return length > 0.0 ? glm::vec3(vector / length) : fallback;
 }
 
+// A photometric quantity has to be finite and 0 or more, as has what it converts to.
+float checked(const char* quantity, double given, double converted) {
+    const ErrorContext context(quantity);
+    context.requireNotNegative("it", given);
+    context.require(converted <= std::numeric_limits<float>::max(), "it is more than a float can hold");
+    return static_cast<float>(converted);
+}
+
 }  // namespace
 
 float candelaFromLumen(float lumen) {
-    return static_cast<float>(lumen / (4.0 * std::numbers::pi));
+    return checked("luminous flux", lumen, lumen / (4.0 * std::numbers::pi));
 }
 
 float candelaFromLumen(float lumen, float outerConeAngle) {
+    const ErrorContext spot("spot light");
+    spot.requirePositive("its outer cone angle", outerConeAngle);
+    spot.requireWithin("its outer cone angle", outerConeAngle, 0.0, std::numbers::pi_v<float>);
     // 1 - cos(a) = 2 sin²(a / 2), which keeps its digits for narrow cones.
     const double sine = std::sin(0.5 * outerConeAngle);
-    return static_cast<float>(lumen / (4.0 * std::numbers::pi * sine * sine));
+    return checked("luminous flux", lumen, lumen / (4.0 * std::numbers::pi * sine * sine));
 }
 
 float lumenFromWatt(float watt) {
-    return watt * 683.0f;
+    return checked("radiant flux", watt, watt * 683.0f);
 }
 
 WorldLight worldLight(const Light& light, const std::vector<glm::mat4>& world) {
-    WorldLight placed = withoutPlace(light);
+    WorldLight placed = inNodeFrame(light);
     glm::dvec3 direction(light.direction);
     if (light.node) {
         const glm::mat4& node = world[*light.node];
@@ -60,11 +73,15 @@ WorldLight worldLight(const Light& light, const std::vector<glm::mat4>& world) {
 }
 
 std::vector<WorldLight> worldLights(const Scene& scene, const std::vector<glm::mat4>& world) {
-    assert(world.size() == scene.nodes.size());
-    std::vector<WorldLight> placed;
-    placed.reserve(scene.lights.size());
-    for (const Light& light : scene.lights) placed.push_back(worldLight(light, world));
-    return placed;
+    requireWorldMatrices(scene, world);
+    std::vector<WorldLight> lights;
+    lights.reserve(scene.lights.size());
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        validateLight(light, scene, ErrorContext("light", i, light.name));
+        lights.push_back(worldLight(light, world));
+    }
+    return lights;
 }
 
 }  // namespace candela

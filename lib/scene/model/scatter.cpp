@@ -1,8 +1,8 @@
 #include <candela/error.h>
 #include <candela/scene.h>
 
-#include "scene/validate/finite.h"
-#include "scene/validate/limits.h"
+#include "base/error_context.h"
+#include "scene/validate/scene_rules.h"
 
 #include <cmath>
 #include <new>

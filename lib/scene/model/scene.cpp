@@ -1,26 +1,27 @@
 #include <candela/scene.h>
 
 #include "scene/model/animation.h"
+#include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>
 
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include <cassert>
 #include <cmath>
 
 namespace candela {
 
 namespace {
 
-glm::mat4 matrixOf(const Transform& trs) {
-    const float length = glm::length(trs.rotation);
+glm::mat4 matrixOf(const Transform& transform) {
+    const float length = glm::length(transform.rotation);
     // Files round quaternions; a rotation of another length would scale and shear.
-    const glm::quat rotation = length > 0.0f ? trs.rotation / length : glm::quat(1.0f, 0.0f, 0.0f, 0.0f);
+    const glm::quat rotation =
+        length > 0.0f ? transform.rotation / length : glm::quat(1.0f, 0.0f, 0.0f, 0.0f);
     glm::mat4 matrix = glm::mat4_cast(rotation);
-    for (int axis = 0; axis < 3; ++axis) matrix[axis] *= trs.scale[axis];
-    matrix[3] = glm::vec4(trs.translation, 1.0f);
+    for (int axis = 0; axis < 3; ++axis) matrix[axis] *= transform.scale[axis];
+    matrix[3] = glm::vec4(transform.translation, 1.0f);
     return matrix;
 }
 
@@ -35,7 +36,7 @@ void enclose(const std::vector<glm::vec3>& points, const glm::mat4& worldFromPoi
 }  // namespace
 
 glm::mat4 localMatrix(const std::variant<Transform, glm::mat4>& transform) {
-    if (const Transform* trs = std::get_if<Transform>(&transform)) return matrixOf(*trs);
+    if (const auto* parts = std::get_if<Transform>(&transform)) return matrixOf(*parts);
     return std::get<glm::mat4>(transform);
 }
 
@@ -45,26 +46,30 @@ void Bounds::add(const Bounds& other) {
 }
 
 std::vector<glm::mat4> worldTransforms(const Scene& scene, double time) {
-    if (!std::isfinite(time)) throw Error(ErrorKind::badInput, {}, "the time must be a finite number");
+    requireTime(time);
     const std::vector<PosedNode> posed = poseAnimatedNodes(scene, time);
     std::vector<glm::mat4> world(scene.nodes.size());
     auto pose = posed.begin();
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
+        ErrorContext("node", i, node.name)
+            .require(!node.parent || *node.parent < i, "its parent must stand before it");
         const bool animated = pose != posed.end() && pose->node == i;
-        const glm::mat4 local = animated ? matrixOf((pose++)->trs) : localMatrix(node.transform);
-        assert(!node.parent || *node.parent < i);
+        const glm::mat4 local = animated ? matrixOf((pose++)->transform) : localMatrix(node.transform);
         world[i] = node.parent ? world[*node.parent] * local : local;
     }
     return world;
 }
 
 Bounds nodeBounds(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world, double time) {
-    assert(world.size() == scene.nodes.size());
-    const Node& shown = scene.nodes[node];
+    ErrorContext("scene").requireIndex("node", node, scene.nodes.size());
+    requireWorldMatrices(scene, world);
+    requireTime(time);
+    const Node& element = scene.nodes[node];
+    ErrorContext("node", node, element.name).requireIndex("mesh", element.mesh, scene.meshes.size());
     Bounds bounds;
-    if (shown.mesh) enclose(scene.meshes[*shown.mesh].positions, world[node], bounds);
-    if (shown.cage) {
+    if (element.mesh) enclose(scene.meshes[*element.mesh].positions, world[node], bounds);
+    if (element.cage) {
         const PosedCage posed = poseCage(scene, node, world, time);
         enclose(posed.points, posed.worldFromPoints, bounds);
     }
@@ -72,20 +77,28 @@ Bounds nodeBounds(const Scene& scene, std::uint32_t node, const std::vector<glm:
 }
 
 Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& world, double time) {
+    requireWorldMatrices(scene, world);
+    requireTime(time);
     Bounds bounds;
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) bounds.add(nodeBounds(scene, i, world, time));
     return bounds;
 }
 
-std::uint64_t triangleCount(const Scene& scene) {
-    std::vector<std::uint64_t> ofMesh(scene.meshes.size());
-    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-        const Mesh& mesh = scene.meshes[i];
-        if (mesh.submeshes.empty()) ofMesh[i] = mesh.indices.size() / 3;
-        for (const Submesh& submesh : mesh.submeshes) ofMesh[i] += submesh.indexCount / 3;
-    }
+std::uint64_t triangleCount(const Mesh& mesh) {
+    if (mesh.submeshes.empty()) return mesh.indices.size() / 3;
     std::uint64_t count = 0;
-    for (const Node& node : scene.nodes) {
+    for (const Submesh& submesh : mesh.submeshes) count += submesh.indexCount / 3;
+    return count;
+}
+
+std::uint64_t triangleCount(const Scene& scene) {
+    std::vector<std::uint64_t> ofMesh;
+    ofMesh.reserve(scene.meshes.size());
+    for (const Mesh& mesh : scene.meshes) ofMesh.push_back(triangleCount(mesh));
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        ErrorContext("node", i, node.name).requireIndex("mesh", node.mesh, scene.meshes.size());
         if (node.mesh) count += ofMesh[*node.mesh];
     }
     return count;

@@ -1,6 +1,5 @@
-#include "scene/validate/finite.h"
-#include "scene/validate/limits.h"
-#include "scene/validate/validate_parts.h"
+#include "base/error_context.h"
+#include "scene/validate/scene_rules.h"
 
 #include <candela/scene.h>
 
@@ -14,10 +13,10 @@ namespace candela {
 
 namespace {
 
-void validateTransform(const Transform& trs, const ErrorContext& element) {
-    element.require(allFinite(trs.translation), "its translation must be finite numbers");
-    element.require(allFinite(trs.scale), "its scale must be finite numbers");
-    const float length = glm::length(trs.rotation);
+void validateTransform(const Transform& transform, const ErrorContext& element) {
+    element.require(allFinite(transform.translation), "its translation must be finite numbers");
+    element.require(allFinite(transform.scale), "its scale must be finite numbers");
+    const float length = glm::length(transform.rotation);
     element.require(std::abs(length - 1.0f) <= unitTolerance,
                     "its rotation must be a quaternion of unit length");
 }
@@ -27,12 +26,14 @@ void validateMatrix(const glm::mat4& matrix, const ErrorContext& element) {
     element.require(isAffine(matrix), "its matrix must be affine: a last row of 0, 0, 0, 1");
 }
 
+}  // namespace
+
 void validateNode(const Node& node, std::size_t index, const Scene& scene, const ErrorContext& element) {
     element.requireIndex("node", node.parent, scene.nodes.size());
     element.require(!node.parent || *node.parent < index, "its parent must stand before it");
     element.requireIndex("mesh", node.mesh, scene.meshes.size());
-    if (const Transform* trs = std::get_if<Transform>(&node.transform)) {
-        validateTransform(*trs, element);
+    if (const auto* transform = std::get_if<Transform>(&node.transform)) {
+        validateTransform(*transform, element);
     } else {
         validateMatrix(std::get<glm::mat4>(node.transform), element);
     }
@@ -70,8 +71,6 @@ void validateLight(const Light& light, const Scene& scene, const ErrorContext& e
                     "its inner cone angle must be 0 or more and less than the outer one");
 }
 
-}  // namespace
-
 bool isAffine(const glm::mat4& matrix) {
     return matrix[0][3] == 0.0f && matrix[1][3] == 0.0f && matrix[2][3] == 0.0f && matrix[3][3] == 1.0f;
 }
@@ -79,6 +78,14 @@ bool isAffine(const glm::mat4& matrix) {
 bool isUnit(const glm::vec3& direction) {
     // False for a NaN; an infinite or huge length is too far from 1.
     return std::abs(glm::length(direction) - 1.0f) <= unitTolerance;
+}
+
+void requireTime(double time) {
+    if (!std::isfinite(time)) throw Error(ErrorKind::badInput, {}, "the time must be a finite number");
+}
+
+void requireWorldMatrices(const Scene& scene, const std::vector<glm::mat4>& world) {
+    ErrorContext("scene").requireCount("world matrices", world.size(), "nodes", scene.nodes.size());
 }
 
 void validate(const Scene& scene) {

@@ -1,6 +1,5 @@
-#include "scene/validate/limits.h"
-#include "scene/validate/require_each.h"
-#include "scene/validate/validate_parts.h"
+#include "base/error_context.h"
+#include "scene/validate/scene_rules.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,13 +50,6 @@ void requireNamed(const Part& part, const Part& named, std::size_t count, const 
     element.refuse(part.label() + " names " + named.label() + ", but there are " + std::to_string(count));
 }
 
-void requireCount(std::size_t actual, const char* what, std::uint64_t expected, const char* of,
-                  const ErrorContext& element) {
-    if (actual == expected) return;
-    element.refuse("has " + std::to_string(actual) + " " + what + " for " + std::to_string(expected) + " " +
-                   of);
-}
-
 // The sizes of the faces, and with them those of the arrays "a corner".
 void validateFaceSizes(const Cage& cage, const ErrorContext& element) {
     const bool triangles = cage.scheme == SubdivisionScheme::loop;
@@ -71,9 +63,9 @@ void validateFaceSizes(const Cage& cage, const ErrorContext& element) {
     element.require(cage.positions.size() <= maxCount && cage.uvs.size() <= maxCount &&
                         cage.faceSizes.size() <= maxCount && corners <= maxCount,
                     "has more vertices, texture coordinates, faces or corners than 32 bits can count");
-    requireCount(cage.faceVertices.size(), "vertices of faces", corners, "corners", element);
-    requireCount(cage.faceUvs.size(), "texture coordinates of faces", cage.uvs.empty() ? 0 : corners,
-                 "corners", element);
+    element.requireCount("vertices of faces", cage.faceVertices.size(), "corners", corners);
+    element.requireCount("texture coordinates of faces", cage.faceUvs.size(), "corners",
+                         cage.uvs.empty() ? 0 : corners);
 }
 
 void validateFaces(const Cage& cage, const ErrorContext& element) {
@@ -155,7 +147,7 @@ void validateCorners(const Cage& cage, const ErrorContext& element) {
 
 void validateMaterials(const Cage& cage, const Scene& scene, const ErrorContext& element) {
     if (cage.faceMaterials.empty()) return;
-    requireCount(cage.faceMaterials.size(), "materials", cage.faceSizes.size(), "faces", element);
+    element.requireCount("materials", cage.faceMaterials.size(), "faces", cage.faceSizes.size());
     std::vector<bool> known(scene.materials.size());
     for (const std::optional<std::uint32_t>& material : cage.faceMaterials) {
         element.requireIndex("material", material, scene.materials.size());
@@ -168,8 +160,8 @@ void validateMaterials(const Cage& cage, const Scene& scene, const ErrorContext&
 void validateInfluences(const Cage& cage, const ErrorContext& element) {
     const std::size_t each = cage.influenceCount;
     const std::uint64_t count = std::uint64_t{cage.positions.size()} * each;
-    requireCount(cage.joints.size(), "joints", count, "influences", element);
-    requireCount(cage.jointWeights.size(), "joint weights", count, "influences", element);
+    element.requireCount("joints", cage.joints.size(), "influences", count);
+    element.requireCount("joint weights", cage.jointWeights.size(), "influences", count);
     if (each == 0) return;
     for (std::size_t vertex = 0; vertex < cage.positions.size(); ++vertex) {
         float sum = 0.0f;
@@ -190,25 +182,29 @@ void validateMorphTargets(const Cage& cage, const ErrorContext& element) {
     for (std::size_t i = 0; i < cage.morphTargets.size(); ++i) {
         const std::vector<glm::vec3>& offsets = cage.morphTargets[i].offsets;
         const std::string target = Part{"morph target", i}.label();
-        requireCount(offsets.size(), ("offsets in " + target).c_str(), cage.positions.size(), "vertices",
-                     element);
-        requireFinite(offsets, (target + ": offset").c_str(), element);
+        element.requireCount(("offsets in " + target).c_str(), offsets.size(), "vertices",
+                             cage.positions.size());
+        element.requireEachFinite((target + ": offset").c_str(), offsets);
     }
 }
 
 }  // namespace
 
-void validateCageSurface(const Cage& cage, const ErrorContext& element) {
-    validateRules(cage, element);
+void requireFaces(const Cage& cage, const ErrorContext& element) {
     validateFaceSizes(cage, element);
-    requireFinite(cage.positions, "position", element);
-    requireFinite(cage.uvs, "texture coordinate", element);
+    element.requireEachFinite("position", cage.positions);
+    element.requireEachFinite("texture coordinate", cage.uvs);
     validateFaces(cage, element);
-    validateCreases(cage, element);
-    validateCorners(cage, element);
     for (std::size_t i = 0; i < cage.holes.size(); ++i) {
         requireNamed({"hole", i}, {"face", cage.holes[i]}, cage.faceSizes.size(), element);
     }
+}
+
+void validateCageSurface(const Cage& cage, const ErrorContext& element) {
+    validateRules(cage, element);
+    requireFaces(cage, element);
+    validateCreases(cage, element);
+    validateCorners(cage, element);
     validateInfluences(cage, element);
     validateMorphTargets(cage, element);
 }

@@ -1,6 +1,5 @@
-#include "scene/validate/finite.h"
-#include "scene/validate/limits.h"
-#include "scene/validate/validate_parts.h"
+#include "base/error_context.h"
+#include "scene/validate/scene_rules.h"
 
 #include <cmath>
 #include <cstring>

@@ -1,6 +1,5 @@
-#include "scene/geometry/mesh_indices.h"
-#include "scene/validate/require_each.h"
-#include "scene/validate/validate_parts.h"
+#include "base/error_context.h"
+#include "scene/validate/scene_rules.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,31 +10,28 @@ namespace {
 
 constexpr std::size_t maxCount = std::numeric_limits<std::uint32_t>::max();
 
-enum class Absence { allowed, forbidden };
-
-template <typename Value>
-void requireCount(const std::vector<Value>& values, const char* what, Absence absence, const Mesh& mesh,
-                  const ErrorContext& element) {
-    if (values.size() == mesh.positions.size() || (values.empty() && absence == Absence::allowed)) return;
-    element.refuse("has " + std::to_string(values.size()) + " " + what + " for " +
-                   std::to_string(mesh.positions.size()) + " vertices");
-}
-
 void validateArrays(const Mesh& mesh, const ErrorContext& element) {
-    requireCount(mesh.normals, "normals", Absence::forbidden, mesh, element);
-    requireCount(mesh.tangents, "tangents", Absence::allowed, mesh, element);
-    requireCount(mesh.uv0, "texture coordinates 0", Absence::allowed, mesh, element);
-    requireCount(mesh.uv1, "texture coordinates 1", Absence::allowed, mesh, element);
-    requireCount(mesh.colors, "colours", Absence::allowed, mesh, element);
-    requireFinite(mesh.positions, "position", element);
-    requireFinite(mesh.uv0, "texture coordinate 0 of vertex", element);
-    requireFinite(mesh.uv1, "texture coordinate 1 of vertex", element);
-    requireFinite(mesh.colors, "colour", element);
-    requireEach(mesh.normals, "normal", "does not have unit length", element, isUnit);
-    requireEach(mesh.tangents, "tangent", "must have unit length and -1 or 1 in w", element,
-                [](const glm::vec4& tangent) {
-                    return isUnit(glm::vec3(tangent)) && (tangent.w == 1.0f || tangent.w == -1.0f);
-                });
+    const std::size_t vertices = mesh.positions.size();
+    const auto requireAll = [&](const auto& values, const char* what) {
+        element.requireCount(what, values.size(), "vertices", vertices);
+    };
+    const auto requireAllOrNone = [&](const auto& values, const char* what) {
+        if (!values.empty()) requireAll(values, what);
+    };
+    requireAll(mesh.normals, "normals");
+    requireAllOrNone(mesh.tangents, "tangents");
+    requireAllOrNone(mesh.uv0, "texture coordinates 0");
+    requireAllOrNone(mesh.uv1, "texture coordinates 1");
+    requireAllOrNone(mesh.colors, "colours");
+    element.requireEachFinite("position", mesh.positions);
+    element.requireEachFinite("texture coordinate 0 of vertex", mesh.uv0);
+    element.requireEachFinite("texture coordinate 1 of vertex", mesh.uv1);
+    element.requireEachFinite("colour", mesh.colors);
+    element.requireEach("normal", mesh.normals, "does not have unit length", isUnit);
+    element.requireEach("tangent", mesh.tangents, "must have unit length and -1 or 1 in w",
+                        [](const glm::vec4& tangent) {
+                            return isUnit(glm::vec3(tangent)) && (tangent.w == 1.0f || tangent.w == -1.0f);
+                        });
 }
 
 void validateSubmesh(const Submesh& submesh, const Mesh& mesh, const Scene& scene,
@@ -55,7 +51,7 @@ void validateSubmesh(const Submesh& submesh, const Mesh& mesh, const Scene& scen
 
 }  // namespace
 
-void requireIndices(const Mesh& mesh, const ErrorContext& element) {
+void requireTriangles(const Mesh& mesh, const ErrorContext& element) {
     element.require(mesh.positions.size() <= maxCount && mesh.indices.size() <= maxCount,
                     "has more vertices or indices than 32 bits can count");
     element.require(mesh.indices.size() % 3 == 0, "the number of its indices must be a multiple of 3");
@@ -68,7 +64,7 @@ void requireIndices(const Mesh& mesh, const ErrorContext& element) {
 }
 
 void validateMesh(const Mesh& mesh, const Scene& scene, const ErrorContext& element) {
-    requireIndices(mesh, element);
+    requireTriangles(mesh, element);
     validateArrays(mesh, element);
     for (const Submesh& submesh : mesh.submeshes) validateSubmesh(submesh, mesh, scene, element);
 }

@@ -1,6 +1,5 @@
-#include "scene/validate/finite.h"
-#include "scene/validate/limits.h"
-#include "scene/validate/validate_parts.h"
+#include "base/error_context.h"
+#include "scene/validate/scene_rules.h"
 
 #include <glm/common.hpp>
 
@@ -16,7 +15,7 @@ constexpr const char* tooFar =
 
 bool isNear(const glm::vec3& position) {
     for (int i = 0; i < 3; ++i) {
-        if (!(std::abs(position[i]) <= farthestCoordinate)) return false;
+        if (!(std::abs(position[i]) <= maxCoordinate)) return false;
     }
     return true;
 }
@@ -78,9 +77,9 @@ void validateCagePlaces(const Scene& scene, const std::vector<glm::mat4>& world)
     cages.reserve(scene.cages.size());
     for (const Cage& cage : scene.cages) cages.emplace_back(cage.positions);
     const auto stands = [&](std::uint32_t node) {
-        const CageInstance& shown = *scene.nodes[node].cage;
-        const bool moves = shown.skin || !scene.cages[shown.cage].morphTargets.empty();
-        if (!moves) return cages[shown.cage].areNear(world[node]);
+        const CageInstance& instance = *scene.nodes[node].cage;
+        const bool moves = instance.skin || !scene.cages[instance.cage].morphTargets.empty();
+        if (!moves) return cages[instance.cage].areNear(world[node]);
         const PosedCage posed = poseCage(scene, node, world);
         return areNear(posed.points, posed.worldFromPoints);
     };

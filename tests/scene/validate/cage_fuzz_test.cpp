@@ -4,7 +4,7 @@
 
 #include "dice.h"
 #include "sample_cage_scene.h"
-#include "scene/validate/finite.h"
+#include "base/error_context.h"
 #include "support/fuzz_iterations.h"
 
 #include <gtest/gtest.h>

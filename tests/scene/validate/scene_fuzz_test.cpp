@@ -5,7 +5,7 @@
 #include "sample_scene.h"
 #include "scene/geometry/normals.h"
 #include "scene/geometry/tangents.h"
-#include "scene/validate/finite.h"
+#include "base/error_context.h"
 #include "support/fuzz_iterations.h"
 
 #include <gtest/gtest.h>

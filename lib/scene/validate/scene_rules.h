@@ -1,0 +1,80 @@
+#pragma once
+
+#include "base/error_context.h"
+
+#include <candela/scene.h>
+
+namespace candela {
+
+// The limits of scenes, and the parts of `validate`.
+
+/// How far from the world's origin, in metres along each axis, meshes, lights and cameras may stand. Squared
+/// distances then fit a float with much to spare.
+constexpr float maxCoordinate = 1e9f;
+
+/// The largest intensity of a light (candela or lux, times colour) and the largest emission.
+constexpr float maxIntensity = 1e20f;
+
+/// The largest value of an animation, and of a morph weight.
+constexpr float maxAnimated = 1e9f;
+
+/// How far the length of a direction may be from 1: what 8-bit quantised directions need
+/// (KHR_mesh_quantization), sqrt(4) × 0.5 / 127 for four numbers, and a little.
+constexpr float unitTolerance = 0.01f;
+
+/// How far the sum of a vertex's joint weights may be from 1: what four weights of 8 bits each need,
+/// 4 × 0.5 / 255, and a little. `poseCage` divides by the sum.
+constexpr float weightSumTolerance = 0.01f;
+
+/// Whether the last row is 0, 0, 0, 1.
+bool isAffine(const glm::mat4& matrix);
+
+/// Whether `direction` has a length of 1 within `unitTolerance`.
+bool isUnit(const glm::vec3& direction);
+
+// Each checks one element and throws `Error` (badInput) that names it.
+
+void validateImage(const Image& image, const ErrorContext& element);
+void validateMaterial(const Material& material, const Scene& scene, const ErrorContext& element);
+void validateMesh(const Mesh& mesh, const Scene& scene, const ErrorContext& element);
+/// All but which of the skin's joints it names: see `validateCageInstances`.
+void validateCage(const Cage& cage, const Scene& scene, const ErrorContext& element);
+/// The part of `validateCage` that needs no scene: all but the materials.
+void validateCageSurface(const Cage& cage, const ErrorContext& element);
+void validateSkin(const Skin& skin, const Scene& scene, const ErrorContext& element);
+void validateNode(const Node& node, std::size_t index, const Scene& scene, const ErrorContext& element);
+void validateCamera(const Camera& camera, const Scene& scene, const ErrorContext& element);
+void validateLight(const Light& light, const Scene& scene, const ErrorContext& element);
+void validateAnimation(const Animation& animation, const Scene& scene, const ErrorContext& element);
+
+/// That the cages of all nodes exist and fit their skins and morph weights. Cages and skins have passed.
+void validateCageInstances(const Scene& scene);
+/// Where the nodes stand at time 0. All else has passed.
+void validatePlaces(const Scene& scene);
+
+/// That the indices of a mesh are whole triangles and name vertices of the mesh, at most 2^32 - 1 of each.
+void requireTriangles(const Mesh& mesh, const ErrorContext& element);
+
+/// That the positions, texture coordinates, faces and holes of a cage fit together.
+void requireFaces(const Cage& cage, const ErrorContext& element);
+
+/// That a channel of an animation names a node which has what it animates, and has as many values as its
+/// keys ask for. The values are not read.
+void requireChannel(const AnimationChannel& channel, std::size_t index, const Scene& scene,
+                    const ErrorContext& animation);
+
+/// That a time, in seconds, is finite.
+void requireTime(double time);
+
+/// That `world` has one matrix a node.
+void requireWorldMatrices(const Scene& scene, const std::vector<glm::mat4>& world);
+
+/// Which sets of texture coordinates an element has.
+struct UvSets {
+    bool set0 = false, set1 = false;
+};
+
+/// glTF 2.0, 5.30.2: an element must have the texture coordinates that its material's textures name.
+void requireUvs(const UvSets& sets, std::uint32_t material, const Scene& scene, const ErrorContext& element);
+
+}  // namespace candela
