@@ -15,20 +15,28 @@ namespace candela {
 
 class DisplayTransform;
 
-/// What to show a picture through. Empty names mean the config's defaults (no look).
+/// The display, view and look that a picture is shown through. Empty names stand for the config's defaults
+/// (no look).
 struct DisplayOptions {
     std::string display, view, look;
-    double exposure = 0.0;  ///< Stops: radiance is multiplied by 2^exposure before the display transform.
+    /// Stops, -100 to 100: radiance is multiplied by 2^exposure before the display transform.
+    double exposure = 0.0;
 };
 
 /// An OpenColorIO config: the working space, and the displays and views a picture can be shown through. A
 /// cheap handle; copies share.
 class CANDELA_API ColorConfig {
   public:
+    // Moving copies: no object is left without a config.
+    ColorConfig(const ColorConfig&) = default;
+    ColorConfig& operator=(const ColorConfig&) = default;
+    ~ColorConfig() = default;
+
     /// candela's own config: linear Rec.709 (the working space), ACEScg; sRGB, Rec.1886 and P3 displays;
     /// un-tone-mapped, ACES 1.x SDR and raw views.
     static ColorConfig builtIn();
-    /// Reads a config file. Throws `Error` (badInput) with OpenColorIO's reason.
+    /// Reads a config file. Throws `Error` (badInput) with OpenColorIO's reason; also when the config has no
+    /// display, no space of the role `scene_linear`, or one that is not linear.
     static ColorConfig load(const std::string& path);
     /// The command line's rule: `path` if given, else the file `$OCIO` names, else the built-in config.
     static ColorConfig choose(const std::optional<std::string>& path);
@@ -41,20 +49,21 @@ class CANDELA_API ColorConfig {
     std::vector<std::string> views(const std::string& display) const;
     std::vector<std::string> looks() const;
     std::string defaultDisplay() const;
+    /// The default view of a display for the working space. Throws as `views`.
     std::string defaultView(const std::string& display) const;
 
     /// Name of the space that shading works in: the one with the role `scene_linear`.
     std::string workingSpace() const;
-    /// Takes linear Rec.709 colours, as files give them, into the working space.
+    /// Converts linear Rec.709 colours, as files give them, into the working space.
     glm::dmat3 workingFromRec709() const;
     /// The working space's primaries and white.
     Chromaticities chromaticities() const;
     /// What had to be assumed, a line each: a config may not say what its working space's primaries are.
     std::vector<std::string> notes() const;
 
-    /// The way from the working space to a display. Throws `Error` (badInput) naming the names there are when
-    /// one of the choice is unknown.
-    DisplayTransform displayTransform(const DisplayOptions& choice) const;
+    /// The transform from the working space to a display. Throws `Error` (badInput) naming the names there
+    /// are when one of `options` is unknown, and when the exposure is not -100 to 100.
+    DisplayTransform displayTransform(const DisplayOptions& options) const;
 
   private:
     struct State;
@@ -66,12 +75,17 @@ class CANDELA_API ColorConfig {
 /// copies share.
 class CANDELA_API DisplayTransform {
   public:
-    /// The choice with the defaults filled in.
-    const DisplayOptions& choice() const;
+    // Moving copies: no object is left without a transform.
+    DisplayTransform(const DisplayTransform&) = default;
+    DisplayTransform& operator=(const DisplayTransform&) = default;
+    ~DisplayTransform() = default;
+
+    /// The options with the defaults filled in.
+    const DisplayOptions& options() const;
     /// How the display encodes, for the tags of a picture file.
     DisplayEncoding encoding() const;
     /// Applies the transform in place on the CPU, by OpenColorIO's own CPU processor: RGBA, 4 floats a pixel;
-    /// alpha is left alone.
+    /// alpha is not changed. Throws `Error` (badInput) when the size is not a multiple of 4.
     void apply(std::span<float> rgba) const;
 
     struct State;  ///< Private to the library.

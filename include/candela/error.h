@@ -7,8 +7,7 @@
 
 namespace candela {
 
-/// What kind of thing went wrong. A caller's bug is an assertion and an expected miss is a `std::optional`;
-/// neither is ever an `Error`.
+/// What kind of thing went wrong. An expected miss is a `std::optional`, never an `Error`.
 enum class ErrorKind {
     badInput,     ///< A file, a scene or an argument is not what it has to be.
     unsupported,  ///< The input is well-formed, but asks for something candela does not do.
@@ -17,8 +16,8 @@ enum class ErrorKind {
     cancelled,    ///< The caller's own progress callback asked to stop.
 };
 
-/// Bad input or a lacking environment. `what()` is one line: "PATH: TEXT", or just the text when no file is
-/// at fault.
+/// An argument or input that is not what it has to be, or a lacking environment; thrown in every build type.
+/// `what()` is one line: "PATH: TEXT", or just the text when no file is at fault.
 class CANDELA_API Error : public std::runtime_error {
   public:
     /// `path` is the file or URI at fault, empty when there is none. `text` names the element and what was

@@ -38,7 +38,7 @@ bool allFinite(const Value& value) {
 class ErrorContext {
   public:
     /// Without an index the label is "mesh 'wheel'", without a name as well "mesh".
-    explicit ErrorContext(const char* kind, std::optional<std::size_t> index = {}, std::string_view name = {})
+    ErrorContext(const char* kind, std::optional<std::size_t> index = {}, std::string_view name = {})
         : kind_(kind), index_(index), name_(name) {}
 
     /// Control characters of the name become '?', and a long name is cut: an error is one line.

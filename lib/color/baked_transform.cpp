@@ -1,8 +1,8 @@
 #include "color/baked_transform.h"
 
 #include "color/aces_steps.h"
-#include "color/ocio_shader.h"
-#include "color/sanitize.h"
+#include "color/display_transform.h"
+#include "color/ocio.h"
 
 #include <algorithm>
 #include <cmath>

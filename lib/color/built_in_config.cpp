@@ -1,4 +1,4 @@
-#include "color/built_in_config.h"
+#include "color/ocio.h"
 
 #include <sstream>
 

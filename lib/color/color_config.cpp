@@ -1,9 +1,9 @@
 #include <candela/color.h>
 #include <candela/error.h>
 
-#include "color/built_in_config.h"
 #include "color/display_encoding.h"
-#include "color/display_transform_state.h"
+#include "color/display_transform.h"
+#include "color/ocio.h"
 #include "color/working_space.h"
 
 #include <cmath>
@@ -56,16 +56,16 @@ std::vector<std::string> lookNames(const std::string& looks) {
 }
 
 OCIO::ConstProcessorRcPtr makeProcessor(const OCIO::ConstConfigRcPtr& config, const std::string& from,
-                                        const DisplayOptions& choice) {
+                                        const DisplayOptions& options) {
     const auto displayView = OCIO::DisplayViewTransform::Create();
     displayView->setSrc(from.c_str());
-    displayView->setDisplay(choice.display.c_str());
-    displayView->setView(choice.view.c_str());
+    displayView->setDisplay(options.display.c_str());
+    displayView->setView(options.view.c_str());
     const auto pipeline = OCIO::LegacyViewingPipeline::Create();
     pipeline->setDisplayViewTransform(displayView);
-    // Without a look of the user's choice, those that the config gives to the view apply.
-    pipeline->setLooksOverrideEnabled(!choice.look.empty());
-    pipeline->setLooksOverride(choice.look.c_str());
+    // Without a look that the user names, those that the config gives to the view apply.
+    pipeline->setLooksOverrideEnabled(!options.look.empty());
+    pipeline->setLooksOverride(options.look.c_str());
     return pipeline->getProcessor(config);
 }
 
@@ -161,13 +161,14 @@ std::vector<std::string> ColorConfig::notes() const {
     return state_->working.notes;
 }
 
-DisplayTransform ColorConfig::displayTransform(const DisplayOptions& choice) const {
-    if (!(std::abs(choice.exposure) <= 100.0))
-        throw Error(ErrorKind::badInput, "",
-                    "an exposure of " + std::to_string(choice.exposure) + " stops; -100 to 100 was expected");
+DisplayTransform ColorConfig::displayTransform(const DisplayOptions& options) const {
+    if (!(std::abs(options.exposure) <= 100.0))
+        throw Error(
+            ErrorKind::badInput, "",
+            "an exposure of " + std::to_string(options.exposure) + " stops; -100 to 100 was expected");
     auto state = std::make_shared<DisplayTransform::State>();
     state->source = source();
-    DisplayOptions& chosen = state->choice = choice;
+    DisplayOptions& chosen = state->options = options;
 
     if (chosen.display.empty()) chosen.display = defaultDisplay();
     const std::vector<std::string> allViews = views(chosen.display);

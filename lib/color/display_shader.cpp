@@ -3,9 +3,8 @@
 #include <candela/error.h>
 
 #include "color/baked_transform.h"
-#include "color/display_transform_state.h"
-#include "color/ocio_shader.h"
-#include "color/sanitize.h"
+#include "color/display_transform.h"
+#include "color/ocio.h"
 
 namespace candela {
 
@@ -29,8 +28,8 @@ void makeOnce(const DisplayTransform::State& state, std::once_flag& once, const 
             make();
         } catch (const OCIO::Exception& e) {
             throw Error(ErrorKind::unsupported, state.source,
-                        "the transform of display '" + state.choice.display + "', view '" +
-                            state.choice.view + "' cannot run on a GPU: " + oneLine(e.what()));
+                        "the transform of display '" + state.options.display + "', view '" +
+                            state.options.view + "' cannot run on a GPU: " + oneLine(e.what()));
         }
     });
 }

@@ -22,7 +22,8 @@ struct LookupTexture {
 /// A display transform as GLSL (4.0 and later): a function `vec4 displayTransform(vec4 radiance)` that takes
 /// exposed working-space colour to code values 0..1 and leaves alpha alone, with the samplers it needs.
 /// Exposure is not in it: the display pass multiplies by 2^exposure before the call. What it makes of NaN and
-/// infinity is said in color/sanitize.h. Other names in the text begin with `ocio`, `candela` or `sanitized`.
+/// infinity is said in color/display_transform.h. Other names in the text begin with `ocio`, `candela` or
+/// `sanitized`.
 struct DisplayShader {
     std::string glsl;
     std::vector<LookupTexture> textures;

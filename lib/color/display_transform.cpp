@@ -1,25 +1,27 @@
 #include <candela/color.h>
+#include <candela/error.h>
 
-#include "color/display_transform_state.h"
-#include "color/sanitize.h"
+#include "color/display_transform.h"
 
-#include <cassert>
 #include <utility>
 
 namespace candela {
 
 DisplayTransform::DisplayTransform(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
-const DisplayOptions& DisplayTransform::choice() const {
-    return state_->choice;
+const DisplayOptions& DisplayTransform::options() const {
+    return state_->options;
 }
 DisplayEncoding DisplayTransform::encoding() const {
     return state_->encoding;
 }
 
 void DisplayTransform::apply(std::span<float> rgba) const {
-    assert(rgba.size() % 4 == 0);
-    const auto exposure = float(std::exp2(state_->choice.exposure));
+    if (rgba.size() % 4 != 0)
+        throw Error(ErrorKind::badInput, {},
+                    "a display transform was given " + std::to_string(rgba.size()) +
+                        " numbers; 4 a pixel were expected");
+    const auto exposure = float(std::exp2(state_->options.exposure));
     // OpenColorIO sees an alpha of 1, as in the shader: a config's matrix may read it.
     constexpr std::size_t chunk = 4096;
     std::vector<float> pixels(std::min(rgba.size(), 4 * chunk));

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "color/display_shader.h"
+
 #include <OpenColorIO/OpenColorIO.h>
 
 #include <string>
+#include <vector>
 
 namespace candela {
 
@@ -15,5 +18,14 @@ inline constexpr auto ocioPrecision = static_cast<OCIO::OptimizationFlags>(
 
 /// OpenColorIO's reason as one line: its messages break lines, ours may not.
 std::string oneLine(const std::string& message);
+
+/// candela's own config, read from the text in the .cpp file. docs/color.md has its table.
+OCIO::ConstConfigRcPtr builtInConfig();
+
+/// The GLSL that OpenColorIO writes for a transform or a part of one: a function `vec4 NAME(vec4)`; other
+/// names in the text begin with `ocio` or NAME. Its look-up textures are appended to `textures`. Throws
+/// `OCIO::Exception`, also where the transform has values that change from outside.
+std::string exactGlsl(const OCIO::ConstProcessorRcPtr& part, const std::string& name,
+                      std::vector<LookupTexture>& textures);
 
 }  // namespace candela

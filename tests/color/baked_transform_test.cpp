@@ -1,7 +1,6 @@
 #include "color/baked_transform.h"
 
-#include "color/display_transform_state.h"
-#include "color/sanitize.h"
+#include "color/display_transform.h"
 #include "ramps.h"
 
 #include <gtest/gtest.h>

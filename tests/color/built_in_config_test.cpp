@@ -1,4 +1,4 @@
-#include "color/built_in_config.h"
+#include "color/ocio.h"
 
 #include <candela/color.h>
 
@@ -64,8 +64,8 @@ TEST(BuiltInConfig, everyViewHasTransformAndShader) {
     for (const std::string& display : config.displays())
         for (const std::string& view : config.views(display)) {
             const DisplayTransform transform = config.displayTransform({display, view, "", 0.0});
-            EXPECT_EQ(transform.choice().display, display);
-            EXPECT_EQ(transform.choice().view, view);
+            EXPECT_EQ(transform.options().display, display);
+            EXPECT_EQ(transform.options().view, view);
             EXPECT_NE(displayShader(transform).glsl.find("displayTransform"), std::string::npos);
         }
 }

@@ -119,10 +119,10 @@ TEST(ColorConfig, unknownNamesAreToldWithThoseThatExist) {
 
 TEST(ColorConfig, choiceIsCompletedAndSpeltAsInTheConfig) {
     const DisplayTransform whole = ColorConfig::load(lutConfig).displayTransform({});
-    EXPECT_EQ(whole.choice().display, "Monitor");
-    EXPECT_EQ(whole.choice().view, "Mono");
-    EXPECT_EQ(whole.choice().look, "");
-    EXPECT_EQ(ColorConfig::builtIn().displayTransform({"SRGB", "raw", "", 0.0}).choice().view, "Raw");
+    EXPECT_EQ(whole.options().display, "Monitor");
+    EXPECT_EQ(whole.options().view, "Mono");
+    EXPECT_EQ(whole.options().look, "");
+    EXPECT_EQ(ColorConfig::builtIn().displayTransform({"SRGB", "raw", "", 0.0}).options().view, "Raw");
     EXPECT_NO_THROW(ColorConfig::load(lutConfig).displayTransform({"monitor", "mono", "WARM", 0.0}));
 }
 

@@ -26,7 +26,8 @@ std::optional<glm::vec3> geometricNormal(const Mesh& mesh, std::size_t firstInde
 }
 
 template <typename Value>
-void spread(std::vector<Value>& values, const Mesh& mesh, std::size_t vertices, const ErrorContext& element) {
+void copyToCorners(std::vector<Value>& values, const Mesh& mesh, std::size_t vertices,
+                   const ErrorContext& element) {
     if (values.empty()) return;
     element.require(values.size() == vertices, "an array has neither no element nor one a vertex");
     std::vector<Value> corners;
@@ -46,10 +47,10 @@ void makeFlatNormals(Mesh& mesh) {
         const glm::vec3 normal = geometricNormal(mesh, corner).value_or(up);
         normals[corner] = normals[corner + 1] = normals[corner + 2] = normal;
     }
-    spread(mesh.uv0, mesh, vertices, element);
-    spread(mesh.uv1, mesh, vertices, element);
-    spread(mesh.colors, mesh, vertices, element);
-    spread(mesh.positions, mesh, vertices, element);
+    copyToCorners(mesh.uv0, mesh, vertices, element);
+    copyToCorners(mesh.uv1, mesh, vertices, element);
+    copyToCorners(mesh.colors, mesh, vertices, element);
+    copyToCorners(mesh.positions, mesh, vertices, element);
     mesh.normals = std::move(normals);
     mesh.tangents.clear();
     for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {

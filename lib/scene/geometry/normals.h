@@ -7,9 +7,9 @@
 namespace candela {
 
 /// Gives each triangle vertices of its own with the triangle's geometric normal; a triangle without area gets
-/// +Y. Other arrays are carried along, but tangents are dropped: they belong to the normals that were (glTF
-/// 2.0, 3.7.2.1). Submeshes stay as they are. Throws `Error` (badInput) when an index is out of range or an
-/// array has neither no element nor one a vertex; the old normals are not looked at.
+/// +Y. Other arrays are copied to the new vertices, but tangents are removed: they belong to the old normals
+/// (glTF 2.0, 3.7.2.1). Submeshes stay as they are. Throws `Error` (badInput) when an index is out of range
+/// or an array has neither no element nor one a vertex; the old normals are not read.
 void makeFlatNormals(Mesh& mesh);
 
 /// Gives vertices whose normal has no length (below 1e-12) or is not finite the geometric normal of the first

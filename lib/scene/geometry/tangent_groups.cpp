@@ -1,5 +1,7 @@
 #include "scene/geometry/tangent_groups.h"
 
+#include "base/thread_pool.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -17,6 +19,25 @@ std::uint32_t nextCorner(std::uint32_t corner) {
 
 std::uint32_t previousCorner(std::uint32_t corner) {
     return corner % 3 == 0 ? corner + 2 : corner - 1;
+}
+
+// Sorts by a strict total order, so that the result does not depend on the number of threads.
+template <typename Value, typename Less>
+void sortInParallel(std::vector<Value>& values, const Less& less) {
+    constexpr std::size_t minRun = 1 << 14;
+    const std::shared_ptr<ThreadPool> pool = ThreadPool::shared();
+    const std::size_t wanted = std::min<std::size_t>(pool->size(), values.size() / minRun);
+    const std::size_t runs = std::bit_ceil(std::max<std::size_t>(wanted, 1));
+    const auto at = [&](std::size_t run) {
+        return values.begin() + static_cast<std::ptrdiff_t>(values.size() * run / runs);
+    };
+    pool->run(runs, [&](std::size_t run, unsigned) { std::sort(at(run), at(run + 1), less); });
+    for (std::size_t width = 1; width < runs; width *= 2) {
+        pool->run(runs / (2 * width), [&](std::size_t pair, unsigned) {
+            const std::size_t first = pair * 2 * width;
+            std::inplace_merge(at(first), at(first + width), at(first + 2 * width), less);
+        });
+    }
 }
 
 struct VertexKey {
@@ -38,7 +59,7 @@ std::vector<std::uint32_t> weldVertices(const Mesh& mesh, const std::vector<glm:
                     bitsOf(uv[i].x), bitsOf(uv[i].y)},
                    i};
     }
-    std::sort(keys.begin(), keys.end(), [](const VertexKey& a, const VertexKey& b) {
+    sortInParallel(keys, [](const VertexKey& a, const VertexKey& b) {
         return a.bits != b.bits ? a.bits < b.bits : a.vertex < b.vertex;
     });
     std::vector<std::uint32_t> first(keys.size());
@@ -90,7 +111,7 @@ std::vector<Edge> sortedEdges(const TangentGroups& groups) {
         const std::uint64_t to = groups.vertexOfCorner[nextCorner(corner)];
         edges.push_back({std::min(from, to) << 32 | std::max(from, to), corner, from < to});
     }
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    sortInParallel(edges, [](const Edge& a, const Edge& b) {
         return a.ends != b.ends ? a.ends < b.ends : a.corner < b.corner;
     });
     return edges;
@@ -128,29 +149,29 @@ class GroupGrowth {
 
     void growFrom(std::uint32_t start) {
         mirrored_ = groups_.mirrored[start / 3];
-        take(start, start);
+        add(start, start);
         while (!open_.empty()) {
             const std::uint32_t corner = open_.back();
             open_.pop_back();
             const std::uint32_t across = opposite_[corner], back = opposite_[previousCorner(corner)];
-            if (across != noCorner) tryToTake(nextCorner(across), start);
-            if (back != noCorner) tryToTake(back, start);
+            if (across != noCorner) tryToAdd(nextCorner(across), start);
+            if (back != noCorner) tryToAdd(back, start);
         }
     }
 
   private:
-    void take(std::uint32_t corner, std::uint32_t group) {
+    void add(std::uint32_t corner, std::uint32_t group) {
         groups_.groupOfCorner[corner] = group;
         open_.push_back(corner);
     }
 
-    void tryToTake(std::uint32_t corner, std::uint32_t group) {
+    void tryToAdd(std::uint32_t corner, std::uint32_t group) {
         if (groups_.groupOfCorner[corner] != noCorner) return;
         const std::uint32_t triangle = corner / 3;
         if (groups_.kinds[triangle] == TriangleKind::withoutUvArea && isUntouched(triangle)) {
             groups_.mirrored[triangle] = mirrored_;
         }
-        if (groups_.mirrored[triangle] == mirrored_) take(corner, group);
+        if (groups_.mirrored[triangle] == mirrored_) add(corner, group);
     }
 
     bool isUntouched(std::uint32_t triangle) const {

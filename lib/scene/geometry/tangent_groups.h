@@ -11,7 +11,7 @@ namespace candela {
 
 constexpr std::uint32_t noCorner = 0xffffffffu;
 
-/// What a triangle can say about tangents.
+/// What a triangle adds to tangents.
 enum class TriangleKind : std::uint8_t {
     whole,
     withoutUvArea,  ///< Has no direction of its own, and takes the orientation of a group that reaches it.
@@ -23,10 +23,11 @@ struct TangentGroups {
     std::vector<std::uint32_t> vertexOfCorner;  ///< Equal for vertices of equal position, normal and uv.
     std::vector<std::uint32_t> groupOfCorner;   ///< A corner that stands for the group.
     std::vector<TriangleKind> kinds;            ///< One a triangle.
-    std::vector<bool> mirrored;                 ///< One a triangle: u × v turns against the front face.
+    std::vector<bool> mirrored;                 ///< One a triangle: u × v points away from the front.
 };
 
-/// Sorts the corners of `mesh` into groups by the rules of scene/tangents.h; `uv` has one element a vertex.
+/// Sorts the corners of `mesh` into groups by the rules of scene/geometry/tangents.h; `uv` has one element a
+/// vertex.
 TangentGroups tangentGroups(const Mesh& mesh, const std::vector<glm::vec2>& uv);
 
 }  // namespace candela

@@ -1,6 +1,7 @@
 #include "scene/geometry/tangents.h"
 
 #include "base/error_context.h"
+#include "base/thread_pool.h"
 #include "scene/geometry/axes.h"
 #include "scene/geometry/tangent_groups.h"
 #include "scene/validate/scene_rules.h"
@@ -11,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -39,19 +41,51 @@ glm::dvec3 growingU(const Mesh& mesh, const std::vector<glm::vec2>& uv, std::siz
     return (edge1 * v2 - edge2 * v1) * (mirrored ? -1.0 : 1.0);
 }
 
-// What the corners of a whole triangle add to their groups.
-void addTriangle(const Mesh& mesh, const std::vector<glm::vec2>& uv, const TangentGroups& groups,
-                 std::size_t triangle, std::vector<glm::vec3>& sums) {
-    const glm::dvec3 direction = growingU(mesh, uv, triangle, groups.mirrored[triangle]);
+using TriangleTerms = std::array<glm::vec3, 3>;
+
+// What the corners of a whole triangle add to the sums of their groups.
+TriangleTerms termsOf(const Mesh& mesh, const std::vector<glm::vec2>& uv, std::size_t triangle,
+                      bool mirrored) {
+    const glm::dvec3 direction = growingU(mesh, uv, triangle, mirrored);
+    const std::uint32_t* index = mesh.indices.data() + triangle * 3;
+    TriangleTerms terms;
     for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t* index = mesh.indices.data() + triangle * 3;
         const glm::dvec3 here(mesh.positions[index[i]]);
         const glm::dvec3 normal = unitOrZero(glm::dvec3(mesh.normals[index[i]]));
         const glm::dvec3 next = inPlane(glm::dvec3(mesh.positions[index[(i + 1) % 3]]) - here, normal);
         const glm::dvec3 last = inPlane(glm::dvec3(mesh.positions[index[(i + 2) % 3]]) - here, normal);
         const double angle = std::acos(glm::clamp(glm::dot(next, last), -1.0, 1.0));
-        sums[groups.groupOfCorner[triangle * 3 + i]] += glm::vec3(inPlane(direction, normal) * angle);
+        terms[i] = glm::vec3(inPlane(direction, normal) * angle);
     }
+    return terms;
+}
+
+// The sum of each group, by the corner that stands for it. Terms are computed in parallel, a block of
+// triangles at a time to bound the memory, and added in the order of triangles: the sums do not depend on the
+// number of threads.
+std::vector<glm::vec3> sumTerms(const Mesh& mesh, const std::vector<glm::vec2>& uv,
+                                const TangentGroups& groups) {
+    constexpr std::size_t blockSize = 1 << 18, chunkSize = 1 << 11;
+    const std::size_t triangles = groups.kinds.size();
+    const std::shared_ptr<ThreadPool> pool = ThreadPool::shared();
+    std::vector<glm::vec3> sums(mesh.indices.size(), glm::vec3(0.0f));
+    std::vector<TriangleTerms> terms(std::min(triangles, blockSize));
+    for (std::size_t block = 0; block < triangles; block += blockSize) {
+        const std::size_t end = std::min(triangles, block + blockSize);
+        pool->run((end - block + chunkSize - 1) / chunkSize, [&](std::size_t chunk, unsigned) {
+            const std::size_t first = block + chunk * chunkSize, last = std::min(end, first + chunkSize);
+            for (std::size_t i = first; i < last; ++i) {
+                if (groups.kinds[i] == TriangleKind::whole)
+                    terms[i - block] = termsOf(mesh, uv, i, groups.mirrored[i]);
+            }
+        });
+        for (std::size_t i = block; i < end; ++i) {
+            if (groups.kinds[i] != TriangleKind::whole) continue;
+            for (std::size_t corner = 0; corner < 3; ++corner)
+                sums[groups.groupOfCorner[i * 3 + corner]] += terms[i - block][corner];
+        }
+    }
+    return sums;
 }
 
 bool hasDirection(const glm::vec3& sum) {
@@ -59,10 +93,10 @@ bool hasDirection(const glm::vec3& sum) {
     return length > 0.0f && std::isfinite(length);
 }
 
-// For each corner the group whose tangent it takes: its own when that has one, else the first at the same
+// For each corner the group whose tangent it has: its own when that has one, else the first at the same
 // vertex that has, else noCorner.
-std::vector<std::uint32_t> groupsToTake(const Mesh& mesh, const TangentGroups& groups,
-                                        const std::vector<glm::vec3>& sums) {
+std::vector<std::uint32_t> groupsOfCorners(const Mesh& mesh, const TangentGroups& groups,
+                                           const std::vector<glm::vec3>& sums) {
     const std::size_t corners = mesh.indices.size();
     std::vector<std::uint32_t> firstAtVertex(mesh.positions.size(), noCorner);
     for (std::size_t corner = 0; corner < corners; ++corner) {
@@ -71,11 +105,12 @@ std::vector<std::uint32_t> groupsToTake(const Mesh& mesh, const TangentGroups& g
             first = groups.groupOfCorner[corner];
         }
     }
-    std::vector<std::uint32_t> taken(groups.groupOfCorner);
+    std::vector<std::uint32_t> chosen(groups.groupOfCorner);
     for (std::size_t corner = 0; corner < corners; ++corner) {
-        if (!hasDirection(sums[taken[corner]])) taken[corner] = firstAtVertex[groups.vertexOfCorner[corner]];
+        if (!hasDirection(sums[chosen[corner]]))
+            chosen[corner] = firstAtVertex[groups.vertexOfCorner[corner]];
     }
-    return taken;
+    return chosen;
 }
 
 // A corner whose vertex already has another group's tangent.
@@ -105,7 +140,7 @@ void repeatVertex(Mesh& mesh, std::vector<std::uint32_t>& groupOfVertex, const S
 }
 
 // Gives each vertex one group, splitting where its corners disagree. Returns the groups, noCorner for none.
-std::vector<std::uint32_t> splitVertices(Mesh& mesh, const std::vector<std::uint32_t>& taken) {
+std::vector<std::uint32_t> splitVertices(Mesh& mesh, const std::vector<std::uint32_t>& chosen) {
     std::vector<std::uint32_t> groupOfVertex(mesh.positions.size(), noCorner);
     std::vector<bool> used(mesh.positions.size());
     std::vector<Split> splits;
@@ -113,9 +148,9 @@ std::vector<std::uint32_t> splitVertices(Mesh& mesh, const std::vector<std::uint
         const std::uint32_t vertex = mesh.indices[corner];
         if (!used[vertex]) {
             used[vertex] = true;
-            groupOfVertex[vertex] = taken[corner];
-        } else if (groupOfVertex[vertex] != taken[corner]) {
-            splits.push_back({vertex, taken[corner], corner});
+            groupOfVertex[vertex] = chosen[corner];
+        } else if (groupOfVertex[vertex] != chosen[corner]) {
+            splits.push_back({vertex, chosen[corner], corner});
         }
     }
     std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
@@ -152,11 +187,8 @@ void makeTangents(Mesh& mesh, std::uint32_t uvSet) {
     requireArrays(mesh, uvSet);
     const std::vector<glm::vec2>& uv = uvSet == 0 ? mesh.uv0 : mesh.uv1;
     const TangentGroups groups = tangentGroups(mesh, uv);
-    std::vector<glm::vec3> sums(mesh.indices.size(), glm::vec3(0.0f));
-    for (std::size_t triangle = 0; triangle < groups.kinds.size(); ++triangle) {
-        if (groups.kinds[triangle] == TriangleKind::whole) addTriangle(mesh, uv, groups, triangle, sums);
-    }
-    const std::vector<std::uint32_t> groupOfVertex = splitVertices(mesh, groupsToTake(mesh, groups, sums));
+    const std::vector<glm::vec3> sums = sumTerms(mesh, uv, groups);
+    const std::vector<std::uint32_t> groupOfVertex = splitVertices(mesh, groupsOfCorners(mesh, groups, sums));
     mesh.tangents.clear();
     mesh.tangents.reserve(mesh.positions.size());
     for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {

@@ -29,7 +29,8 @@ namespace candela {
 ///
 /// A vertex whose corners need different tangents is split: the first keeps its place, others are appended.
 /// Throws `Error`: badInput when an index is out of range or an array does not have one element a vertex;
-/// limit when splitting leaves more vertices than 32 bits count. Takes O(n log n).
+/// limit when splitting leaves more vertices than 32 bits count. Takes O(n log n), in parallel; the result
+/// does not depend on the number of threads.
 void makeTangents(Mesh& mesh, std::uint32_t uvSet);
 
 }  // namespace candela

@@ -12,7 +12,7 @@ namespace candela {
 /// triangle, in the winding of the polygon. There are always `corners.size()` - 2 triangles (none below three
 /// corners), and every corner is in one of them. The coordinates have to be finite.
 ///
-/// The polygon is seen along its Newell normal (scene/polygon_plane.h). Where it is simple in that view, the
+/// The polygon is seen along its Newell normal (scene/geometry/axes.h). Where it is simple in that view, the
 /// triangles cover it without overlap; it may be concave, and have collinear corners or a slit to a hole. Of
 /// any other polygon the triangles are whatever keeps their number. A quad is cut from corner 0 to corner 2,
 /// unless only the other cut keeps both halves the right way round.

@@ -190,7 +190,7 @@ TEST_F(DisplayPassTest, bakingIsLeftToWhereItIsAllowedAndHasSomethingToWin) {
     use(DisplayPass::Baking::always);
     for (const DisplayTransform& cheap : {plain, raw}) {
         shown(filled(16, 0.5f), cheap);
-        EXPECT_FALSE(pass().isBaked(cheap)) << cheap.choice().view;
+        EXPECT_FALSE(pass().isBaked(cheap)) << cheap.options().view;
     }
 }
 
