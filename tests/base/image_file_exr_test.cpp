@@ -120,5 +120,26 @@ TEST(ImageFileExr, turnsOpenExrExceptionsIntoErrors) {
     EXPECT_EQ(folder.entries(), 0);
 }
 
+TEST(ImageFileExr, refusesWhatDoesNotFitBeforeAFileIsTouched) {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "a.exr";
+    const std::vector<float> two(2), three(3);
+    const auto refuse = [&](std::uint32_t width, std::uint32_t height, std::vector<ExrChannel> channels) {
+        try {
+            writeExr(path, width, height, channels, {});
+            ADD_FAILURE() << "no error";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::badInput);
+            EXPECT_EQ(error.path(), path.string());
+        }
+    };
+    refuse(2, 1, {});
+    refuse(0, 1, {{"R", {}}});
+    refuse(2, 0x80000000u, {{"R", two}});
+    refuse(2, 1, {{"R", two}, {"G", three}});
+    refuse(2, 1, {{"R", two}, {"G", two}, {"R", two}});
+    EXPECT_EQ(folder.entries(), 0);
+}
+
 }  // namespace
 }  // namespace candela

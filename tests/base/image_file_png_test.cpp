@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <fstream>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace candela {
@@ -134,6 +135,24 @@ TEST(ImageFilePng, failsWithoutATrace) {
     EXPECT_THROW(writePng(folder.path() / "missing" / "a.png", 1, 1, rgba, {}), Error);
     EXPECT_THROW(writePng(folder.path(), 1, 1, rgba, {}), Error);
     EXPECT_THROW(writePng("/dev/full", 1, 1, rgba, {}), Error);
+    EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(ImageFilePng, refusesWhatDoesNotFitBeforeAFileIsTouched) {
+    const TemporaryFolder folder;
+    const std::vector<std::uint8_t> pixel(4);
+    for (const auto& [width, height] : {std::pair{0u, 1u}, {1u, 0u}, {2u, 1u}, {0x80000000u, 1u}}) {
+        try {
+            writePng(folder.path() / "a.png", width, height, pixel, {});
+            ADD_FAILURE() << "no error";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::badInput);
+        }
+    }
+    DisplayEncoding gamma;
+    gamma.transfer = DisplayEncoding::Transfer::gamma;
+    gamma.gamma = 0.0;
+    EXPECT_THROW(writePng(folder.path() / "a.png", 1, 1, pixel, gamma), Error);
     EXPECT_EQ(folder.entries(), 0);
 }
 

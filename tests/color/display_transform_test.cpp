@@ -1,4 +1,5 @@
 #include <candela/color.h>
+#include <candela/error.h>
 
 #include "ramps.h"
 
@@ -7,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace candela {
 namespace {
@@ -113,6 +115,21 @@ TEST(DisplayTransform, looksCombineAsOpenColorIOWritesThem) {
 TEST(DisplayTransform, encodingOfForeignConfigs) {
     EXPECT_EQ(luts().displayTransform({}).encoding().transfer, DisplayEncoding::Transfer::unknown)
         << "a config that says nothing of its displays' light";
+}
+
+TEST(DisplayTransform, refusesNumbersThatAreNoPixels) {
+    const DisplayTransform transform = ColorConfig::builtIn().displayTransform({});
+    std::vector<float> numbers(7);
+    EXPECT_THROW(transform.apply(numbers), Error);
+}
+
+TEST(DisplayTransform, aMovedFromHandleStillHasItsTransform) {
+    ColorConfig config = ColorConfig::builtIn();
+    const ColorConfig movedConfig = std::move(config);
+    EXPECT_EQ(config.source(), movedConfig.source());
+    DisplayTransform transform = config.displayTransform({});
+    const DisplayTransform moved = std::move(transform);
+    EXPECT_EQ(transform.options().display, moved.options().display);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <candela/error.h>
 #include <candela/scene.h>
+#include <candela/threads.h>
 
 #include <gtest/gtest.h>
 
@@ -292,6 +293,36 @@ TEST(Tangents, BearNumbersThatAreNone) {
         makeTangents(mesh, 0);
         expectSound(mesh);
     }
+}
+
+TEST(Tangents, DoNotDependOnTheNumberOfThreads) {
+    Mesh grid;
+    constexpr std::uint32_t side = 200;  // Enough vertices and edges for several runs of the sorts.
+    for (std::uint32_t y = 0; y <= side; ++y) {
+        for (std::uint32_t x = 0; x <= side; ++x) {
+            const glm::vec2 p = glm::vec2(x, y) / static_cast<float>(side);
+            grid.positions.emplace_back(p, p.x * p.y);
+            grid.normals.push_back(glm::normalize(glm::vec3(-p.y, -p.x, 1.0f)));
+            grid.uv0.emplace_back(p.x + 0.3f * p.y * p.y, p.y);
+        }
+    }
+    for (std::uint32_t y = 0; y < side; ++y) {
+        for (std::uint32_t x = 0; x < side; ++x) {
+            const std::uint32_t a = y * (side + 1) + x, b = a + side + 1;
+            grid.indices.insert(grid.indices.end(), {a, a + 1, b, b, a + 1, b + 1});
+        }
+    }
+    setThreadCount(1);
+    Mesh serial = grid;
+    makeTangents(serial, 0);
+    for (const unsigned threads : {2u, 3u, 8u}) {
+        setThreadCount(threads);
+        Mesh parallel = grid;
+        makeTangents(parallel, 0);
+        EXPECT_EQ(parallel.tangents, serial.tangents) << threads;
+        EXPECT_EQ(parallel.indices, serial.indices) << threads;
+    }
+    setThreadCount(0);
 }
 
 TEST(Tangents, RefuseWhatTheyCanNotBeMadeFrom) {
