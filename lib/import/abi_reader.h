@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/error_context.h"
 #include "import/plugin_abi.h"
 #include "import/text.h"
-#include "base/error_context.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>

@@ -1,8 +1,8 @@
 #include "import/abi_import.h"
 
 #include "import/abi_reader.h"
-#include "scene/geometry/normals.h"
 #include "scene/geometry/axes.h"
+#include "scene/geometry/normals.h"
 #include "scene/geometry/tangents.h"
 #include "scene/geometry/triangulate.h"
 
