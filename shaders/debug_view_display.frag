@@ -1,4 +1,4 @@
-// Brings the code values of a data view to the display as they are.
+// Copies the code values of a debug view to the display.
 
 #include "shared/bindings.h"
 

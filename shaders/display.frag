@@ -1,4 +1,4 @@
-// Shows radiance: exposure, the display transform (appended to this text), and half a code value of dither.
+// Radiance to code values: exposure, the display transform (appended to this text), and half a code value of dither.
 
 #include "shared/bindings.h"
 
@@ -10,7 +10,7 @@ layout(location = 0) out vec4 code;
 
 vec4 displayTransform(vec4 radiance);
 
-// A hash of the pixel, 0 to 1; integers, so that every device gives the same. Source: Jarzynski and Olano, "Hash functions for
+// A hash of the pixel, 0 to 1, in integers so that every device computes the same. Source: Jarzynski and Olano, "Hash functions for
 // GPU rendering", 2020 (pcg3d's multiplier and increment, folded to one dimension).
 float pixelNoise(uvec2 pixel) {
     uint h = pixel.x * 1664525u + (pixel.y * 1664525u + 1013904223u) * 747796405u;

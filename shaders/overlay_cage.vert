@@ -1,4 +1,4 @@
-// Ends of the lines of a cage.
+// End points of the lines of a cage.
 
 #include "lib/frame.glsl"
 #include "lib/instance.glsl"

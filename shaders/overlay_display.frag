@@ -1,4 +1,4 @@
-// Lays the overlays' lines over the picture.
+// Draws the overlays' lines over the displayed picture.
 
 #include "shared/bindings.h"
 

@@ -1,5 +1,5 @@
-// Edges as lines: the edges of triangles (CORNERS 3), or lines as they are (CORNERS 2). Unlike polygons in line mode, clipped triangles
-// do not get an edge along the picture's border.
+// Edges as lines: the edges of triangles (CORNERS 3), or lines unchanged (CORNERS 2). Unlike polygons in line mode, a triangle that is
+// clipped gets no edge along the border of the picture.
 
 #if CORNERS == 3
 layout(triangles) in;
@@ -8,15 +8,15 @@ layout(lines) in;
 #endif
 layout(line_strip, max_vertices = 2 * CORNERS) out;
 
-// Is `a` to the left of `b` on the screen, or below it?
+// Whether `a` is to the left of `b` on the screen, or below it at the same x.
 bool isBefore(vec4 a, vec4 b) {
     precise vec2 toA = a.xy * b.w;
     precise vec2 toB = b.xy * a.w;
     return toA.x < toB.x || (toA.x == toB.x && toA.y < toB.y);
 }
 
-// A line leaves out its last pixel. From left to right, both triangles of an edge draw the same pixels, and edges that follow one another
-// leave no gap.
+// The rasteriser leaves out the last pixel of a line. Drawn from left to right, the two triangles of an edge cover the same pixels, and
+// consecutive edges leave no gap.
 void edge(vec4 a, vec4 b) {
     bool swapped = isBefore(b, a);
     gl_Position = swapped ? b : a;

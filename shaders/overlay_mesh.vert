@@ -1,4 +1,4 @@
-// Corners of the triangles whose edges are drawn.
+// Vertices of the triangles whose edges are drawn.
 
 #include "lib/frame.glsl"
 #include "lib/instance.glsl"

@@ -1,4 +1,4 @@
-// The instance that a pixel shows, counted from 1.
+// The instance at each pixel, counted from 1.
 
 #include "lib/material.glsl"
 
@@ -11,7 +11,7 @@ layout(location = 2) in float vertexAlpha;
 layout(location = 3) flat in uint material;
 #endif
 
-layout(location = 0) out uint shown;
+layout(location = 0) out uint instanceNumber;
 
 void main() {
 #if TEXTURED == 1
@@ -20,5 +20,5 @@ void main() {
                   texture(baseColorTexture, textureCoordinate(material, BASE_COLOR_SLOT, uvs.xy, uvs.zw)).a;
     if (alpha < materialState(material).alphaCutoff) discard;
 #endif
-    shown = instance + 1u;
+    instanceNumber = instance + 1u;
 }

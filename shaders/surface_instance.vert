@@ -1,7 +1,10 @@
-// Surfaces for the picture of instances: where they are, and what decides where a mask cuts them.
+// Surfaces for the instance pass: positions, and what the alpha mask depends on.
 
 #include "lib/frame.glsl"
 #include "lib/instance.glsl"
+
+// The programs of surfaces and of instances write the same depth for the same vertex.
+invariant gl_Position;
 
 layout(location = POSITION_ATTRIBUTE) in vec3 position;
 layout(location = DRAW_ATTRIBUTE) in uvec2 draw;

@@ -1,8 +1,11 @@
-// Surfaces whose material has no texture, no vertex colours and no emission: all but the normal is constant along a draw.
+// Surfaces whose material has no texture, no vertex colours and no emission: only the normal varies within a draw.
 
 #include "lib/frame.glsl"
 #include "lib/instance.glsl"
 #include "lib/material.glsl"
+
+// The programs of surfaces and of instances write the same depth for the same vertex.
+invariant gl_Position;
 
 layout(location = POSITION_ATTRIBUTE) in vec3 position;
 layout(location = NORMAL_ATTRIBUTE) in vec3 normal;

@@ -1,5 +1,7 @@
+// Surfaces with textures, vertex colours, a mask or emission into the G-buffer and the radiance target.
+
 #include "lib/frame.glsl"
-#include "lib/gbuffer.glsl"
+#include "lib/gbuffer_output.glsl"
 #include "lib/material.glsl"
 
 layout(binding = BASE_COLOR_UNIT) uniform sampler2D baseColorTexture;
@@ -13,8 +15,7 @@ layout(location = 2) in vec4 uvs;
 layout(location = 3) in vec4 vertexColor;
 layout(location = 4) flat in uint material;
 
-layout(location = 0) out uvec2 surface;
-layout(location = 1) out vec4 radiance;
+layout(location = RADIANCE_OUTPUT) out vec4 radiance;
 
 vec4 texel(sampler2D image, int slot) { return texture(image, textureCoordinate(material, slot, uvs.xy, uvs.zw)); }
 
@@ -43,6 +44,6 @@ void main() {
 
     vec3 working = workingFromRec709(lobes.baseColor);
     uint normalRoughness = packNormalRoughness(gl_FrontFacing ? normal : -normal, lobes.roughness);
-    surface = uvec2(packBaseColor(working, lobes.metallic), state.unlit ? 0u : normalRoughness);
+    writeWords(GBufferWords(uvec2(packBaseColor(working, lobes.metallic), state.unlit ? 0u : normalRoughness)));
     radiance = vec4(state.unlit ? working : workingFromRec709(lobes.emission), 0.0);
 }

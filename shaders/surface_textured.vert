@@ -3,6 +3,9 @@
 #include "lib/frame.glsl"
 #include "lib/instance.glsl"
 
+// The programs of surfaces and of instances write the same depth for the same vertex.
+invariant gl_Position;
+
 layout(location = POSITION_ATTRIBUTE) in vec3 position;
 layout(location = NORMAL_ATTRIBUTE) in vec3 normal;
 layout(location = DRAW_ATTRIBUTE) in uvec2 draw;
@@ -19,7 +22,7 @@ layout(location = 4) flat out uint material;
 
 void main() {
     gl_Position = frame.clipFromWorld * vec4(instancePosition(draw.x, position), 1.0);
-    // Unit length at the vertex, then linear and not normalised again: as MikkTSpace wants it.
+    // Unit length at the vertex, interpolated linearly and not normalised again, as MikkTSpace specifies.
     worldNormal = unitOrZero(instanceNormal(draw.x, normal));
     worldTangent = vec4(unitOrZero(instanceDirection(draw.x, tangent.xyz)), tangent.w * instanceHandedness(draw.x));
     uvs = vec4(uv0, uv1);

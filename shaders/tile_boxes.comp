@@ -1,11 +1,9 @@
 // The box around the surfaces of each tile; one group a tile.
 
+#include "lib/gbuffer_input.glsl"
 #include "lib/tiles.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-
-layout(binding = SURFACE_UNIT) uniform usampler2D surfaceTexture;
-layout(binding = DEPTH_UNIT) uniform sampler2D depthTexture;
 
 shared vec3 lows[64];
 shared vec3 highs[64];
@@ -15,8 +13,8 @@ const float NOWHERE = 1.0e30;
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     uint lane = gl_LocalInvocationIndex;
-    bool surface = all(lessThan(pixel, frame.size.xy)) && texelFetch(surfaceTexture, pixel, 0).y != 0u;
-    vec3 position = worldPosition(pixel, surface ? texelFetch(depthTexture, pixel, 0).x : 1.0);
+    bool surface = all(lessThan(pixel, frame.size.xy)) && hasSurface(fetchWords(pixel));
+    vec3 position = worldPosition(pixel, surface ? fetchDepth(pixel) : 1.0);
     lows[lane] = surface ? position : vec3(NOWHERE);
     highs[lane] = surface ? position : vec3(-NOWHERE);
     for (uint stride = 32u; stride > 0u; stride >>= 1) {

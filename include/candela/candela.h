@@ -9,6 +9,8 @@
 #include <candela/color.h>
 #include <candela/context.h>
 #include <candela/error.h>
+#include <candela/frame_data.h>
+#include <candela/frame_settings.h>
 #include <candela/gbuffer.h>
 #include <candela/gpu_scene.h>
 #include <candela/image.h>

@@ -7,22 +7,25 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace candela {
 
-/// One channel that a picture of the G-buffer has, as files and debug views name it.
+/// A channel of a frame: a quantity that AOVs and debug views show.
 struct GBufferChannel {
-    const char*
-        name;  ///< Such as "base_color"; the name in `--aov` and, before ".R" or ".X", in an EXR file.
-    const char* meaning;                       ///< With unit.
-    const char* encoding;                      ///< How the G-buffer holds it.
-    const char* format;                        ///< The bits it takes there.
-    std::span<const char* const> exrChannels;  ///< Such as "base_color.R", "base_color.G", "base_color.B".
+    const char* name;        ///< The AOV's, such as "base_color".
+    const char* components;  ///< A letter for each, such as "RGB" or "XYZ"; empty for a scalar.
+    const char* meaning;     ///< With unit.
+    const char* encoding;    ///< How the G-buffer stores it.
+    const char* format;      ///< The bits it takes there.
 };
 
-/// The channel table: the one place that says what the G-buffer holds. Documentation, debug views and AOV
-/// output read it.
+/// The channel table, in the order of EXR files. AOVs, debug views and docs/gbuffer.md follow it.
 CANDELA_API std::span<const GBufferChannel> gbufferChannels();
+
+/// The channel's names in an EXR file, such as "base_color.R", "base_color.G", "base_color.B".
+CANDELA_API std::vector<std::string> exrChannelNames(const GBufferChannel& channel);
 
 /// What the G-buffer stores of a surface, unpacked.
 struct GBufferSurface {

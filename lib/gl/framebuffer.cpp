@@ -3,7 +3,6 @@
 #include <candela/error.h>
 
 #include <string>
-#include <vector>
 
 namespace candela::gl {
 
@@ -29,13 +28,13 @@ GLenum depthAttachment(const Texture& depth) {
 
 }  // namespace
 
-Framebuffer::Framebuffer(std::initializer_list<const Texture*> colors, const Texture* depth,
-                         const char* label)
+Framebuffer::Framebuffer(const std::vector<const Texture*>& colors, const Texture* depth, const char* label)
     : object_(createFramebuffer(label)) {
     std::vector<GLenum> buffers;
     for (const Texture* color : colors) {
-        buffers.push_back(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + buffers.size()));
-        glNamedFramebufferTexture(name(), buffers.back(), color->name(), 0);
+        const auto attachment = static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + buffers.size());
+        buffers.push_back(color != nullptr ? attachment : GL_NONE);
+        if (color != nullptr) glNamedFramebufferTexture(name(), attachment, color->name(), 0);
     }
     glNamedFramebufferDrawBuffers(name(), static_cast<GLsizei>(buffers.size()), buffers.data());
     if (depth != nullptr) glNamedFramebufferTexture(name(), depthAttachment(*depth), depth->name(), 0);

@@ -3,7 +3,7 @@
 #include "gl/object.h"
 #include "gl/texture.h"
 
-#include <initializer_list>
+#include <vector>
 
 namespace candela::gl {
 
@@ -13,9 +13,9 @@ void deleteFramebuffer(GLuint name);
 class Framebuffer {
   public:
     Framebuffer() = default;
-    /// `colors` become attachments 0, 1, ... and the draw buffers. `depth` may be null; a depth format with
-    /// stencil is attached as both.
-    Framebuffer(std::initializer_list<const Texture*> colors, const Texture* depth, const char* label);
+    /// `colors` become attachments 0, 1, ... and the draw buffers; null leaves an output without one. `depth`
+    /// may be null; a depth format with stencil is attached as both.
+    Framebuffer(const std::vector<const Texture*>& colors, const Texture* depth, const char* label);
 
     GLuint name() const { return object_.name(); }
 

@@ -23,12 +23,12 @@ void checkPixel(const FrameSettings& settings, int x, int y) {
                     std::to_string(settings.width) + "x" + std::to_string(settings.height) + " pixels");
 }
 
-/// What a host hands over as a target has to be a framebuffer that can be drawn into: OpenGL itself would only
-/// leave an error in the host's queue.
+/// What a host hands over as a target has to be a framebuffer that can be drawn into: OpenGL itself would
+/// only leave an error in the host's queue.
 void checkTarget(const FrameTarget& target) {
     const bool exists = target.framebuffer == 0 || glIsFramebuffer(target.framebuffer) == GL_TRUE;
-    if (exists && glCheckNamedFramebufferStatus(target.framebuffer, GL_DRAW_FRAMEBUFFER) ==
-                      GL_FRAMEBUFFER_COMPLETE)
+    if (exists &&
+        glCheckNamedFramebufferStatus(target.framebuffer, GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
         return;
     throw Error(ErrorKind::badInput, "",
                 "framebuffer " + std::to_string(target.framebuffer) +
@@ -119,21 +119,26 @@ HdrImage Frame::radiance() const {
     return picture;
 }
 
+std::vector<std::string> Renderer::aovNames() {
+    std::vector<std::string> names;
+    for (const GBufferChannel& channel : gbufferChannels()) names.emplace_back(channel.name);
+    return names;
+}
+
 std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
-    checkAovNames(names);
+    const std::vector<const ChannelRow*> rows = findAovs(names);
     Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
     const GBufferTargets& targets = *state.targets;
-    const auto wants = [&](const char* name) { return std::ranges::find(names, name) != names.end(); };
     state.bindFrame();
     std::vector<float> emission, lightCount;
-    if (wants("emission")) {
+    if (usesSource(rows, ChannelSource::emission)) {
         // The frame's own radiance target holds light by now: the emission is drawn again.
         const GBufferTargets emissionTargets(targets.width, targets.height);
         state.drawGeometry(*scene(), emissionTargets, LoadOp::clear);
         emission = readColor(emissionTargets.radiance, targets.width, targets.height);
     }
-    if (wants("light_count")) {
+    if (usesSource(rows, ChannelSource::lightCount)) {
         const std::shared_ptr<GpuScene::State> scene = this->scene();
         const LightingInputs inputs = state.lightingInputs(*scene);
         state.lighting.bind(inputs);
@@ -141,10 +146,10 @@ std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
     }
     const std::vector<GBufferTexel> surfaces = readSurfaces(targets);
     const std::vector<float> depth = readDepth(targets);
-    const AovSources sources{targets.width, targets.height, state.frame->uniforms, surfaces,
-                             depth,         emission,       lightCount};
+    const AovSources sources{targets.width, targets.height, state.frame->uniforms, depth, surfaces,
+                             emission,      lightCount};
     std::vector<Aov> result;
-    for (const std::string& name : names) result.push_back(makeAov(name, sources));
+    for (const ChannelRow* row : rows) result.push_back(makeAov(*row, sources));
     return result;
 }
 

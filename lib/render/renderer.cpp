@@ -1,9 +1,8 @@
 #include <candela/renderer.h>
 
 #include "gl/state_guard.h"
-#include "render/debug/aovs.h"
-#include "render/debug/scissor.h"
 #include "render/frame_uniforms.h"
+#include "render/gbuffer/readback.h"
 #include "render/renderer_state.h"
 
 #include <candela/error.h>
@@ -71,10 +70,9 @@ DisplayTarget::DisplayTarget(int width, int height)
 
 Renderer::State::State(const Context& context)
     : binding(context.state().binding),
-      timer(context.isSoftware() ? gl::PassTimer::Clock::wallAroundFinish
-                                 : gl::PassTimer::Clock::gpuQueries),
+      timer(context.isSoftware() ? gl::PassTimer::Clock::wallAroundFinish : gl::PassTimer::Clock::gpuQueries),
       lighting(context),
-      display(context.isSoftware() ? DisplayPass::Baking::whereFaster : DisplayPass::Baking::never),
+      display(context.isSoftware() ? DisplayPass::Baking::always : DisplayPass::Baking::never),
       frameBuffer("frame uniforms", gl::BufferUsage::dynamic) {}
 
 void Renderer::State::resize(int width, int height) {
@@ -142,10 +140,7 @@ glm::vec3 Renderer::State::emissionAt(const GpuScene::State& scene, int x, int y
     if (!emissionTargets) emissionTargets.emplace(targets->width, targets->height);
     const Scissor pixel({x, y, 1, 1});
     drawGeometry(scene, *emissionTargets, LoadOp::clear);
-    glm::vec4 emission(0.0f);
-    glGetTextureSubImage(emissionTargets->radiance.name(), 0, x, y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT,
-                         sizeof emission, &emission);
-    return glm::vec3(emission);
+    return readColorAt(emissionTargets->radiance, x, y);
 }
 
 void Renderer::State::render(GpuScene::State& scene, const CameraView& view, const FrameSettings& settings) {
@@ -156,11 +151,11 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& view, con
     const Technique technique =
         settings.technique == Technique::automatic ? Technique::tiles : settings.technique;
     createPasses(settings, technique);
-    frame.emplace(DrawnFrame{
-        settings, technique,
-        frameUniforms(view, settings.width, settings.height, scene.options.workingFromRec709,
-                      scene.lights.counts()),
-        Frustum(view, static_cast<float>(settings.width) / static_cast<float>(settings.height))});
+    frame.emplace(
+        DrawnFrame{settings, technique,
+                   frameUniforms(view, settings.width, settings.height, scene.options.workingFromRec709,
+                                 scene.lights.counts()),
+                   Frustum(view, static_cast<float>(settings.width) / static_cast<float>(settings.height))});
     timer.beginFrame();
     bindFrame();
     if (scene.hasCages()) {
@@ -192,7 +187,8 @@ Frame Renderer::render(GpuScene& scene, const CameraView& view, const FrameSetti
     checkSettings(settings);
     checkView(view);
     if (!scene.state_->binding->isSameAs(*state_->binding)) {
-        refuse("a GpuScene is rendered by a Renderer of another Context; both have to be made for the same one");
+        refuse(
+            "a GpuScene is rendered by a Renderer of another Context; both have to be made for the same one");
     }
     const gl::StateGuard guard(*state_->binding, "a Renderer");
     state_->render(*scene.state_, view, settings);

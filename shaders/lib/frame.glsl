@@ -1,12 +1,12 @@
-// The frame's uniform block and what follows from it.
+// The frame's uniform block and functions of it.
 
 #include "shared/bindings.h"
 #include "shared/frame.h"
 
 layout(std140, binding = FRAME_BINDING) uniform FrameBlock { FrameUniforms frame; };
 
-// No product is fused into a sum here (`precise`), so that every device and the CPU place a surface at the very same point: close to a
-// light, the last bit of a position far from the origin shows.
+// `precise` keeps products and sums apart (no fused multiply-add), so that every device and the CPU compute the same position: close to a
+// light, the last bit of a position far from the origin is visible.
 //
 // World position of the surface at a pixel, from its reversed depth (which is near plane / distance along the view axis).
 vec3 worldPosition(ivec2 pixel, float depth) {

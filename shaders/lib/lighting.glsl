@@ -2,11 +2,9 @@
 // BRDF is BRDF_COURSE or BRDF_GLTF, defined for each program that shades.
 
 #include "lib/frame.glsl"
-#include "lib/gbuffer.glsl"
+#include "lib/gbuffer_input.glsl"
 #include "shared/shading_constants.h"
 
-layout(binding = SURFACE_UNIT) uniform usampler2D surfaceTexture;
-layout(binding = DEPTH_UNIT) uniform sampler2D depthTexture;
 layout(binding = LIGHTS_UNIT) uniform samplerBuffer lightRecords;
 layout(binding = CONES_UNIT) uniform samplerBuffer coneRecords;
 layout(binding = ALBEDO_UNIT) uniform sampler2D albedoTexture;
@@ -55,10 +53,10 @@ struct PixelSurface {
 
 PixelSurface fetchSurface(ivec2 pixel) {
     PixelSurface result;
-    uvec2 texel = texelFetch(surfaceTexture, pixel, 0).xy;
-    float depth = texelFetch(depthTexture, pixel, 0).x;
-    result.lit = texel.y != 0u;
-    result.surface = unpackSurface(texel);
+    GBufferWords words = fetchWords(pixel);
+    float depth = fetchDepth(pixel);
+    result.lit = hasSurface(words);
+    result.surface = unpackWords(words);
     result.position = worldPosition(pixel, result.lit ? depth : 1.0);
     return result;
 }

@@ -36,7 +36,7 @@ MaterialState materialState(uint material) {
     return MaterialState(factors.z, factors.w, materialTexel(material, MATERIAL_EMISSION).w > 0.5);
 }
 
-// The coordinate that texture `slot` of the material is read at.
+// The transformed texture coordinate of texture `slot` of the material.
 const int BASE_COLOR_SLOT = 0, METALLIC_ROUGHNESS_SLOT = 1, NORMAL_SLOT = 2, EMISSION_SLOT = 3;
 
 vec2 textureCoordinate(uint material, int slot, vec2 uv0, vec2 uv1) {

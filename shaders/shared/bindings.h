@@ -22,11 +22,11 @@ const int ALBEDO_UNIT = 4;              // R32F: directional albedo table of the
 const int RADIANCE_UNIT = 0;
 const int LOOKUP_UNIT = 1;
 
-// Texture units of the data views; those of the lighting passes' G-buffer come before.
-const int SHOWN_UNIT = 2;               // what the view shows besides the G-buffer: radiance, light counts or instances
+// Texture units of the debug views, after those of the G-buffer.
+const int VIEW_UNIT = 2;                // what the view shows besides the G-buffer: emission, light counts or instances
 const int INSTANCE_COLORS_UNIT = 3;     // RGBA32F buffer: a texel an instance
 
-// Texture unit of the overlays as they are laid over the picture.
+// Texture unit of the overlay display.
 const int OVERLAY_UNIT = 0;
 
 // Storage buffers and images of the compute passes.
@@ -56,9 +56,13 @@ const int EXPOSURE_LOCATION = 0;        // display: factor before the transform
 const int ORIGIN_LOCATION = 1;          // display: lower left corner of the picture in the target
 const int LIMIT_RANGE_LOCATION = 0;     // cage_limit: first and end of a dispatch's vertices, number of points, number of vertices
 const int LIMIT_TANGENTS_LOCATION = 1;  // cage_limit: are tangents needed?
-const int HEAT_STOPS_LOCATION = 0;      // show: the colours between which the heat map blends
+const int HEAT_STOPS_LOCATION = 0;      // debug_view: the colours between which the heat map blends
 const int LINE_COLOR_LOCATION = 0;      // overlays: the colour of a line, code values
 const int LINE_INSTANCE_LOCATION = 1;   // overlays: the instance on which lines of a cage lie
+
+// Fragment outputs of the geometry pass. Further words of the G-buffer follow.
+const int SURFACE_OUTPUT = 0;
+const int RADIANCE_OUTPUT = 1;          // emissive surfaces only
 
 // Vertex attributes.
 const int POSITION_ATTRIBUTE = 0;

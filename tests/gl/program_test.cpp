@@ -2,6 +2,7 @@
 
 #include "gl/program.h"
 #include "gl/shader_source.h"
+#include "render/debug/debug_view_pass.h"
 #include "render/layout.h"
 
 #include <candela/context.h>
@@ -33,11 +34,14 @@ std::vector<Definitions> combinations() {
     std::vector<Definitions> all;
     for (const char* model : {"BRDF BRDF_COURSE", "BRDF BRDF_GLTF"}) {
         for (const char* kind : {"SPOT 0", "SPOT 1"})
-            all.push_back({model, kind, "SHOW 0", "HEAT_STOPS 5", "TEXTURED 0", "CORNERS 2", "FILL 0"});
+            all.push_back({model, kind, "SOURCE 0", "VIEW_CODE vec3(depth)", "HEAT_STOPS 5", "TEXTURED 0",
+                           "CORNERS 2", "FILL 0"});
     }
-    for (int show = 0; show < 8; ++show) {
-        all.push_back({"BRDF BRDF_COURSE", "SPOT 0", "SHOW " + std::to_string(show), "HEAT_STOPS 5",
-                       "TEXTURED 1", "CORNERS 3", "FILL 1"});
+    for (const DebugView debugView : debugViews()) {
+        Definitions definitions = debugViewDefinitions(debugViewRow(debugView));
+        definitions.insert(definitions.end(),
+                           {"BRDF BRDF_COURSE", "SPOT 0", "TEXTURED 1", "CORNERS 3", "FILL 1"});
+        all.push_back(definitions);
     }
     return all;
 }

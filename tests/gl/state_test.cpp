@@ -53,14 +53,10 @@ struct Seen {
     std::vector<std::uint8_t> display;
     std::vector<std::vector<float>> aovs;
     PairCounts pairs;
-    /// Of every data view, with overlays.
+    /// Of every debug view, with overlays.
     std::vector<std::vector<std::uint8_t>> views;
     std::optional<PixelProbe> probe;
 };
-
-constexpr std::array views{DebugView::normals,  DebugView::level,     DebugView::baseColor,
-                           DebugView::metallic, DebugView::roughness, DebugView::depth,
-                           DebugView::emission, DebugView::lightCount};
 
 /// Calls everything that draws, and reports after each call whether the state is still what it was.
 class WatchedFrame {
@@ -103,12 +99,13 @@ Seen drawWatched(HostContext& host, Technique technique) {
     for (const Aov& aov : aovs) seen.aovs.insert(seen.aovs.end(), aov.values.begin(), aov.values.end());
     seen.pairs = watched("countPairs", [&] { return frame.countPairs(); });
     watched("passTimes", [&] { return frame.passTimes(); });
-    for (const DebugView show : views) {
+    for (const DebugView debugView : debugViews()) {
         FrameRequest inputs = smallFrame(made, technique);
-        inputs.debugView = show;
+        inputs.debugView = debugView;
         inputs.overlays = {.wireframe = true, .cage = true};
-        frame = watched(toString(show), [&] { return render(renderer, scene, inputs); });
-        seen.views.push_back(watched("display of data", [&] { return frame.displayPicture(transform); }));
+        frame = watched(toString(debugView), [&] { return render(renderer, scene, inputs); });
+        seen.views.push_back(
+            watched("display of a debug view", [&] { return frame.displayPicture(transform); }));
         watched("maxLightCount", [&] { return frame.maxLightCount(); });
         seen.probe = watched("probe", [&] { return frame.probe(20, 14); });
     }

@@ -40,6 +40,7 @@ const std::map<std::string, std::string> layerOfHeader = {
     {"import.h", "import"},     {"plugin_registry.h", "import"},
     {"subdivider.h", "import"}, {"color.h", "color"},
     {"threads.h", "base"},      {"context.h", "gl"},
+    {"frame_data.h", "render"}, {"frame_settings.h", "render"},
     {"gbuffer.h", "render"},    {"gpu_scene.h", "render"},
     {"renderer.h", "render"},
 };

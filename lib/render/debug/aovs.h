@@ -1,29 +1,35 @@
 #pragma once
 
-#include "render/layout.h"
+#include "render/gbuffer/channels.h"
 
 #include <candela/gbuffer.h>
-#include <candela/renderer.h>
+#include <candela/frame_data.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
 namespace candela {
 
-/// What AOVs are made of: whole targets, rows from the bottom.
+/// What AOVs are computed from: whole targets, rows from the bottom. Those that no requested channel has as
+/// its source may be empty.
 struct AovSources {
     int width, height;
     const layout::FrameUniforms& frame;
-    const std::vector<GBufferTexel>& surfaces;
-    const std::vector<float>& depth;
-    const std::vector<float>& emission;    ///< RGBA; may be empty when not asked for.
-    const std::vector<float>& lightCount;  ///< May be empty when not asked for.
+    std::span<const float> depth;
+    std::span<const GBufferTexel> surfaces;
+    std::span<const float> emission;  ///< RGBA.
+    std::span<const float> lightCount;
 };
 
-/// Throws `Error` (badInput) naming the AOVs there are when one of `names` is none of them.
-void checkAovNames(const std::vector<std::string>& names);
+/// The rows of these AOVs, in the order of `names`. Throws `Error` (badInput), naming the AOVs there are,
+/// when a name is unknown or is given twice.
+std::vector<const ChannelRow*> findAovs(const std::vector<std::string>& names);
 
-/// The AOV `name`, rows from the top.
-Aov makeAov(const std::string& name, const AovSources& sources);
+/// Whether one of the channels is computed from `source`.
+bool usesSource(std::span<const ChannelRow* const> rows, ChannelSource source);
+
+/// The AOV of a channel, rows from the top.
+Aov makeAov(const ChannelRow& row, const AovSources& sources);
 
 }  // namespace candela

@@ -1,10 +1,15 @@
 #include "render/debug/debug_view_pass.h"
 
-#include "render/debug/color_scales.h"
 #include "render/layout.h"
 
+#include <candela/error.h>
+
+#include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+#include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,98 +17,151 @@ namespace candela {
 
 namespace {
 
-const char* definitionOf(DebugView debugView) {
-    switch (debugView) {
-        case DebugView::normals:
-            return "SHOW SHOW_NORMALS";
-        case DebugView::level:
-            return "SHOW SHOW_LEVEL";
-        case DebugView::baseColor:
-            return "SHOW SHOW_BASE_COLOR";
-        case DebugView::metallic:
-            return "SHOW SHOW_METALLIC";
-        case DebugView::roughness:
-            return "SHOW SHOW_ROUGHNESS";
-        case DebugView::depth:
-            return "SHOW SHOW_DEPTH";
-        case DebugView::emission:
-            return "SHOW SHOW_EMISSION";
+/// The heat map blends between these, in equal steps from 0 to 1. Code values.
+constexpr std::array<glm::vec3, 5> heatStops{glm::vec3(0.0f), glm::vec3(0.0f, 0.0f, 1.0f),
+                                             glm::vec3(0.0f, 1.0f, 0.0f), glm::vec3(1.0f, 1.0f, 0.0f),
+                                             glm::vec3(1.0f, 0.0f, 0.0f)};
+
+/// The colours of subdivision levels: grey-blue for polygons, then hues that differ clearly from level to
+/// level.
+constexpr std::array<glm::vec3, maxSubdivisionLevel + 1> levelColors{
+    glm::vec3(0.35f, 0.40f, 0.50f), glm::vec3(0.20f, 0.30f, 0.95f), glm::vec3(0.10f, 0.70f, 0.95f),
+    glm::vec3(0.10f, 0.80f, 0.55f), glm::vec3(0.35f, 0.80f, 0.10f), glm::vec3(0.90f, 0.85f, 0.10f),
+    glm::vec3(0.95f, 0.50f, 0.10f), glm::vec3(0.90f, 0.15f, 0.15f), glm::vec3(0.85f, 0.15f, 0.80f)};
+
+/// Meshes in the view of levels.
+constexpr glm::vec3 meshColor(0.5f);
+
+constexpr int reductionGroup = 16;  ///< Pixels along each axis of a work group of max_reduction.comp.
+
+GLuint reductionGroups(int pixels) {
+    return static_cast<GLuint>((pixels + reductionGroup - 1) / reductionGroup);
+}
+
+/// The definition that selects the source in shaders/debug_view.frag.
+const char* sourceDefinition(ChannelSource source) {
+    switch (source) {
+        case ChannelSource::depth:
+            return "SOURCE SOURCE_DEPTH";
+        case ChannelSource::surface:
+            return "SOURCE SOURCE_SURFACE";
+        case ChannelSource::emission:
+            return "SOURCE SOURCE_EMISSION";
+        case ChannelSource::lightCount:
+            return "SOURCE SOURCE_LIGHT_COUNT";
         default:
-            return "SHOW SHOW_LIGHT_COUNT";
+            return "SOURCE SOURCE_INSTANCE";
     }
 }
 
-gl::Program makeProgram(DebugView debugView) {
-    const std::string heatStopCount = "HEAT_STOPS " + std::to_string(heatStops.size());
+gl::Program makeProgram(const DebugViewRow& row) {
     gl::Program program(
-        {{"fullscreen_triangle.vert", {}, {}}, {"debug_view.frag", {definitionOf(debugView), heatStopCount}, {}}},
-        toString(debugView));
-    if (debugView == DebugView::lightCount) {
+        {{"fullscreen_triangle.vert", {}, {}}, {"debug_view.frag", debugViewDefinitions(row), {}}}, row.name);
+    if (row.source == ChannelSource::lightCount) {
         glProgramUniform3fv(program.name(), layout::HEAT_STOPS_LOCATION,
                             static_cast<GLsizei>(heatStops.size()), glm::value_ptr(heatStops[0]));
     }
     return program;
 }
 
-void drawPicture(const gl::VertexArray& vertexArray) {
-    glBindVertexArray(vertexArray.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
 }  // namespace
 
+glm::vec3 levelColor(std::uint32_t level) {
+    if (level < levelColors.size()) return levelColors[level];
+    throw Error(ErrorKind::badInput, "",
+                "the colour of subdivision level " + std::to_string(level) +
+                    " is asked for; levels are 0 to " + std::to_string(maxSubdivisionLevel));
+}
+
+glm::vec3 heatColor(float share) {
+    constexpr std::size_t steps = heatStops.size() - 1;
+    // Written so that NaN becomes 0.
+    const float clamped = share > 0.0f ? std::min(share, 1.0f) : 0.0f;
+    const float position = clamped * static_cast<float>(steps);
+    const std::size_t step = std::min(static_cast<std::size_t>(position), steps - 1);
+    return glm::mix(heatStops[step], heatStops[step + 1], position - static_cast<float>(step));
+}
+
+std::vector<std::string> debugViewDefinitions(const DebugViewRow& row) {
+    return {sourceDefinition(row.source), std::string("VIEW_CODE ") + row.code,
+            "HEAT_STOPS " + std::to_string(heatStops.size())};
+}
+
+MaxReduction::MaxReduction()
+    : program_({{"max_reduction.comp", {}, {}}}, "max reduction"), buffer_("max reduction") {}
+
+void MaxReduction::reduce(const gl::Texture& texture, int width, int height) {
+    constexpr float zero = 0.0f;
+    buffer_.upload(std::span<const float>(&zero, 1));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::MAX_REDUCTION_STORAGE, buffer_.name());
+    glBindTextureUnit(layout::VIEW_UNIT, texture.name());
+    glUseProgram(program_.name());
+    glDispatchCompute(reductionGroups(width), reductionGroups(height), 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+float MaxReduction::value() const {
+    float value = 0.0f;
+    glGetNamedBufferSubData(buffer_.name(), 0, sizeof value, &value);
+    return value;
+}
+
 DebugViewPass::DebugViewPass()
-    : display_({{"fullscreen_triangle.vert", {}, {}}, {"debug_view_display.frag", {}, {}}}, "data display"),
-      vertexArray_("data view"),
+    : display_({{"fullscreen_triangle.vert", {}, {}}, {"debug_view_display.frag", {}, {}}},
+               "debug view display"),
+      vertexArray_("debug view"),
       instanceColors_(GL_RGBA32F, "instance colors") {}
 
-const gl::Program& DebugViewPass::program(DebugView debugView) {
-    auto found = programs_.find(debugView);
-    if (found == programs_.end()) found = programs_.emplace(debugView, makeProgram(debugView)).first;
+const gl::Program& DebugViewPass::program(DebugView view) {
+    auto found = programs_.find(view);
+    if (found == programs_.end()) found = programs_.emplace(view, makeProgram(debugViewRow(view))).first;
     return found->second;
 }
 
-void DebugViewPass::prepareLevels(const Inputs& inputs) {
-    const GBufferTargets& targets = inputs.frame.targets;
+void DebugViewPass::uploadLevelColors(const GpuScene::State& scene) {
     std::vector<glm::vec4> colors;
-    for (std::uint32_t i = 0; i < inputs.scene.instances.size(); ++i) {
-        const std::optional<std::uint32_t> level = inputs.scene.levelOf(i);
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+        const std::optional<std::uint32_t> level = scene.levelOf(i);
         colors.emplace_back(level ? levelColor(*level) : meshColor, 0.0f);
     }
     instanceColors_.upload(std::span<const glm::vec4>(colors));
-    const gl::Texture& instances =
-        inputs.instances.render({inputs.scene, inputs.draws, targets.width, targets.height});
-    glBindTextureUnit(layout::SHOWN_UNIT, instances.name());
-    glBindTextureUnit(layout::INSTANCE_COLORS_UNIT, instanceColors_.name());
 }
 
-void DebugViewPass::prepare(const Inputs& inputs) {
+/// Draws what the view shows besides the G-buffer. Null where the G-buffer has it.
+const gl::Texture* DebugViewPass::drawSource(const Inputs& inputs, ChannelSource source) {
     const GBufferTargets& targets = inputs.frame.targets;
-    if (inputs.debugView == DebugView::level) prepareLevels(inputs);
-    if (inputs.debugView == DebugView::depth) maxReduction_.find(targets.depth, targets.width, targets.height);
-    if (inputs.debugView == DebugView::lightCount) {
-        const gl::Texture& counts = inputs.lighting.counter().drawLit(inputs.frame);
-        maxReduction_.find(counts, targets.width, targets.height);
-    }
-    if (inputs.debugView == DebugView::emission) {
-        glBindTextureUnit(layout::SHOWN_UNIT, targets.radiance.name());
-        glTextureBarrier();
+    switch (source) {
+        case ChannelSource::emission:
+            glTextureBarrier();
+            return &targets.radiance;
+        case ChannelSource::lightCount:
+            return &inputs.lighting.counter().drawLit(inputs.frame);
+        case ChannelSource::instance:
+            uploadLevelColors(inputs.scene);
+            return &inputs.instances.render({inputs.scene, inputs.draws, targets.width, targets.height});
+        default:
+            return nullptr;
     }
 }
 
 void DebugViewPass::render(const Inputs& inputs) {
-    prepare(inputs);
     const GBufferTargets& targets = inputs.frame.targets;
-    glBindTextureUnit(layout::SURFACE_UNIT, targets.surface.name());
-    glBindTextureUnit(layout::DEPTH_UNIT, targets.depth.name());
-    glUseProgram(program(inputs.debugView).name());
+    const DebugViewRow& row = debugViewRow(inputs.view);
+    const gl::Texture* source = drawSource(inputs, row.source);
+    if (row.scale == DebugViewRow::Scale::maximum)
+        maximum_.reduce(source != nullptr ? *source : targets.depth, targets.width, targets.height);
+    targets.bind();
+    if (source != nullptr) glBindTextureUnit(layout::VIEW_UNIT, source->name());
+    if (row.source == ChannelSource::instance)
+        glBindTextureUnit(layout::INSTANCE_COLORS_UNIT, instanceColors_.name());
+    glUseProgram(program(inputs.view).name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, targets.lit.name());
     glViewport(0, 0, targets.width, targets.height);
-    drawPicture(vertexArray_);
+    drawTriangle();
 }
 
 std::uint32_t DebugViewPass::maxLightCount() const {
-    return static_cast<std::uint32_t>(maxReduction_.value());
+    return static_cast<std::uint32_t>(maximum_.value());
 }
 
 void DebugViewPass::display(const GBufferTargets& targets, const FrameTarget& target) const {
@@ -112,7 +170,12 @@ void DebugViewPass::display(const GBufferTargets& targets, const FrameTarget& ta
     glViewport(target.x, target.y, targets.width, targets.height);
     glBindTextureUnit(layout::RADIANCE_UNIT, targets.radiance.name());
     glUniform2i(layout::ORIGIN_LOCATION, target.x, target.y);
-    drawPicture(vertexArray_);
+    drawTriangle();
+}
+
+void DebugViewPass::drawTriangle() const {
+    glBindVertexArray(vertexArray_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 }  // namespace candela

@@ -1,6 +1,5 @@
 #include "render/debug/instance_pass.h"
 
-#include "render/debug/scissor.h"
 #include "render/layout.h"
 
 #include <array>
@@ -42,11 +41,11 @@ std::optional<std::uint32_t> InstancePass::at(const Inputs& inputs, int x, int y
         const Scissor pixel({x, y, 1, 1});
         drawBatches(inputs);
     }
-    std::uint32_t shown = 0;
+    std::uint32_t number = 0;
     glGetTextureSubImage(targets_->instances.name(), 0, x, y, 0, 1, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                         sizeof shown, &shown);
-    if (shown == 0) return std::nullopt;
-    return shown - 1;
+                         sizeof number, &number);
+    if (number == 0) return std::nullopt;
+    return number - 1;
 }
 
 void InstancePass::drawBatches(const Inputs& inputs) {

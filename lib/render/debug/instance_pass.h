@@ -10,7 +10,23 @@
 
 namespace candela {
 
-/// Draws which instance each pixel of a frame shows, by the same draws as the geometry pass.
+/// Restricts draws and clears to a rectangle of the target for its lifetime.
+class Scissor {
+  public:
+    struct Rectangle {
+        GLint x, y;
+        GLsizei width, height;
+    };
+    explicit Scissor(const Rectangle& rectangle) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(rectangle.x, rectangle.y, rectangle.width, rectangle.height);
+    }
+    Scissor(const Scissor&) = delete;
+    Scissor& operator=(const Scissor&) = delete;
+    ~Scissor() { glDisable(GL_SCISSOR_TEST); }
+};
+
+/// Draws the instance at each pixel of a frame, with the same draws as the geometry pass.
 class InstancePass {
   public:
     struct Inputs {
@@ -18,7 +34,7 @@ class InstancePass {
         const DrawSelection& draws;  ///< Of the view; the frame's uniform block is bound.
         int width, height;
     };
-    /// A picture of the instances, counted from 1; 0 on the background.
+    /// R32UI: the instance at each pixel, counted from 1; 0 on the background.
     const gl::Texture& render(const Inputs& inputs);
     /// The instance at one pixel, y from the bottom; none on the background. Draws that pixel alone.
     std::optional<std::uint32_t> at(const Inputs& inputs, int x, int y);
@@ -37,7 +53,7 @@ class InstancePass {
     void drawBatches(const Inputs& inputs);
     void draw(const GpuScene::State& scene, const DrawBatch& batch) const;
 
-    // Made when they are first needed.
+    // Created when they are first needed.
     std::optional<Programs> programs_;
     std::optional<Targets> targets_;
 };

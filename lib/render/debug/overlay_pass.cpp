@@ -10,7 +10,7 @@ namespace candela {
 
 namespace {
 
-// Of middle lightness and strong hue, which stand out on dark surfaces and on light ones; code values.
+// Medium lightness and strong hue stand out on dark and on light surfaces. Code values.
 constexpr glm::vec3 wireframeColor(0.10f, 0.55f, 1.00f);
 constexpr glm::vec3 cageColor(1.00f, 0.45f, 0.05f);
 

@@ -6,7 +6,7 @@
 #include "render/gbuffer/gbuffer_targets.h"
 #include "render/gpu_scene/gpu_scene_state.h"
 
-#include <candela/renderer.h>
+#include <candela/frame_settings.h>
 
 #include <glm/vec3.hpp>
 
@@ -15,8 +15,8 @@
 
 namespace candela {
 
-/// Draws lines that lie over a frame, one pixel wide, where its surfaces do not hide them. They are kept in a
-/// picture of their own: a host may show the frame when the scene has gone.
+/// Draws lines over a frame, one pixel wide, where its surfaces do not occlude them. They have a target of
+/// their own, so that a frame can be displayed after its scene has been destroyed.
 class OverlayPass {
   public:
     OverlayPass();
@@ -28,7 +28,7 @@ class OverlayPass {
         Overlays overlays;
     };
     void render(const Inputs& inputs);
-    /// Lays the lines that were drawn last over the host's framebuffer.
+    /// Draws the lines of the last `render` over the host's framebuffer.
     void display(const FrameTarget& target) const;
 
   private:

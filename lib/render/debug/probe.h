@@ -4,7 +4,7 @@
 #include "render/gpu_scene/gpu_lights.h"
 #include "render/layout.h"
 
-#include <candela/renderer.h>
+#include <candela/frame_data.h>
 
 #include <optional>
 
@@ -18,8 +18,8 @@ struct ProbedPixel {
     int x, y;
 };
 
-/// What the G-buffer and the lights tell of a pixel: all but its node and its emission. None on the
-/// background. Reads that pixel alone back.
+/// Reads back what the targets hold of a pixel and counts its lights: all but its node and its emission. None
+/// on the background.
 std::optional<PixelProbe> probeSurface(const ProbedPixel& pixel);
 
 }  // namespace candela

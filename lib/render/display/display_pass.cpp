@@ -1,51 +1,40 @@
 #include "render/display/display_pass.h"
 
 #include "color/display_shader.h"
-#include "gl/framebuffer.h"
 #include "render/layout.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <span>
 #include <utility>
 
 namespace candela {
 
-/// One form of a display transform, ready to draw.
+/// A display transform's shader, linked, with its look-up textures.
 struct DisplayPass::DisplayProgram {
     explicit DisplayProgram(const DisplayShader& shader);
     void bind() const;
 
     gl::Program program;
     std::vector<gl::Texture> textures;
-    gl::BufferTexture curves;  ///< Nothing for an exact transform.
+    gl::BufferTexture curves;  ///< Has no name where the shader has no curves.
 };
 
-/// A display transform that was shown.
+/// The program of a display transform. Transforms that differ in exposure alone share it.
 struct DisplayPass::Prepared {
-    explicit Prepared(const DisplayShader& shader) : exactGlsl(shader.glsl), program(shader) {
-        for (const LookupTexture& lookup : shader.textures) exactLookups.push_back(lookup.values);
-    }
-    bool serves(const DisplayShader& shader) const {
-        const auto same = [](const std::vector<float>& values, const LookupTexture& lookup) {
-            return values == lookup.values;
-        };
-        return exactGlsl == shader.glsl && std::ranges::equal(exactLookups, shader.textures, same);
-    }
-
-    // The exact shader, which tells transforms apart.
-    std::string exactGlsl;
-    std::vector<std::vector<float>> exactLookups;
-
+    DisplayTransform transform;  ///< The last one it served; keeps the shader that identifies it alive.
     DisplayProgram program;
     bool isBaked = false;
 };
 
 namespace {
 
-/// Exactness is given up only where a quarter of the time or more is won.
-constexpr double maxShareOfTime = 0.75;
+bool areEqual(const DisplayShader& a, const DisplayShader& b) {
+    const auto sameValues = [](const LookupTexture& left, const LookupTexture& right) {
+        return left.values == right.values;
+    };
+    return a.glsl == b.glsl && std::ranges::equal(a.textures, b.textures, sameValues);
+}
 
 gl::Texture makeLookup(const LookupTexture& lookup) {
     const bool rgb = lookup.channels == 3;
@@ -76,16 +65,6 @@ gl::Texture makeLookup(const LookupTexture& lookup) {
     return texture;
 }
 
-/// Seconds that `draw` takes, from start to end.
-template <typename Draw>
-double secondsOf(const Draw& draw) {
-    glFinish();
-    const auto start = std::chrono::steady_clock::now();
-    draw();
-    glFinish();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 DisplayPass::DisplayProgram::DisplayProgram(const DisplayShader& shader)
@@ -108,59 +87,37 @@ void DisplayPass::DisplayProgram::bind() const {
     glUseProgram(program.name());
     GLuint unit = layout::LOOKUP_UNIT;
     for (const gl::Texture& texture : textures) glBindTextureUnit(unit++, texture.name());
-    // Name 0 would unbind every kind of texture, more than the state guard keeps.
+    // Binding name 0 would unbind textures of every target, also of those that the state guard does not save.
     if (curves.name() != 0) glBindTextureUnit(unit, curves.name());
 }
 
 DisplayPass::DisplayPass(Baking baking) : baking_(baking), vertexArray_("display") {}
 DisplayPass::~DisplayPass() = default;
 
-DisplayPass::Prepared* DisplayPass::find(const DisplayTransform& transform) const {
-    const DisplayShader& shader = displayShader(transform);
-    for (const auto& known : prepared_) {
-        if (known->serves(shader)) return known.get();
-    }
-    return nullptr;
+const DisplayPass::Prepared* DisplayPass::find(const DisplayTransform& transform) const {
+    const auto found = std::ranges::find_if(prepared_, [&](const std::unique_ptr<Prepared>& known) {
+        return &known->transform.state() == &transform.state();
+    });
+    return found == prepared_.end() ? nullptr : found->get();
 }
 
-DisplayPass::Prepared& DisplayPass::prepare(const Inputs& inputs) {
-    if (Prepared* known = find(inputs.transform)) return *known;
-    prepared_.push_back(std::make_unique<Prepared>(displayShader(inputs.transform)));
-    if (baking_ != Baking::never) bake(*prepared_.back(), inputs);
+/// Compares tables only for a transform that was not shown before.
+const DisplayPass::Prepared& DisplayPass::prepare(const DisplayTransform& transform) {
+    if (const Prepared* known = find(transform)) return *known;
+    const DisplayShader& exact = displayShader(transform);
+    for (const auto& known : prepared_) {
+        if (!areEqual(displayShader(known->transform), exact)) continue;
+        known->transform = transform;
+        return *known;
+    }
+    const DisplayShader* baked = baking_ == Baking::always ? bakedDisplayShader(transform) : nullptr;
+    prepared_.push_back(std::make_unique<Prepared>(
+        Prepared{transform, DisplayProgram(baked != nullptr ? *baked : exact), baked != nullptr}));
     return *prepared_.back();
 }
 
-void DisplayPass::bake(Prepared& prepared, const Inputs& inputs) {
-    const DisplayShader* shader = bakedDisplayShader(inputs.transform);
-    if (shader == nullptr) return;
-    DisplayProgram baked(*shader);
-    if (baking_ == Baking::whereFaster && !isWorthIt(prepared.program, baked, inputs)) return;
-    prepared.program = std::move(baked);
-    prepared.isBaked = true;
-}
-
-bool DisplayPass::isWorthIt(const DisplayProgram& exact, const DisplayProgram& baked,
-                            const Inputs& inputs) const {
-    // A strip of the picture: some milliseconds, where compiling takes a hundred.
-    const int width = std::min(inputs.width, 512), height = std::min(inputs.height, 65536 / width);
-    const gl::Texture codes = gl::Texture::target2d(GL_RGBA8, width, height, "display timing");
-    const gl::Framebuffer framebuffer({&codes}, nullptr, "display timing");
-    const Inputs strip{inputs.radiance, width, height, inputs.transform, {framebuffer.name(), 0, 0}};
-    double exactTime = 1e9, bakedTime = 1e9;
-    // In turns, so that other work on the machine meets both; the first turn warms up. Such work only ever
-    // adds time, so that the least is the truest.
-    for (int turn = 0; turn < 6; ++turn) {
-        const double exactTurn = secondsOf([&] { draw(exact, strip); }),
-                     bakedTurn = secondsOf([&] { draw(baked, strip); });
-        if (turn == 0) continue;
-        exactTime = std::min(exactTime, exactTurn);
-        bakedTime = std::min(bakedTime, bakedTurn);
-    }
-    return bakedTime < maxShareOfTime * exactTime;
-}
-
-void DisplayPass::draw(const DisplayProgram& program, const Inputs& inputs) const {
-    program.bind();
+void DisplayPass::render(const Inputs& inputs) {
+    prepare(inputs.transform).program.bind();
     glBindVertexArray(vertexArray_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, inputs.target.framebuffer);
     glViewport(inputs.target.x, inputs.target.y, inputs.width, inputs.height);
@@ -168,10 +125,6 @@ void DisplayPass::draw(const DisplayProgram& program, const Inputs& inputs) cons
     glUniform1f(layout::EXPOSURE_LOCATION, static_cast<float>(std::exp2(inputs.transform.options().exposure)));
     glUniform2i(layout::ORIGIN_LOCATION, inputs.target.x, inputs.target.y);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-void DisplayPass::render(const Inputs& inputs) {
-    draw(prepare(inputs).program, inputs);
 }
 
 bool DisplayPass::isBaked(const DisplayTransform& transform) const {

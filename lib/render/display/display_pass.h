@@ -4,24 +4,22 @@
 #include "gl/texture.h"
 
 #include <candela/color.h>
-#include <candela/renderer.h>
+#include <candela/frame_settings.h>
 
 #include <cstddef>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace candela {
 
-/// Shows a radiance texture through a display transform, with exposure before it and half a code value of
+/// Draws a radiance texture through a display transform, with exposure before it and half a code value of
 /// dither after it.
 class DisplayPass {
   public:
-    /// Whether a transform's curves may be baked into tables; see docs/color.md.
+    /// Whether a transform's curves are baked into tables; see docs/color.md.
     enum class Baking {
-        never,        ///< The exact shader, on GPUs.
-        whereFaster,  ///< The faster of the two, found by timing both on a transform's first use.
-        always,       ///< Wherever the transform can be baked: for tests.
+        never,   ///< The exact shader: for GPUs.
+        always,  ///< Tables wherever a transform has curves that gain by it: for software rasterisers.
     };
     explicit DisplayPass(Baking baking = Baking::never);
     ~DisplayPass();
@@ -33,22 +31,19 @@ class DisplayPass {
         FrameTarget target;
     };
     void render(const Inputs& inputs);
-    /// Whether `transform`, which was shown before, is shown through its baked form.
+    /// Whether `transform`, which `render` was given before, is drawn through its baked shader.
     bool isBaked(const DisplayTransform& transform) const;
+    std::size_t programCount() const { return prepared_.size(); }
 
   private:
     struct DisplayProgram;
     struct Prepared;
-    Prepared* find(const DisplayTransform& transform) const;
-    Prepared& prepare(const Inputs& inputs);
-    void bake(Prepared& prepared, const Inputs& inputs);
-    bool isWorthIt(const DisplayProgram& exact, const DisplayProgram& baked, const Inputs& inputs) const;
-    void draw(const DisplayProgram& program, const Inputs& inputs) const;
+    const Prepared* find(const DisplayTransform& transform) const;
+    const Prepared& prepare(const DisplayTransform& transform);
 
     Baking baking_;
     gl::VertexArray vertexArray_;
-    std::vector<std::unique_ptr<Prepared>>
-        prepared_;  ///< One a transform that was shown; the text of its exact shader tells them apart.
+    std::vector<std::unique_ptr<Prepared>> prepared_;
 };
 
 }  // namespace candela

@@ -9,31 +9,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include <array>
-
 namespace candela {
 
 namespace {
-
-constexpr std::array<const char*, 3> positionChannels{"P.X", "P.Y", "P.Z"};
-constexpr std::array<const char*, 3> normalChannels{"N.X", "N.Y", "N.Z"};
-constexpr std::array<const char*, 3> baseColorChannels{"base_color.R", "base_color.G", "base_color.B"};
-constexpr std::array<const char*, 3> emissionChannels{"emission.R", "emission.G", "emission.B"};
-constexpr std::array<const char*, 1> depthChannels{"Z"};
-constexpr std::array<const char*, 1> metallicChannels{"metallic"};
-constexpr std::array<const char*, 1> roughnessChannels{"roughness"};
-
-constexpr std::array<GBufferChannel, 7> channels{{
-    {"Z", "distance along the view axis in metres, 0 on the background", "reversed depth: near plane / Z",
-     "32-bit float", depthChannels},
-    {"P", "world position in metres", "follows from Z and the camera", "none of its own", positionChannels},
-    {"N", "world normal, unit length", "octahedral, codes 1 to 4095 an axis", "2 × 12 bits", normalChannels},
-    {"base_color", "base colour, linear in the working space", "sRGB curve", "3 × 8 bits", baseColorChannels},
-    {"metallic", "metallic, 0 to 1", "linear", "8 bits", metallicChannels},
-    {"roughness", "perceptual roughness, 0 to 1", "linear", "8 bits", roughnessChannels},
-    {"emission", "emitted radiance, linear in the working space", "linear, in the radiance target",
-     "3 × 32-bit float", emissionChannels},
-}};
 
 // shaders/shared/gbuffer_encoding.h over GLM's vectors.
 namespace encoding {
@@ -56,10 +34,6 @@ vec4 unpackUnorm4x8(uint codes) {
 }  // namespace encoding
 
 }  // namespace
-
-std::span<const GBufferChannel> gbufferChannels() {
-    return channels;
-}
 
 GBufferTexel packSurface(const GBufferSurface& surface) {
     return {encoding::packBaseColor(surface.lobes.baseColor, surface.lobes.metallic),

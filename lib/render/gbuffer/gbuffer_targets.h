@@ -2,27 +2,54 @@
 
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
+#include "render/layout.h"
+
+#include <array>
+#include <span>
+#include <vector>
 
 namespace candela {
 
-/// What a pass does with the content of a target before it draws.
-enum class LoadOp {
-    load,      ///< Keeps it.
-    clear,     ///< Sets it to zero.
-    dontCare,  ///< Leaves it undefined: the pass or the next one writes every pixel.
+/// A texture of the G-buffer that holds words of each pixel.
+struct GBufferWordTexture {
+    const char* label;
+    GLenum internalFormat, readFormat;
+    int words;   ///< 32-bit words a pixel.
+    int unit;    ///< Texture unit from which shaders read it.
+    int output;  ///< Fragment output of the geometry pass that writes it.
 };
 
-/// The G-buffer of one picture size and the radiance target that goes with it.
+/// The word textures of a G-buffer. Targets, clears, bindings and readback follow it; in shaders
+/// lib/gbuffer.glsl, lib/gbuffer_input.glsl and lib/gbuffer_output.glsl do. docs/gbuffer.md says how to add
+/// one.
+using GBufferLayout = std::span<const GBufferWordTexture>;
+
+/// The words that every scene needs.
+inline constexpr std::array baseWordTextures{GBufferWordTexture{
+    "G-buffer surface", GL_RG32UI, GL_RG_INTEGER, 2, layout::SURFACE_UNIT, layout::SURFACE_OUTPUT}};
+
+/// How a pass finds a target that it writes.
+enum class LoadOp {
+    load,      ///< With the content that earlier passes have left.
+    clear,     ///< Cleared.
+    dontCare,  ///< With undefined content: the pass, or a later one, writes every pixel.
+};
+
+/// The G-buffer of one picture size, and the radiance target that goes with it.
 struct GBufferTargets {
-    GBufferTargets(int width, int height);
+    GBufferTargets(int width, int height, GBufferLayout layout = baseWordTextures);
+
+    /// Binds the word textures and the depth for reading by shaders.
+    void bind() const;
 
     int width, height;
-    gl::Texture surface;                  ///< RG32UI: the two words of `GBufferTexel`.
+    GBufferLayout layout;
+    std::vector<gl::Texture> words;       ///< One for each of `layout`.
     gl::Texture depth;                    ///< 32-bit float, reversed.
     gl::Texture radiance;                 ///< RGBA32F: emission, then the sum of all light.
-    gl::Framebuffer surfaces;             ///< surface and depth.
-    gl::Framebuffer surfacesAndEmission;  ///< surface, radiance and depth.
-    gl::Framebuffer lit;                  ///< radiance alone.
+    gl::Framebuffer surfaces;             ///< Words and depth.
+    gl::Framebuffer surfacesAndEmission;  ///< Words, radiance and depth.
+    gl::Framebuffer lit;                  ///< Radiance alone.
 };
 
 }  // namespace candela

@@ -15,7 +15,8 @@ void clear(const GBufferTargets& targets, LoadOp radianceLoad) {
     constexpr std::array<GLuint, 4> nothing{0, 0, 0, 0};
     constexpr std::array<GLfloat, 4> black{0.0f, 0.0f, 0.0f, 0.0f};
     constexpr GLfloat farthest = 0.0f;
-    glClearNamedFramebufferuiv(targets.surfaces.name(), GL_COLOR, 0, nothing.data());
+    for (const GBufferWordTexture& words : targets.layout)
+        glClearNamedFramebufferuiv(targets.surfaces.name(), GL_COLOR, words.output, nothing.data());
     glClearNamedFramebufferfv(targets.surfaces.name(), GL_DEPTH, 0, &farthest);
     if (radianceLoad == LoadOp::clear)
         glClearNamedFramebufferfv(targets.lit.name(), GL_COLOR, 0, black.data());
@@ -36,8 +37,7 @@ void GeometryPass::render(const Inputs& inputs) const {
     inputs.draws.bind();
     glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instances.records().name());
     glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materials.records().name());
-    // Batches come sorted, emissive ones last: what hides emission later would otherwise have to write black
-    // over it.
+    // Emissive batches come last: otherwise, surfaces in front of emission would have to write black over it.
     for (const DrawBatch& batch : inputs.draws.batches()) {
         const gl::Framebuffer& target =
             batch.key.emissive ? inputs.targets.surfacesAndEmission : inputs.targets.surfaces;

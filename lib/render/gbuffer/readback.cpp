@@ -1,5 +1,7 @@
 #include "render/gbuffer/readback.h"
 
+#include <glm/vec4.hpp>
+
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
@@ -8,48 +10,68 @@ namespace candela {
 
 namespace {
 
-struct Layout {
+struct PixelFormat {
     GLenum format, type;
     std::size_t bytes;  ///< A pixel.
 };
 
-void read(const gl::Texture& texture, int width, int height, const Layout& layout, void* into) {
-    // OpenGL takes the size as an int: pictures of 2 GiB and more are read in bands.
-    const std::size_t rowBytes = static_cast<std::size_t>(width) * layout.bytes;
+constexpr PixelFormat depthFormat{GL_DEPTH_COMPONENT, GL_FLOAT, 4};
+constexpr PixelFormat colorFormat{GL_RGBA, GL_FLOAT, 16};
+constexpr PixelFormat byteFormat{GL_RGBA, GL_UNSIGNED_BYTE, 4};
+
+PixelFormat wordFormat(const GBufferWordTexture& texture) {
+    return {texture.readFormat, GL_UNSIGNED_INT, static_cast<std::size_t>(texture.words) * 4};
+}
+
+void read(const gl::Texture& texture, int width, int height, const PixelFormat& pixel, void* into) {
+    // OpenGL takes the size as an int: targets of 2 GiB and more are read in bands.
+    const std::size_t rowBytes = static_cast<std::size_t>(width) * pixel.bytes;
     const int rows = static_cast<int>(std::max<std::size_t>(1, (std::size_t{1} << 30) / rowBytes));
     for (int y = 0; y < height; y += rows) {
         const int count = std::min(rows, height - y);
-        glGetTextureSubImage(texture.name(), 0, 0, y, 0, width, count, 1, layout.format, layout.type,
+        glGetTextureSubImage(texture.name(), 0, 0, y, 0, width, count, 1, pixel.format, pixel.type,
                              static_cast<GLsizei>(rowBytes * static_cast<std::size_t>(count)),
                              static_cast<std::byte*>(into) + rowBytes * static_cast<std::size_t>(y));
     }
+}
+
+template <typename T>
+T readPixel(const gl::Texture& texture, int x, int y, const PixelFormat& pixel) {
+    T value{};
+    assert(sizeof value == pixel.bytes);
+    glGetTextureSubImage(texture.name(), 0, x, y, 0, 1, 1, 1, pixel.format, pixel.type,
+                         static_cast<GLsizei>(pixel.bytes), &value);
+    return value;
 }
 
 std::size_t pixelCount(int width, int height) {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
+static_assert(sizeof(GBufferTexel) == 4 * baseWordTextures[0].words);
+
 }  // namespace
 
-void readSurfaces(const GBufferTargets& targets, std::span<std::uint32_t> into) {
-    assert(into.size() == 2 * pixelCount(targets.width, targets.height));
-    read(targets.surface, targets.width, targets.height, {GL_RG_INTEGER, GL_UNSIGNED_INT, 8}, into.data());
+void readWords(const GBufferTargets& targets, std::size_t index, std::span<std::uint32_t> into) {
+    const GBufferWordTexture& texture = targets.layout[index];
+    assert(into.size() ==
+           static_cast<std::size_t>(texture.words) * pixelCount(targets.width, targets.height));
+    read(targets.words[index], targets.width, targets.height, wordFormat(texture), into.data());
 }
 
 void readDepth(const GBufferTargets& targets, std::span<float> into) {
     assert(into.size() == pixelCount(targets.width, targets.height));
-    read(targets.depth, targets.width, targets.height, {GL_DEPTH_COMPONENT, GL_FLOAT, 4}, into.data());
+    read(targets.depth, targets.width, targets.height, depthFormat, into.data());
 }
 
 void readColor(const gl::Texture& texture, int width, int height, std::span<float> into) {
     assert(into.size() == 4 * pixelCount(width, height));
-    read(texture, width, height, {GL_RGBA, GL_FLOAT, 16}, into.data());
+    read(texture, width, height, colorFormat, into.data());
 }
 
 std::vector<GBufferTexel> readSurfaces(const GBufferTargets& targets) {
     std::vector<GBufferTexel> texels(pixelCount(targets.width, targets.height));
-    static_assert(sizeof(GBufferTexel) == 8);
-    read(targets.surface, targets.width, targets.height, {GL_RG_INTEGER, GL_UNSIGNED_INT, 8}, texels.data());
+    read(targets.words[0], targets.width, targets.height, wordFormat(targets.layout[0]), texels.data());
     return texels;
 }
 
@@ -67,7 +89,7 @@ std::vector<float> readColor(const gl::Texture& texture, int width, int height) 
 
 std::vector<std::uint8_t> readBytes(const gl::Texture& texture, int width, int height) {
     std::vector<std::uint8_t> rgba(4 * pixelCount(width, height));
-    read(texture, width, height, {GL_RGBA, GL_UNSIGNED_BYTE, 4}, rgba.data());
+    read(texture, width, height, byteFormat, rgba.data());
     return rgba;
 }
 
@@ -75,6 +97,18 @@ std::uint64_t countLitSurfaces(const GBufferTargets& targets) {
     const auto surfaces = readSurfaces(targets);
     return static_cast<std::uint64_t>(
         std::ranges::count_if(surfaces, [](const GBufferTexel& texel) { return texel.y != 0; }));
+}
+
+GBufferTexel readSurfaceAt(const GBufferTargets& targets, int x, int y) {
+    return readPixel<GBufferTexel>(targets.words[0], x, y, wordFormat(targets.layout[0]));
+}
+
+float readDepthAt(const GBufferTargets& targets, int x, int y) {
+    return readPixel<float>(targets.depth, x, y, depthFormat);
+}
+
+glm::vec3 readColorAt(const gl::Texture& texture, int x, int y) {
+    return glm::vec3(readPixel<glm::vec4>(texture, x, y, colorFormat));
 }
 
 }  // namespace candela

@@ -4,26 +4,35 @@
 
 #include <candela/gbuffer.h>
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace candela {
 
-/// Each reads a whole target back, rows from the bottom as OpenGL has them. Those with `into` fill memory of
-/// the right size: two words, one float and four floats a pixel.
-void readSurfaces(const GBufferTargets& targets, std::span<std::uint32_t> into);
+// Whole targets, rows from the bottom as OpenGL has them.
+
+/// Fills `into`, which has `words` of `layout[index]` for each pixel.
+void readWords(const GBufferTargets& targets, std::size_t index, std::span<std::uint32_t> into);
+/// Fills `into`, which has one float a pixel.
 void readDepth(const GBufferTargets& targets, std::span<float> into);
+/// Fills `into`, which has four floats a pixel.
 void readColor(const gl::Texture& texture, int width, int height, std::span<float> into);
 std::vector<GBufferTexel> readSurfaces(const GBufferTargets& targets);
 std::vector<float> readDepth(const GBufferTargets& targets);
 /// RGBA.
 std::vector<float> readColor(const gl::Texture& texture, int width, int height);
-
 /// RGBA, 8 bits a channel.
 std::vector<std::uint8_t> readBytes(const gl::Texture& texture, int width, int height);
-
 /// The pixels that light falls on: all but the background and unlit surfaces.
 std::uint64_t countLitSurfaces(const GBufferTargets& targets);
+
+// One pixel, y from the bottom.
+
+GBufferTexel readSurfaceAt(const GBufferTargets& targets, int x, int y);
+float readDepthAt(const GBufferTargets& targets, int x, int y);
+glm::vec3 readColorAt(const gl::Texture& texture, int x, int y);
 
 }  // namespace candela

@@ -5,7 +5,7 @@
 #include "render/lighting/pair_counter.h"
 
 #include <candela/context.h>
-#include <candela/renderer.h>
+#include <candela/frame_settings.h>
 
 #include <map>
 #include <memory>

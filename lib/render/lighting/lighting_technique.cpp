@@ -25,8 +25,7 @@ gl::Texture makeAlbedoTexture() {
 }
 
 void bindForLighting(const GBufferTargets& targets, const GpuLights& lights, const gl::Texture& albedo) {
-    glBindTextureUnit(layout::SURFACE_UNIT, targets.surface.name());
-    glBindTextureUnit(layout::DEPTH_UNIT, targets.depth.name());
+    targets.bind();
     glBindTextureUnit(layout::LIGHTS_UNIT, lights.records().name());
     glBindTextureUnit(layout::CONES_UNIT, lights.cones().name());
     glBindTextureUnit(layout::ALBEDO_UNIT, albedo.name());

@@ -1,4 +1,4 @@
-// Data views: each pixel against the value that the AOVs give for it.
+// Debug views: each pixel against the value of its AOV.
 
 #include "support/cage_scenes.h"
 #include "support/drawing_test.h"
@@ -6,6 +6,7 @@
 #include "support/procedural_scene.h"
 
 #include <candela/color.h>
+#include <candela/error.h>
 #include <candela/subdivider.h>
 
 #include <glm/common.hpp>
@@ -14,16 +15,14 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <limits>
 
 namespace candela::test {
 namespace {
 
 constexpr int width = 72, height = 50;
-constexpr std::array views{DebugView::normals,  DebugView::level,     DebugView::baseColor,
-                           DebugView::metallic, DebugView::roughness, DebugView::depth,
-                           DebugView::emission, DebugView::lightCount};
 
-/// Spheres and a floor of all roughnesses under point lights, a surface that glows, one without light, and
+/// Spheres and a floor of all roughnesses under point lights, an emissive surface, an unlit one, and
 /// background.
 LitScene everything() {
     LitScene made = plazaLike();
@@ -38,9 +37,9 @@ LitScene everything() {
     return made;
 }
 
-FrameRequest frameOf(const LitScene& made, DebugView show = DebugView::none) {
+FrameRequest frameOf(const LitScene& made, DebugView debugView = DebugView::none) {
     FrameRequest inputs{width, height, made.view, BrdfModel::course, Technique::tiles};
-    inputs.debugView = show;
+    inputs.debugView = debugView;
     return inputs;
 }
 
@@ -59,16 +58,17 @@ glm::vec3 srgb(const glm::vec3& linear) {
     return {srgb(linear.r), srgb(linear.g), srgb(linear.b)};
 }
 
-class ShowViewsTest : public DrawingTest {
+class DebugViewDataTest : public DrawingTest {
   protected:
     void SetUp() override { scene_ = upload(made_.scene, made_.lights); }
 
-    HdrImage view(DebugView show) { return drawn(scene_, frameOf(made_, show)); }
+    HdrImage view(DebugView debugView) { return drawn(scene_, frameOf(made_, debugView)); }
 
     /// Compares the view with `expected` at the pixels with a surface, and with black at the others.
-    void expectView(DebugView show, const std::function<glm::vec3(const AovReader&, int x, int y)>& expected,
+    void expectView(DebugView debugView,
+                    const std::function<glm::vec3(const AovReader&, int x, int y)>& expected,
                     float tolerance) {
-        const HdrImage picture = view(show);
+        const HdrImage picture = view(debugView);
         const AovReader reader = aovs(width);
         int surfaces = 0;
         for (int y = 0; y < height; ++y) {
@@ -78,7 +78,7 @@ class ShowViewsTest : public DrawingTest {
                 const glm::vec3 wanted = isSurface ? expected(reader, x, y) : glm::vec3(0.0f);
                 const glm::vec3 off = glm::abs(pixelOf(picture, x, y) - wanted);
                 ASSERT_LE(std::max({off.r, off.g, off.b}), isSurface ? tolerance : 0.0f)
-                    << toString(show) << " at " << x << ", " << y;
+                    << toString(debugView) << " at " << x << ", " << y;
             }
         }
         EXPECT_GT(surfaces, width * height / 2);
@@ -89,32 +89,33 @@ class ShowViewsTest : public DrawingTest {
     GpuScene scene_ = upload(Scene{});
 };
 
-// The shader and its C++ twin decode the same codes: a few roundings of numbers up to 1.
+// The shader and C++ decode the same codes: a few roundings of numbers up to 1.
 constexpr float rounding = 2e-6f;
 // OpenGL's pow() may be wrong by 16 units in the last place for decoding and again for encoding.
 constexpr float powerRounding = 2e-5f;
 
-TEST_F(ShowViewsTest, normals) {
+TEST_F(DebugViewDataTest, normals) {
     expectView(
         DebugView::normals,
         [](const AovReader& r, int x, int y) { return 0.5f + 0.5f * r.vector("N", x, y); }, rounding);
 }
 
-TEST_F(ShowViewsTest, baseColor) {
+TEST_F(DebugViewDataTest, baseColor) {
     expectView(
         DebugView::baseColor,
         [](const AovReader& r, int x, int y) { return srgb(r.vector("base_color", x, y)); }, powerRounding);
 }
 
-TEST_F(ShowViewsTest, metallicAndRoughness) {
-    for (const DebugView show : {DebugView::metallic, DebugView::roughness}) {
+TEST_F(DebugViewDataTest, metallicAndRoughness) {
+    for (const DebugView debugView : {DebugView::metallic, DebugView::roughness}) {
         expectView(
-            show, [&](const AovReader& r, int x, int y) { return glm::vec3(r.scalar(toString(show), x, y)); },
+            debugView,
+            [&](const AovReader& r, int x, int y) { return glm::vec3(r.scalar(toString(debugView), x, y)); },
             rounding);
     }
 }
 
-TEST_F(ShowViewsTest, depthIsBrightWhereItIsNear) {
+TEST_F(DebugViewDataTest, depthIsBrightWhereItIsNear) {
     view(DebugView::depth);
     const AovReader reader = aovs(width);
     float nearest = 1e9f;
@@ -130,13 +131,13 @@ TEST_F(ShowViewsTest, depthIsBrightWhereItIsNear) {
         rounding);
 }
 
-TEST_F(ShowViewsTest, emission) {
+TEST_F(DebugViewDataTest, emission) {
     expectView(
         DebugView::emission,
         [](const AovReader& r, int x, int y) { return srgb(r.vector("emission", x, y)); }, powerRounding);
 }
 
-TEST_F(ShowViewsTest, emissionOfASceneThatEmitsNothingIsBlackAfterALitPicture) {
+TEST_F(DebugViewDataTest, emissionOfASceneThatEmitsNothingIsBlackAfterALitPicture) {
     const LitScene plaza = plazaLike();
     GpuScene scene = upload(plaza.scene, plaza.lights);
     drawn(scene, frameOf(plaza));
@@ -146,24 +147,24 @@ TEST_F(ShowViewsTest, emissionOfASceneThatEmitsNothingIsBlackAfterALitPicture) {
     }
 }
 
-TEST_F(ShowViewsTest, lightCountIsAHeatMapUpToTheFramesMost) {
+TEST_F(DebugViewDataTest, lightCountIsAHeatMapUpToTheMaximumOfTheFrame) {
     view(DebugView::lightCount);
     const AovReader reader = aovs(width);
-    float most = 0.0f;
+    float maximum = 0.0f;
     for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) most = std::max(most, reader.scalar("light_count", x, y));
+        for (int x = 0; x < width; ++x) maximum = std::max(maximum, reader.scalar("light_count", x, y));
     }
-    ASSERT_GT(most, 3.0f);
-    EXPECT_EQ(lastFrame().maxLightCount(), static_cast<std::uint32_t>(most));
+    ASSERT_GT(maximum, 3.0f);
+    EXPECT_EQ(lastFrame().maxLightCount(), static_cast<std::uint32_t>(maximum));
     expectView(
         DebugView::lightCount,
-        [&](const AovReader& r, int x, int y) { return heatColor(r.scalar("light_count", x, y) / most); },
+        [&](const AovReader& r, int x, int y) { return heatColor(r.scalar("light_count", x, y) / maximum); },
         rounding);
     view(DebugView::depth);
     EXPECT_EQ(lastFrame().maxLightCount(), 0u) << "that frame counted no lights";
 }
 
-TEST_F(ShowViewsTest, lightCountWithoutLightsIsBlack) {
+TEST_F(DebugViewDataTest, lightCountWithoutLightsIsBlack) {
     GpuScene dark = upload(made_.scene);
     const HdrImage picture = drawn(dark, frameOf(made_, DebugView::lightCount));
     EXPECT_EQ(lastFrame().maxLightCount(), 0u);
@@ -172,12 +173,12 @@ TEST_F(ShowViewsTest, lightCountWithoutLightsIsBlack) {
     }
 }
 
-TEST_F(ShowViewsTest, levelOfMeshesIsGrey) {
+TEST_F(DebugViewDataTest, levelOfMeshesIsGrey) {
     expectView(
         DebugView::level, [](const AovReader&, int, int) { return glm::vec3(0.5f); }, 0.0f);
 }
 
-TEST_F(ShowViewsTest, levelOfCagesIsItsColor) {
+TEST_F(DebugViewDataTest, levelOfCagesIsItsColor) {
     Scene made =
         sceneOfCage(makeSharpCubeCage(1.0f), Material{}, glm::translate(glm::mat4(1.0f), {-1.5f, 0, 0}));
     place(made, makeQuad(1.0f), Material{}, glm::translate(glm::mat4(1.0f), {1.5f, 0, 0}));
@@ -194,17 +195,17 @@ TEST_F(ShowViewsTest, levelOfCagesIsItsColor) {
     expectColors({}, 0);
 }
 
-TEST_F(ShowViewsTest, emptyScenesAreBlack) {
+TEST_F(DebugViewDataTest, emptyScenesAreBlack) {
     GpuScene empty = upload(Scene{});
-    for (const DebugView show : views) {
-        const HdrImage picture = drawn(empty, frameOf(made_, show));
-        for (const float value : picture.rgba) ASSERT_EQ(value, 0.0f) << toString(show);
+    for (const DebugView debugView : debugViews()) {
+        const HdrImage picture = drawn(empty, frameOf(made_, debugView));
+        for (const float value : picture.rgba) ASSERT_EQ(value, 0.0f) << toString(debugView);
     }
 }
 
-TEST_F(ShowViewsTest, displayShowsTheCodesAsTheyAre) {
-    for (const DebugView show : views) {
-        const HdrImage picture = view(show);
+TEST_F(DebugViewDataTest, displayCopiesTheCodes) {
+    for (const DebugView debugView : debugViews()) {
+        const HdrImage picture = view(debugView);
         const std::vector<std::uint8_t> codes = lastFrame().displayPicture(transformOf());
         EXPECT_EQ(lastFrame().displayPicture(transformOf(3.0)), codes) << "no exposure changes it";
         for (std::size_t i = 0; i < codes.size(); ++i) {
@@ -213,12 +214,12 @@ TEST_F(ShowViewsTest, displayShowsTheCodesAsTheyAre) {
                 continue;
             }
             // Rounded to the nearest; OpenGL allows 0.6 codes where it asks for conversion to fixed point.
-            ASSERT_NEAR(float(codes[i]), 255.0f * picture.rgba[i], 0.6f) << toString(show);
+            ASSERT_NEAR(float(codes[i]), 255.0f * picture.rgba[i], 0.6f) << toString(debugView);
         }
     }
 }
 
-TEST_F(ShowViewsTest, baseColorsOfTheDisplayAreTheGBuffersCodes) {
+TEST_F(DebugViewDataTest, baseColorsOfTheDisplayAreTheGBuffersCodes) {
     Material material;
     material.baseColor = {0.25f, 0.5f, 0.75f, 1};
     LitScene made{"", sceneOf(makeQuad(9.0f), material), {}, lookAt({0, 0, 3}, {0, 0, 0}, 0.5f)};
@@ -228,51 +229,54 @@ TEST_F(ShowViewsTest, baseColorsOfTheDisplayAreTheGBuffersCodes) {
         EXPECT_EQ(codes[c], std::lround(255.0f * srgb(material.baseColor[int(c)])));
 }
 
-TEST_F(ShowViewsTest, lightingIsNotRun) {
-    for (const DebugView show : views) {
-        view(show);
+TEST_F(DebugViewDataTest, lightingIsNotRun) {
+    for (const DebugView debugView : debugViews()) {
+        view(debugView);
         lastFrame().displayPicture(transformOf());
         std::vector<std::string> names;
         for (const PassTime& pass : lastFrame().passTimes()) names.push_back(pass.name);
-        EXPECT_EQ(names, (std::vector<std::string>{"geometry", "show", "display"})) << toString(show);
+        EXPECT_EQ(names, (std::vector<std::string>{"geometry", "debug view", "display"}))
+            << toString(debugView);
         EXPECT_EQ(lastFrame().technique(), Technique::tiles);
     }
 }
 
-TEST_F(ShowViewsTest, aovsAndPairsAreThoseOfThePicture) {
+TEST_F(DebugViewDataTest, aovsAndPairsAreThoseOfThePicture) {
     drawn(scene_, frameOf(made_));
     const std::vector<Aov> expected = lastFrame().aovs(Renderer::aovNames());
     const PairCounts pairs = lastFrame().countPairs();
     EXPECT_GT(pairs.pairsEvaluated, 0u);
-    for (const DebugView show : views) {
-        view(show);
+    for (const DebugView debugView : debugViews()) {
+        view(debugView);
         const std::vector<Aov> actual = lastFrame().aovs(Renderer::aovNames());
         for (std::size_t i = 0; i < expected.size(); ++i)
-            EXPECT_EQ(actual[i].values, expected[i].values) << toString(show) << ": " << expected[i].name;
+            EXPECT_EQ(actual[i].values, expected[i].values)
+                << toString(debugView) << ": " << expected[i].name;
         EXPECT_EQ(lastFrame().countPairs().pairsLit, pairs.pairsLit);
         EXPECT_EQ(lastFrame().countPairs().pairsEvaluated, 0u) << "no light was evaluated";
     }
 }
 
-TEST_F(ShowViewsTest, pictureIsTheSameAfterADataView) {
+TEST_F(DebugViewDataTest, pictureIsTheSameAfterADebugView) {
     for (const Technique technique : techniques) {
         FrameRequest inputs = frameOf(made_);
         inputs.technique = technique;
         const std::vector<float> before = drawn(scene_, inputs).rgba;
-        for (const DebugView show : views) {
-            view(show);
-            ASSERT_EQ(drawn(scene_, inputs).rgba, before) << toString(technique) << ", " << toString(show);
+        for (const DebugView debugView : debugViews()) {
+            view(debugView);
+            ASSERT_EQ(drawn(scene_, inputs).rgba, before)
+                << toString(technique) << ", " << toString(debugView);
         }
     }
 }
 
-TEST_F(ShowViewsTest, sizesMayChangeFromViewToView) {
+TEST_F(DebugViewDataTest, sizesMayChangeFromViewToView) {
     for (const auto& [w, h] : {std::pair{7, 5}, {1, 1}, {130, 3}, {7, 5}}) {
-        for (const DebugView show : views) {
-            FrameRequest inputs = frameOf(made_, show);
+        for (const DebugView debugView : debugViews()) {
+            FrameRequest inputs = frameOf(made_, debugView);
             inputs.width = w;
             inputs.height = h;
-            EXPECT_TRUE(allFinite(drawn(scene_, inputs))) << toString(show);
+            EXPECT_TRUE(allFinite(drawn(scene_, inputs))) << toString(debugView);
             EXPECT_EQ(lastFrame().displayPicture(transformOf()).size(), std::size_t(4 * w * h));
         }
     }
@@ -287,9 +291,14 @@ TEST(ColorScales, heatRunsFromBlackOverBlueGreenAndYellowToRed) {
     EXPECT_EQ(heatColor(0.125f), glm::vec3(0, 0, 0.5f)) << "in between it blends";
     EXPECT_EQ(heatColor(-1.0f), heatColor(0.0f));
     EXPECT_EQ(heatColor(7.0f), heatColor(1.0f));
+    EXPECT_EQ(heatColor(std::numeric_limits<float>::quiet_NaN()), heatColor(0.0f));
 }
 
-TEST(ColorScales, levelsAreToldApart) {
+TEST(ColorScales, levelsBeyondTheLastAreErrors) {
+    EXPECT_THROW(levelColor(maxSubdivisionLevel + 1), Error);
+}
+
+TEST(ColorScales, levelsDifferClearly) {
     for (std::uint32_t a = 0; a <= maxSubdivisionLevel; ++a) {
         for (std::uint32_t b = 0; b < a; ++b) {
             const glm::vec3 off = glm::abs(levelColor(a) - levelColor(b));
@@ -302,7 +311,8 @@ TEST(ColorScales, levelsAreToldApart) {
 TEST(ColorScales, namesAreThoseOfTheCommandLine) {
     const std::array names{"normals",   "level", "base_color", "metallic",
                            "roughness", "depth", "emission",   "light_count"};
-    for (std::size_t i = 0; i < views.size(); ++i) EXPECT_STREQ(toString(views[i]), names[i]);
+    ASSERT_EQ(debugViews().size(), names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) EXPECT_STREQ(toString(debugViews()[i]), names[i]);
     EXPECT_STREQ(toString(DebugView::none), "picture");
 }
 

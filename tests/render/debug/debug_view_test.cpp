@@ -34,7 +34,7 @@ Scene glowing(const glm::vec3& radiance) {
 
 class ShowTest : public DrawingTest {
   protected:
-    static std::vector<std::uint8_t> shown(const glm::vec3& radiance, double exposure = 0.0) {
+    static std::vector<std::uint8_t> displayed(const glm::vec3& radiance, double exposure = 0.0) {
         render(upload(glowing(radiance)), frame());
         return lastFrame().displayPicture(transformOf(exposure));
     }
@@ -44,7 +44,7 @@ TEST_F(ShowTest, everyPixelIsOneOfTheTwoCodesAroundItsValue) {
     for (const float radiance : {0.001f, 0.0173f, 0.2f, 0.7f, 0.99f}) {
         std::vector<float> value{radiance, 0.5f * radiance, 0.1f * radiance, 1.0f};
         transformOf().apply(value);
-        const std::vector<std::uint8_t> codes = shown({radiance, 0.5f * radiance, 0.1f * radiance});
+        const std::vector<std::uint8_t> codes = displayed({radiance, 0.5f * radiance, 0.1f * radiance});
         for (std::size_t i = 0; i < codes.size(); ++i) {
             if (i % 4 == 3) {
                 ASSERT_EQ(codes[i], 255);
@@ -61,7 +61,7 @@ TEST_F(ShowTest, meanOfADimAreaIsItsValue) {
     for (const float radiance : {0.0008f, 0.003f, 0.01f}) {
         std::vector<float> value{radiance, radiance, radiance, 1.0f};
         transformOf().apply(value);
-        const std::vector<std::uint8_t> codes = shown(glm::vec3(radiance));
+        const std::vector<std::uint8_t> codes = displayed(glm::vec3(radiance));
         double sum = 0.0;
         for (std::size_t i = 0; i < codes.size(); i += 4) sum += codes[i];
         // Codes spread by 0.5 at most: over 3,072 pixels five standard errors are 0.045; and as above.
@@ -72,7 +72,7 @@ TEST_F(ShowTest, meanOfADimAreaIsItsValue) {
 TEST_F(ShowTest, blackAndWhiteHaveNoNoise) {
     render(upload(Scene{}), frame());
     const std::vector<std::uint8_t> background = lastFrame().displayPicture(transformOf());
-    const std::vector<std::uint8_t> black = shown(glm::vec3(0)), white = shown(glm::vec3(1000));
+    const std::vector<std::uint8_t> black = displayed(glm::vec3(0)), white = displayed(glm::vec3(1000));
     for (std::size_t i = 0; i < black.size(); ++i) {
         ASSERT_EQ(black[i], i % 4 == 3 ? 255 : 0);
         ASSERT_EQ(background[i], i % 4 == 3 ? 255 : 0);
@@ -83,14 +83,15 @@ TEST_F(ShowTest, blackAndWhiteHaveNoNoise) {
 TEST_F(ShowTest, exposureIsAFactorBeforeTheTransform) {
     for (const double stops : {-3.0, 1.0, 5.0}) {
         const auto scale = float(std::exp2(stops));
-        EXPECT_EQ(shown({0.02f, 0.01f, 0.03f}, stops), shown(scale * glm::vec3(0.02f, 0.01f, 0.03f), 0.0))
+        EXPECT_EQ(displayed({0.02f, 0.01f, 0.03f}, stops),
+                  displayed(scale * glm::vec3(0.02f, 0.01f, 0.03f), 0.0))
             << stops;
     }
 }
 
 TEST_F(ShowTest, pictureIsTheSameEachTime) {
-    const std::vector<std::uint8_t> first = shown({0.1f, 0.2f, 0.3f});
-    EXPECT_EQ(shown({0.1f, 0.2f, 0.3f}), first);
+    const std::vector<std::uint8_t> first = displayed({0.1f, 0.2f, 0.3f});
+    EXPECT_EQ(displayed({0.1f, 0.2f, 0.3f}), first);
 }
 
 TEST_F(ShowTest, rowsRunFromTheTop) {

@@ -37,14 +37,15 @@ using Pixels = std::set<Pixel>;
 /// The faces of a cube from -1 to 1, none of whose vertices they share.
 Mesh makeCube() {
     Mesh mesh;
-    const glm::mat3 turns[] = {{1, 0, 0, 0, 1, 0, 0, 0, 1},  {-1, 0, 0, 0, 1, 0, 0, 0, -1},
-                               {0, 0, -1, 0, 1, 0, 1, 0, 0}, {0, 0, 1, 0, 1, 0, -1, 0, 0},
-                               {1, 0, 0, 0, 0, -1, 0, 1, 0}, {1, 0, 0, 0, 0, 1, 0, -1, 0}};
+    const glm::mat3 rotations[] = {{1, 0, 0, 0, 1, 0, 0, 0, 1},  {-1, 0, 0, 0, 1, 0, 0, 0, -1},
+                                   {0, 0, -1, 0, 1, 0, 1, 0, 0}, {0, 0, 1, 0, 1, 0, -1, 0, 0},
+                                   {1, 0, 0, 0, 0, -1, 0, 1, 0}, {1, 0, 0, 0, 0, 1, 0, -1, 0}};
     const Mesh quad = makeQuad(1.0f);
-    for (const glm::mat3& turn : turns) {
+    for (const glm::mat3& rotation : rotations) {
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        for (const glm::vec3& p : quad.positions) mesh.positions.push_back(turn * (p + glm::vec3(0, 0, 1)));
-        mesh.normals.insert(mesh.normals.end(), 4, turn[2]);
+        for (const glm::vec3& p : quad.positions)
+            mesh.positions.push_back(rotation * (p + glm::vec3(0, 0, 1)));
+        mesh.normals.insert(mesh.normals.end(), 4, rotation[2]);
         for (const std::uint32_t index : quad.indices) mesh.indices.push_back(first + index);
     }
     return mesh;
@@ -69,19 +70,19 @@ std::vector<Edge> frontEdges(const Mesh& mesh, const glm::vec3& eye) {
 
 class OverlayTest : public DrawingTest {
   protected:
-    static std::vector<std::uint8_t> shown(auto&& scene, const FrameRequest& inputs) {
+    static std::vector<std::uint8_t> displayed(auto&& scene, const FrameRequest& inputs) {
         render(scene, inputs);
         return lastFrame().displayPicture(ColorConfig::builtIn().displayTransform({}));
     }
 
     /// The pixels that overlays change.
     static Pixels lines(auto&& scene, const CameraView& view, const Overlays& overlays,
-                        DebugView show = DebugView::none) {
+                        DebugView debugView = DebugView::none) {
         FrameRequest inputs = frameOf(view, overlays);
-        inputs.debugView = show;
-        const std::vector<std::uint8_t> with = shown(scene, inputs);
+        inputs.debugView = debugView;
+        const std::vector<std::uint8_t> with = displayed(scene, inputs);
         inputs.overlays = {};
-        const std::vector<std::uint8_t> without = shown(scene, inputs);
+        const std::vector<std::uint8_t> without = displayed(scene, inputs);
         Pixels changed;
         for (int i = 0; i < width * height; ++i) {
             if (!std::equal(&with[std::size_t(4 * i)], &with[std::size_t(4 * i + 4)],
@@ -222,8 +223,8 @@ TEST_F(OverlayTest, liesOverDataViewsToo) {
     GpuScene scene = upload(sceneOf(makeCube(), Material{}));
     const CameraView view = lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f);
     const Pixels over = lines(scene, view, wireframe);
-    for (const DebugView show : {DebugView::normals, DebugView::depth, DebugView::lightCount})
-        EXPECT_EQ(lines(scene, view, wireframe, show), over) << toString(show);
+    for (const DebugView debugView : {DebugView::normals, DebugView::depth, DebugView::lightCount})
+        EXPECT_EQ(lines(scene, view, wireframe, debugView), over) << toString(debugView);
 }
 
 TEST_F(OverlayTest, radianceAndAovsDoNotKnowIt) {
@@ -235,12 +236,12 @@ TEST_F(OverlayTest, radianceAndAovsDoNotKnowIt) {
     EXPECT_EQ(lastFrame().aovs({"N"})[0].values, normals);
 }
 
-TEST_F(OverlayTest, sceneMayBeGoneWhenTheFrameIsShown) {
+TEST_F(OverlayTest, frameIsDisplayedAfterItsSceneIsDestroyed) {
     const CameraView view = lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f);
     std::vector<std::uint8_t> expected;
     {
         GpuScene scene = upload(sceneOf(makeCube(), Material{}));
-        expected = shown(scene, frameOf(view, wireframe));
+        expected = displayed(scene, frameOf(view, wireframe));
         render(scene, frameOf(view, wireframe));
     }
     EXPECT_EQ(lastFrame().displayPicture(ColorConfig::builtIn().displayTransform({})), expected);
@@ -288,7 +289,7 @@ TEST_F(OverlayTest, controlPolyhedronHidesItsBackEdges) {
     expectLines(lines(scene, view, {.cage = true}), view, edges);
 }
 
-TEST_F(OverlayTest, controlPolyhedronStandsBeforeASmoothSurface) {
+TEST_F(OverlayTest, controlPolyhedronLiesInFrontOfASmoothSurface) {
     const Cage cube = makeCubeCage(1.0f);
     GpuScene scene(context(), sceneOfCage(cube, Material{}), subdividing(4));
     const glm::vec3 eye(3, 2.5f, 5);
@@ -307,7 +308,7 @@ TEST_F(OverlayTest, isAPassOfItsOwn) {
     GpuScene scene = upload(sceneOf(makeCube(), Material{}));
     FrameRequest inputs = frameOf(lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f), wireframe);
     inputs.technique = Technique::fullscreen;
-    shown(scene, inputs);
+    displayed(scene, inputs);
     std::vector<std::string> names;
     for (const PassTime& pass : lastFrame().passTimes()) names.push_back(pass.name);
     EXPECT_EQ(names, (std::vector<std::string>{"geometry", "lighting", "overlays", "display"}));
@@ -319,7 +320,7 @@ TEST_F(OverlayTest, sizesMayChangeFromFrameToFrame) {
         FrameRequest inputs = frameOf(lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f), wireframe);
         inputs.width = w;
         inputs.height = h;
-        EXPECT_EQ(shown(scene, inputs).size(), std::size_t(4 * w * h));
+        EXPECT_EQ(displayed(scene, inputs).size(), std::size_t(4 * w * h));
     }
 }
 

@@ -15,9 +15,9 @@ namespace {
 
 constexpr int width = 61, height = 44;
 
-FrameRequest frameOf(const CameraView& view, DebugView show = DebugView::none) {
+FrameRequest frameOf(const CameraView& view, DebugView debugView = DebugView::none) {
     FrameRequest inputs{width, height, view, BrdfModel::course, Technique::volumes};
-    inputs.debugView = show;
+    inputs.debugView = debugView;
     return inputs;
 }
 
@@ -71,10 +71,10 @@ TEST_F(ProbeTest, equalsTheAovsOfEveryKindOfSurface) {
 TEST_F(ProbeTest, equalsTheAovsOfDataViews) {
     const LitScene made = textured();
     GpuScene scene = upload(made.scene, made.lights);
-    for (const DebugView show :
+    for (const DebugView debugView :
          {DebugView::normals, DebugView::emission, DebugView::level, DebugView::lightCount}) {
-        render(scene, frameOf(made.view, show));
-        EXPECT_GT(expectAovs(29), 10) << toString(show);
+        render(scene, frameOf(made.view, debugView));
+        EXPECT_GT(expectAovs(29), 10) << toString(debugView);
     }
 }
 
@@ -87,7 +87,7 @@ TEST_F(ProbeTest, changesNothingOfTheFrame) {
     EXPECT_EQ(drawn(scene, frameOf(made.view)).rgba, before.rgba);
 }
 
-/// Whose node it is, the base colour tells: red holds the number of the node.
+/// Red of the base colour encodes the index of the node.
 Material numbered(std::uint32_t node) {
     Material material;
     // Codes 20 apart, half of them to the next one, so that filtering and rounding can not turn one into

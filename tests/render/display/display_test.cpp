@@ -37,17 +37,17 @@ std::vector<float> filled(int height, float value) {
 /// Sends pixels through the display pass of a headless context.
 class DisplayPassTest : public testing::Test {
   protected:
-    std::vector<float> shown(const std::vector<float>& rgba, const DisplayTransform& transform) {
+    std::vector<float> displayed(const std::vector<float>& rgba, const DisplayTransform& transform) {
         return drawn<float>(rgba, transform, GL_RGBA32F, GL_FLOAT);
     }
 
-    std::vector<std::uint8_t> shown8(const std::vector<float>& rgba, const DisplayTransform& transform) {
+    std::vector<std::uint8_t> displayed8(const std::vector<float>& rgba, const DisplayTransform& transform) {
         return drawn<std::uint8_t>(rgba, transform, GL_RGBA8, GL_UNSIGNED_BYTE);
     }
 
     /// What the pass adds to each channel, found by showing a grey through a transform that does nothing.
     std::vector<float> dither(int height) {
-        std::vector<float> added = shown(filled(height, 0.5f), builtIn("sRGB", "Raw"));
+        std::vector<float> added = displayed(filled(height, 0.5f), builtIn("sRGB", "Raw"));
         for (float& value : added) value -= 0.5f;
         return added;
     }
@@ -57,7 +57,7 @@ class DisplayPassTest : public testing::Test {
                            std::vector<float> radiance = test::Ramps::all()) {
         const int height = int((radiance.size() / 4 + width - 1) / width);
         radiance.resize(std::size_t(width) * height * 4, 0.0f);
-        const std::vector<float> actual = shown(radiance, transform), added = dither(height);
+        const std::vector<float> actual = displayed(radiance, transform), added = dither(height);
         std::vector<float> expected = radiance;
         transform.apply(expected);
         double worst = 0.0;
@@ -79,7 +79,6 @@ class DisplayPassTest : public testing::Test {
 
     void use(DisplayPass::Baking baking) { pass_ = std::make_unique<DisplayPass>(baking); }
     const DisplayPass& pass() const { return *pass_; }
-    bool isSoftware() const { return context_.isSoftware(); }
 
   private:
     template <typename T>
@@ -143,7 +142,7 @@ TEST_F(DisplayPassTest, exposureIsTheSameOnBoth) {
 TEST_F(DisplayPassTest, ditherKeepsTheMeanOfLevelsBetweenCodes) {
     constexpr int height = 256;
     for (const float level : {0.2f, 10.5f, 100.75f, 254.9f}) {
-        const auto codes = shown8(filled(height, level / 255.0f), builtIn("sRGB", "Raw"));
+        const auto codes = displayed8(filled(height, level / 255.0f), builtIn("sRGB", "Raw"));
         double sum = 0.0;
         for (std::size_t i = 0; i < codes.size(); i += 4) sum += codes[i];
         const double mean = sum / (width * height);
@@ -154,7 +153,7 @@ TEST_F(DisplayPassTest, ditherKeepsTheMeanOfLevelsBetweenCodes) {
 
 TEST_F(DisplayPassTest, blackAndWhiteHaveNoNoise) {
     for (const float level : {0.0f, 1.0f}) {
-        const auto codes = shown8(filled(64, level), builtIn("sRGB", "Un-tone-mapped"));
+        const auto codes = displayed8(filled(64, level), builtIn("sRGB", "Un-tone-mapped"));
         for (std::size_t i = 0; i < codes.size(); ++i)
             ASSERT_EQ(codes[i], i % 4 == 3 ? 255 : level * 255) << i;
     }
@@ -182,26 +181,39 @@ TEST_F(DisplayPassTest, bakedShaderAgreesWithCpu) {
     }
 }
 
-TEST_F(DisplayPassTest, bakingIsLeftToWhereItIsAllowedAndHasSomethingToWin) {
+TEST_F(DisplayPassTest, bakingIsLimitedToTransformsThatGainByIt) {
     const DisplayTransform aces = builtIn("sRGB", "ACES 1.0 SDR"), plain = builtIn("sRGB", "Un-tone-mapped"),
                            raw = builtIn("sRGB", "Raw");
-    shown(filled(16, 0.5f), aces);
-    EXPECT_FALSE(pass().isBaked(aces)) << "exact unless asked for";
+    displayed(filled(16, 0.5f), aces);
+    EXPECT_FALSE(pass().isBaked(aces)) << "exact by default";
     use(DisplayPass::Baking::always);
     for (const DisplayTransform& cheap : {plain, raw}) {
-        shown(filled(16, 0.5f), cheap);
+        displayed(filled(16, 0.5f), cheap);
         EXPECT_FALSE(pass().isBaked(cheap)) << cheap.options().view;
     }
 }
 
-TEST_F(DisplayPassTest, theChoiceThatTimingMadeIsKept) {
-    if (!isSoftware()) GTEST_SKIP() << "only on software rasterisers is a form chosen by timing";
-    use(DisplayPass::Baking::whereFaster);
-    const DisplayTransform aces = builtIn("sRGB", "ACES 1.0 SDR");
-    const std::vector<float> first = shown(filled(1024, 0.5f), aces);
-    const bool baked = pass().isBaked(aces);
-    EXPECT_EQ(shown(filled(1024, 0.5f), aces), first);
-    EXPECT_EQ(pass().isBaked(aces), baked);
+TEST_F(DisplayPassTest, transformsThatDifferInExposureShareAProgram) {
+    use(DisplayPass::Baking::always);
+    const std::vector<float> radiance = filled(16, 0.25f);
+    const DisplayTransform plain = builtIn("sRGB", "ACES 1.0 SDR"),
+                           brighter = builtIn("sRGB", "ACES 1.0 SDR", 1.0);
+    const std::vector<float> first = displayed(radiance, plain);
+    EXPECT_NE(displayed(radiance, brighter), first);
+    EXPECT_EQ(displayed(radiance, plain), first);
+    EXPECT_EQ(pass().programCount(), 1u);
+}
+
+TEST_F(DisplayPassTest, transformsWithEqualTextAndOtherTablesDiffer) {
+    const std::vector<float> radiance = test::Ramps::all();
+    const int height = int(radiance.size() / 4 / width);
+    const std::vector<float> pixels(radiance.begin(), radiance.begin() + long(height) * width * 4);
+    const DisplayTransform warm = luts().displayTransform({"Monitor", "Mono", "warm", 0.0}),
+                           faded = luts().displayTransform({"Monitor", "Mono", "faded", 0.0});
+    const std::vector<float> first = displayed(pixels, warm);
+    EXPECT_NE(displayed(pixels, faded), first);
+    EXPECT_EQ(displayed(pixels, warm), first);
+    EXPECT_EQ(pass().programCount(), 2u);
 }
 
 }  // namespace

@@ -2,7 +2,11 @@
 
 #include "gbuffer/gbuffer_drawing.h"
 
+#include "render/gbuffer/readback.h"
+
 #include <glm/gtc/matrix_transform.hpp>
+
+#include <array>
 
 namespace candela::test {
 namespace {
@@ -58,7 +62,7 @@ TEST_F(GBufferTest, depthAndPosition) {
     }
 }
 
-TEST_F(GBufferTest, reversedDepthTellsSurfacesApartFarAway) {
+TEST_F(GBufferTest, reversedDepthResolvesDistantSurfaces) {
     // At 10 km, 5 cm apart: an ordinary depth buffer of 24 bits would need a near plane of 1 km and more.
     Scene scene;
     Material nearer, farther;
@@ -70,14 +74,14 @@ TEST_F(GBufferTest, reversedDepthTellsSurfacesApartFarAway) {
     for (int i = 0; i < size; ++i) EXPECT_EQ(reader.vector("base_color", i, i), glm::vec3(1, 0, 0));
 }
 
-TEST_F(GBufferTest, singleSidedSurfacesShowTheirFrontOnly) {
+TEST_F(GBufferTest, singleSidedSurfacesAreCulledFromBehind) {
     const CameraView behind = lookAt({0, 0, -3}, {0, 0, 0}, front.verticalFov);
     const Scene scene = sceneOf(makeQuad(1.0f), Material{});
     EXPECT_TRUE(hasSurface(surfaces(scene), middle, middle));
     EXPECT_FALSE(hasSurface(surfaces(scene, behind), middle, middle));
 }
 
-TEST_F(GBufferTest, doubleSidedSurfacesTurnTheirNormalToTheEye) {
+TEST_F(GBufferTest, normalsOfDoubleSidedSurfacesFaceTheEye) {
     const CameraView behind = lookAt({0, 0, -3}, {0, 0, 0}, front.verticalFov);
     for (const AlphaMode mode : {AlphaMode::opaque, AlphaMode::mask}) {
         Material material;
@@ -235,7 +239,7 @@ TEST_F(GBufferTest, emissionIsFactorTimesDecodedTexture) {
     EXPECT_EQ(aovs(size).vector("emission", middle, middle), radiance) << "no light is in the scene";
 }
 
-TEST_F(GBufferTest, emissionIsHiddenByWhatStandsBeforeItAndByNothingElse) {
+TEST_F(GBufferTest, emissionIsOccludedBySurfacesInFrontOnly) {
     Material glowing, dark;
     glowing.emission = {3, 2, 1};
     const auto at = [](float z) { return glm::translate(glm::mat4(1.0f), {0, 0, z}); };
@@ -252,7 +256,7 @@ TEST_F(GBufferTest, emissionIsHiddenByWhatStandsBeforeItAndByNothingElse) {
     }
 }
 
-TEST_F(GBufferTest, emissiveSurfacesHideEachOther) {
+TEST_F(GBufferTest, emissiveSurfacesOccludeEachOther) {
     Material red, green;
     red.emission = {1, 0, 0};
     green.emission = {0, 1, 0};
@@ -321,6 +325,28 @@ TEST_F(GBufferTest, unknownAovIsAnErrorThatNamesThoseThereAre) {
         for (const std::string& name : Renderer::aovNames())
             EXPECT_NE(text.find(name), std::string::npos) << text;
     }
+}
+
+TEST_F(GBufferTest, layoutMayHaveFurtherWords) {
+    context().makeCurrent();
+    constexpr std::array layout{baseWordTextures[0],
+                                GBufferWordTexture{"further words", GL_R32UI, GL_RED_INTEGER, 1, 7, 2}};
+    const GBufferTargets targets(8, 4, layout);
+    constexpr std::array<GLuint, 4> base{1, 2, 0, 0}, further{3, 0, 0, 0};
+    for (const gl::Framebuffer* framebuffer : {&targets.surfaces, &targets.surfacesAndEmission}) {
+        glClearNamedFramebufferuiv(framebuffer->name(), GL_COLOR, layout[0].output, base.data());
+        glClearNamedFramebufferuiv(framebuffer->name(), GL_COLOR, layout[1].output, further.data());
+        std::vector<std::uint32_t> words(8 * 4);
+        readWords(targets, 1, words);
+        EXPECT_EQ(words, std::vector<std::uint32_t>(8 * 4, 3));
+        EXPECT_EQ(readSurfaceAt(targets, 7, 3).y, 2u);
+    }
+    targets.bind();
+    GLint bound = 0;
+    glActiveTexture(GL_TEXTURE7);
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    EXPECT_EQ(GLuint(bound), targets.words[1].name());
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ void CpuTiles::readTargets(const LightingInputs& inputs) {
     surfaces_.resize(2 * pixels);
     depth_.resize(pixels);
     radiance_.resize(4 * pixels);
-    readSurfaces(targets, surfaces_);
+    readWords(targets, 0, surfaces_);
     readDepth(targets, depth_);
     if (inputs.emissionDrawn) readColor(targets.radiance, targets.width, targets.height, radiance_);
 }

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+struct PassTime {
+    std::string name;
+    double milliseconds = 0.0;
+};
+
+/// Light-pixel pairs; see `Frame::countPairs`.
+struct PairCounts {
+    std::uint64_t lightsVisible = 0;   ///< Lights whose range meets the view frustum.
+    std::uint64_t pairsLit = 0;        ///< The pixel lies within the light's range.
+    std::uint64_t pairsEvaluated = 0;  ///< The shader evaluated the BRDF.
+    std::uint64_t lightsDropped = 0;   ///< Lights that did not fit and were left out.
+    std::uint64_t lightListBytes = 0;  ///< Memory of the lists that bring lights to pixels.
+};
+
+/// Radiance in the working space: RGBA, rows from the top. A is 1 where a surface is and 0 on the background.
+struct HdrImage {
+    int width = 0, height = 0;
+    std::vector<float> rgba;  ///< 4 × width × height.
+};
+
+/// An arbitrary output variable of a frame.
+struct Aov {
+    std::string name;                        ///< As in `gbufferChannels`.
+    std::vector<std::string> channels;       ///< Names as in the EXR file.
+    std::vector<std::vector<float>> values;  ///< One array a channel: width × height, rows from the top.
+};
+
+/// What a pixel of a frame shows.
+struct PixelProbe {
+    std::uint32_t node = 0;     ///< The node whose mesh or cage it is.
+    float z = 0.0f;             ///< Distance along the view axis, metres.
+    glm::vec3 position{0.0f};   ///< World, metres.
+    glm::vec3 normal{0.0f};     ///< World, unit length; (0, 0, 0) on an unlit surface.
+    glm::vec3 baseColor{0.0f};  ///< Linear, working space.
+    float metallic = 0.0f, roughness = 0.0f;
+    glm::vec3 emission{0.0f};      ///< Radiance, working space.
+    glm::vec3 radiance{0.0f};      ///< As `Frame::radiance`: of a debug view its code values.
+    std::uint32_t lightCount = 0;  ///< Lights in whose range it lies.
+};
+
+}  // namespace candela

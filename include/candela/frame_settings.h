@@ -1,0 +1,86 @@
+#pragma once
+
+#include <candela/brdf.h>
+#include <candela/export.h>
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace candela {
+
+/// How lights are brought to pixels. All give the same picture; see docs/lighting.md.
+enum class Technique {
+    automatic,   ///< The fastest on all devices: `tiles`.
+    volumes,     ///< Each light's bounding volume is rasterised against the depth buffer.
+    tiles,       ///< Lights are binned to screen tiles cut by depth, and each pixel iterates over its list.
+    fullscreen,  ///< Every light at every pixel: the reference.
+};
+
+/// The technique's name on the command line: "auto", "volumes", "tiles", "fullscreen".
+CANDELA_API const char* toString(Technique technique);
+
+/// What runs the technique `tiles`. All give the same picture.
+enum class TileBackend {
+    automatic,  ///< `cpu` where `Context::isSoftware`, else `compute`.
+    cpu,        ///< Vector code on the processor's cores.
+    compute,    ///< Compute shaders.
+};
+
+/// The name on the command line: "auto", "cpu", "compute".
+CANDELA_API const char* toString(TileBackend backend);
+
+/// What a frame shows.
+enum class DebugView {
+    none,  ///< The lit scene.
+    // The rest show data as colours. They are drawn as code values of the display: neither the display
+    // transform nor the exposure applies.
+    normals,    ///< World-space normals: 0.5 + 0.5 n.
+    level,      ///< The subdivision level of each cage, see `levelColor`; meshes are grey.
+    baseColor,  ///< Clamped to 0..1, sRGB-encoded.
+    metallic,   ///< As grey.
+    roughness,  ///< Perceptual roughness as grey.
+    depth,      ///< Grey, near is bright: near / (near + distance), near the distance of the closest surface.
+    emission,   ///< Clamped to 0..1, sRGB-encoded.
+    lightCount,  ///< Lights in whose range the pixel lies, see `heatColor`; full scale is the maximum in the
+                 ///< frame.
+};
+
+/// All debug views but `none`, in the order of the enumeration.
+CANDELA_API std::span<const DebugView> debugViews();
+
+/// The name on the command line: "picture", "normals", "level", "base_color", "metallic", "roughness",
+/// "depth", "emission", "light_count".
+CANDELA_API const char* toString(DebugView debugView);
+
+/// The colour of a subdivision level, display code values: 0 (polygons) to `maxSubdivisionLevel`. Throws
+/// `Error` (badInput) beyond.
+CANDELA_API glm::vec3 levelColor(std::uint32_t level);
+/// The heat map: from black at 0 over blue, green and yellow to red at 1; clamped, NaN is 0. Display code
+/// values.
+CANDELA_API glm::vec3 heatColor(float share);
+
+/// Lines drawn over the finished picture where the surface does not hide them.
+struct Overlays {
+    bool wireframe = false;  ///< Edges of all triangles; of refined cages the edges of their faces.
+    bool cage = false;       ///< Edges of the control polyhedra.
+};
+
+/// Where a finished picture goes.
+struct FrameTarget {
+    std::uint32_t framebuffer = 0;  ///< A framebuffer name of the current context; 0 is the window's.
+    int x = 0, y = 0;               ///< Lower left corner of the picture in it, pixels.
+};
+
+/// How a frame is drawn.
+struct FrameSettings {
+    int width = 1280, height = 720;  ///< Pixels, 1 or more each.
+    BrdfModel brdf = BrdfModel::course;
+    Technique technique = Technique::automatic;
+    DebugView debugView = DebugView::none;
+    Overlays overlays = {};
+    TileBackend tileBackend = TileBackend::automatic;  ///< Read for `tiles` only.
+};
+
+}  // namespace candela

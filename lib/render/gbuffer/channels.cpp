@@ -1,0 +1,112 @@
+#include "render/gbuffer/channels.h"
+
+#include "render/frame_uniforms.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <vector>
+
+namespace candela {
+
+namespace {
+
+using enum ChannelSource;
+using Scale = DebugViewRow::Scale;
+
+constexpr std::array rows{
+    ChannelRow{
+        {"Z", "", "distance along the view axis in metres, 0 on the background",
+         "reversed depth: near plane / Z", "32-bit float"},
+        depth,
+        [](const ChannelPixel& pixel) { return glm::vec3(pixel.frame.eye.w / pixel.depth, 0, 0); },
+        // near / (near + distance), by the distance of the closest surface, for depth = near plane / Z.
+        {DebugView::depth, "depth", depth, Scale::maximum, "vec3(depth / (depth + maximum))"}},
+    ChannelRow{
+        {"P", "XYZ", "world position in metres", "follows from Z and the camera", "none of its own"},
+        depth,
+        [](const ChannelPixel& pixel) { return worldPosition(pixel.frame, pixel.x, pixel.y, pixel.depth); },
+        {}},
+    ChannelRow{
+        {"N", "XYZ", "world normal, unit length", "octahedral, codes 1 to 4095 an axis", "2 × 12 bits"},
+        surface,
+        [](const ChannelPixel& pixel) { return pixel.surface.normal; },
+        {DebugView::normals, "normals", surface, Scale::fixed, "0.5 + 0.5 * surface.normal"}},
+    ChannelRow{{"base_color", "RGB", "base colour, linear in the working space", "sRGB curve", "3 × 8 bits"},
+               surface,
+               [](const ChannelPixel& pixel) { return pixel.surface.lobes.baseColor; },
+               {DebugView::baseColor, "base_color", surface, Scale::fixed, "srgbEncode(surface.lobes.baseColor)"}},
+    ChannelRow{{"metallic", "", "metallic, 0 to 1", "linear", "8 bits"},
+               surface,
+               [](const ChannelPixel& pixel) { return glm::vec3(pixel.surface.lobes.metallic, 0, 0); },
+               {DebugView::metallic, "metallic", surface, Scale::fixed, "vec3(surface.lobes.metallic)"}},
+    ChannelRow{{"roughness", "", "perceptual roughness, 0 to 1", "linear", "8 bits"},
+               surface,
+               [](const ChannelPixel& pixel) { return glm::vec3(pixel.surface.lobes.roughness, 0, 0); },
+               {DebugView::roughness, "roughness", surface, Scale::fixed, "vec3(surface.lobes.roughness)"}},
+    ChannelRow{
+        {"emission", "RGB", "emitted radiance, linear in the working space", "linear, in the radiance target",
+         "3 × 32-bit float"},
+        emission,
+        [](const ChannelPixel& pixel) { return pixel.emission; },
+        {DebugView::emission, "emission", emission, Scale::fixed, "srgbEncode(clamp(emission, 0.0, 1.0))"}},
+    ChannelRow{{"light_count", "", "point and spot lights in whose range the pixel lies",
+                "counted when it is asked for", "none of its own"},
+               lightCount,
+               [](const ChannelPixel& pixel) { return glm::vec3(pixel.lightCount, 0, 0); },
+               {DebugView::lightCount, "light_count", lightCount, Scale::maximum,
+                "heatColor(lightCount / max(maximum, 1.0))"}},
+};
+
+/// The debug views that show no channel.
+constexpr DebugViewRow levelRow{DebugView::level, "level", instance, Scale::fixed, "instanceColor"};
+
+constexpr auto channels = [] {
+    std::array<GBufferChannel, rows.size()> result{};
+    std::ranges::transform(rows, result.begin(), &ChannelRow::channel);
+    return result;
+}();
+
+}  // namespace
+
+std::span<const ChannelRow> channelRows() {
+    return rows;
+}
+
+std::span<const GBufferChannel> gbufferChannels() {
+    return channels;
+}
+
+std::vector<std::string> exrChannelNames(const GBufferChannel& channel) {
+    const std::string name = channel.name;
+    std::vector<std::string> names;
+    for (const char* component = channel.components; *component != '\0'; ++component)
+        names.push_back(name + "." + *component);
+    if (names.empty()) names.push_back(name);
+    return names;
+}
+
+const DebugViewRow& debugViewRow(DebugView view) {
+    assert(view != DebugView::none);
+    const auto row =
+        std::ranges::find(rows, view, [](const ChannelRow& channel) { return channel.debugView.view; });
+    return row != rows.end() ? row->debugView : levelRow;
+}
+
+const char* toString(DebugView view) {
+    return view == DebugView::none ? "picture" : debugViewRow(view).name;
+}
+
+std::span<const DebugView> debugViews() {
+    static const std::vector<DebugView> views = [] {
+        std::vector<DebugView> result;
+        for (const ChannelRow& row : rows)
+            if (row.debugView.view != DebugView::none) result.push_back(row.debugView.view);
+        result.push_back(levelRow.view);
+        std::ranges::sort(result);
+        return result;
+    }();
+    return views;
+}
+
+}  // namespace candela
