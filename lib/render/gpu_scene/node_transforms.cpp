@@ -85,7 +85,7 @@ void NodeTransforms::mark(std::uint32_t node) {
 void NodeTransforms::pose() {
     timeChanged_ = false;
     for (const PosedNode& posed : poseAnimatedNodes(scene_, time_)) {
-        const glm::mat4 local = localMatrix(posed.trs);
+        const glm::mat4 local = localMatrix(posed.transform);
         if (local == local_[posed.node]) continue;
         local_[posed.node] = local;
         mark(posed.node);
