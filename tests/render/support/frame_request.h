@@ -12,8 +12,11 @@ struct FrameRequest {
     Technique technique = Technique::automatic;
     DebugView debugView = DebugView::none;
     Overlays overlays = {};
+    TileBackend tileBackend = TileBackend::automatic;
 
-    FrameSettings settings() const { return {width, height, brdf, technique, debugView, overlays}; }
+    FrameSettings settings() const {
+        return {width, height, brdf, technique, debugView, overlays, tileBackend};
+    }
 };
 
 inline Frame render(Renderer& renderer, GpuScene& scene, const FrameRequest& request) {
