@@ -10,6 +10,7 @@
 #include "programs.h"
 #include "results.h"
 
+#include <candela/color.h>
 #include <candela/error.h>
 #include <candela/threads.h>
 
@@ -138,9 +139,17 @@ void runCageBench(const BenchOptions& options, const candela::PluginRegistry& pl
     if (!options.quiet) std::cout << context.renderer() << "\n" << cageResultTable(result);
 }
 
+/// Throws before anything is measured where the config has no such view.
+void checkView(const BenchOptions& options) {
+    candela::DisplayOptions display;
+    display.view = options.view.value_or("");
+    candela::ColorConfig::builtIn().displayTransform(display);
+}
+
 void runBench(const BenchOptions& options) {
     checkWritable(options.json);
     if (options.plot) checkWritable(*options.plot);
+    checkView(options);
     const candela::PluginRegistry plugins(options.pluginFolders);
     const candela::Context context = candela::Context::createHeadless(options.device);
     if (options.scene == cageScene) return runCageBench(options, plugins, context);

@@ -30,10 +30,10 @@ TEST(BenchCages, MovesTenThousandQuadsAtLevelThree) {
 TEST(BenchCages, NamesTheEvaluatorThatWasAskedFor) {
     const TemporaryFolder folder;
     expectDone(runCommand(
-        {"--scene", "cages", "--frames", "1", "--subdivision-evaluator", "compute", "--json", "r.json"},
+        {"--scene", "cages", "--frames", "1", "--subdivision-evaluator", "cpu", "--json", "r.json"},
         {.folder = folder.path()}));
     std::ifstream file(folder / "r.json");
-    EXPECT_EQ(Json::parse(file)["results"].at(0)["evaluator"], "compute");
+    EXPECT_EQ(Json::parse(file)["results"].at(0)["evaluator"], "cpu");
 }
 
 TEST(BenchCages, MeasuresNoLights) {

@@ -97,7 +97,7 @@ TEST(BenchResults, TheBaselineIsOfTheSameScene) {
     EXPECT_EQ(bare["pairs_evaluated"], 0);
 }
 
-/// The sample scene with a light so strong that half floats overflow at every pixel.
+/// The sample scene with a light so strong that half floats overflow.
 std::string overflowingScene() {
     std::string scene = sampleScene();
     const std::string weak = "\"intensity\":10,";
@@ -114,7 +114,8 @@ TEST(BenchResults, ABaselineThatCannotDrawTheSceneIsAnErrorAndOtherResultsAreKep
     for (const char* name : {"textbook_volumes", "textbook_fullscreen"}) {
         const Json textbook = resultsOf(bench, name).at(0);
         EXPECT_EQ(keysOf(textbook), (Names{"scene", "lights", "technique", "width", "height", "error"}));
-        EXPECT_NE(textbook["error"].get<std::string>().find("infinite"), std::string::npos) << textbook;
+        // Drivers differ: values beyond half floats become infinite, or are clamped and differ.
+        EXPECT_NE(textbook["error"].get<std::string>().find("its picture"), std::string::npos) << textbook;
     }
     EXPECT_GT(resultsOf(bench, "bare").at(0)["frame_ms"].get<double>(), 0.0);
 }
