@@ -12,7 +12,6 @@
 #define SOURCE_INSTANCE 4
 
 #if SOURCE == SOURCE_EMISSION
-// The target that this is written to: each pixel is read only where it is then written.
 layout(binding = VIEW_UNIT) uniform sampler2D emissionTexture;
 
 #elif SOURCE == SOURCE_LIGHT_COUNT

@@ -79,7 +79,7 @@ CANDELA_API glm::dvec3 evaluateBrdf(BrdfModel model, const SurfacePoint& surface
 CANDELA_API double rangeWindow(double distance, double range);
 
 /// KHR_lights_punctual's spot factor, squared ramp between the cosines of the outer and the inner angle
-/// (radians, 0 <= inner < outer <= pi / 2).
+/// (radians, 0 <= inner <= outer <= pi / 2; equal angles give a ramp of 0.001 in the cosine).
 CANDELA_API double spotFactor(double cosAngle, double innerConeAngle, double outerConeAngle);
 
 /// The radiance that leaves `surface` towards `eye` by `light`: pi f L_i (n·l) with L_i = intensity / (pi d²)

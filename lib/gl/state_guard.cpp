@@ -127,6 +127,7 @@ void StateGuard::setDefaults() const {
     for (std::size_t i = 0; i < packingNames.size(); ++i) glPixelStorei(packingNames[i], packingDefaults[i]);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    glBindBuffer(GL_QUERY_BUFFER, 0);
     glBindProgramPipeline(0);
     glBindSamplers(0, textureUnits, nullptr);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -173,6 +174,7 @@ void StateGuard::keepBindings() {
     dispatchBuffer_ = integer(GL_DISPATCH_INDIRECT_BUFFER_BINDING);
     packBuffer_ = integer(GL_PIXEL_PACK_BUFFER_BINDING);
     unpackBuffer_ = integer(GL_PIXEL_UNPACK_BUFFER_BINDING);
+    queryBuffer_ = integer(GL_QUERY_BUFFER_BINDING);
     activeTexture_ = integer(GL_ACTIVE_TEXTURE);
     for (int i = 0; i < textureUnits; ++i) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
@@ -213,6 +215,7 @@ void StateGuard::restoreBindings() const {
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, dispatchBuffer_);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, packBuffer_);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, unpackBuffer_);
+    glBindBuffer(GL_QUERY_BUFFER, queryBuffer_);
     for (int i = 0; i < textureUnits; ++i) {
         const TextureUnit& unit = units_[static_cast<std::size_t>(i)];
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));

@@ -19,8 +19,8 @@ constexpr int drawBuffers = 8;
 constexpr int viewports = 16;
 
 /// Begins the use of a context: sets the state that candela's passes rely on. In a host's context it also
-/// keeps the state that the passes change, and puts it back at the end of the scope; no host relies on the state of
-/// an owned one.
+/// keeps the state that the passes change, and puts it back at the end of the scope; no host relies on the
+/// state of an owned one.
 class StateGuard {
   public:
     /// Throws `Error` (environment) naming `user`, such as "Renderer", unless the context is current on this
@@ -70,7 +70,8 @@ class StateGuard {
     std::array<GLboolean, 28> capabilities_{};
     GLint program_ = 0, pipeline_ = 0, vertexArray_ = 0, drawFramebuffer_ = 0, readFramebuffer_ = 0,
           activeTexture_ = 0;
-    GLint arrayBuffer_ = 0, indirectBuffer_ = 0, dispatchBuffer_ = 0, packBuffer_ = 0, unpackBuffer_ = 0;
+    GLint arrayBuffer_ = 0, indirectBuffer_ = 0, dispatchBuffer_ = 0, packBuffer_ = 0, unpackBuffer_ = 0,
+          queryBuffer_ = 0;
     GLint uniformBuffer_ = 0, storageBuffer_ = 0;
     std::array<TextureUnit, textureUnits> units_{};
     std::array<IndexedBuffer, uniformBindings> uniforms_{};

@@ -196,7 +196,8 @@ PairCounts Frame::countPairs() const {
     counts.pairsLit =
         static_cast<std::uint64_t>(std::accumulate(lit.begin(), lit.end(), 0.0)) + directionalPairs;
     if (state.frame->settings.debugView != DebugView::none) return counts;  // No light was evaluated.
-    LightingTechnique& technique = state.lighting.technique(state.frame->technique, state.frame->settings.tileBackend);
+    LightingTechnique& technique =
+        state.lighting.technique(state.frame->technique, state.frame->settings.tileBackend);
     counts.pairsEvaluated = technique.countEvaluated(inputs, counter) + directionalPairs;
     counts.lightListBytes = technique.lightListBytes();
     return counts;
@@ -204,7 +205,7 @@ PairCounts Frame::countPairs() const {
 
 std::vector<PassTime> Frame::passTimes() const {
     Renderer::State& state = this->state();
-    state.binding->requireCurrent(user);
+    const gl::StateGuard guard(*state.binding, user);
     std::vector<PassTime> times;
     for (const auto& [name, milliseconds] : state.timer.results()) times.push_back({name, milliseconds});
     return times;

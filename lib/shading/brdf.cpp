@@ -61,8 +61,8 @@ void requireSurface(const SurfacePoint& surface) {
 
 void requireCone(double innerConeAngle, double outerConeAngle) {
     // pi / 2 in single precision is more than pi / 2.
-    require(innerConeAngle >= 0.0 && innerConeAngle < outerConeAngle && outerConeAngle <= 1.5708,
-            "the cone angles", "0 <= inner < outer <= pi / 2");
+    require(innerConeAngle >= 0.0 && innerConeAngle <= outerConeAngle && outerConeAngle <= 1.5708,
+            "the pair of cone angles", "0 <= inner <= outer <= pi / 2");
 }
 
 void requireLight(const WorldLight& light) {

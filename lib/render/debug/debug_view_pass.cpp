@@ -127,13 +127,24 @@ void DebugViewPass::uploadLevelColors(const GpuScene::State& scene) {
     instanceColors_.upload(std::span<const glm::vec4>(colors));
 }
 
+/// The view is written to the radiance target, which holds the emission: reading the target that is drawn to
+/// is left to a copy.
+void DebugViewPass::copyEmission(const GBufferTargets& targets) {
+    if (emissionSize_ != glm::ivec2(targets.width, targets.height)) {
+        emission_ = gl::Texture::target2d(GL_RGBA32F, targets.width, targets.height, "debug view emission");
+        emissionSize_ = {targets.width, targets.height};
+    }
+    glCopyImageSubData(targets.radiance.name(), GL_TEXTURE_2D, 0, 0, 0, 0, emission_.name(), GL_TEXTURE_2D, 0,
+                       0, 0, 0, targets.width, targets.height, 1);
+}
+
 /// Draws what the view shows besides the G-buffer. Null where the G-buffer has it.
 const gl::Texture* DebugViewPass::drawSource(const Inputs& inputs, ChannelSource source) {
     const GBufferTargets& targets = inputs.frame.targets;
     switch (source) {
         case ChannelSource::emission:
-            glTextureBarrier();
-            return &targets.radiance;
+            copyEmission(targets);
+            return &emission_;
         case ChannelSource::lightCount:
             return &inputs.lighting.counter().drawLit(inputs.frame);
         case ChannelSource::instance:

@@ -11,6 +11,8 @@
 
 #include <candela/frame_settings.h>
 
+#include <glm/vec2.hpp>
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -61,6 +63,7 @@ class DebugViewPass {
     void display(const GBufferTargets& targets, const FrameTarget& target) const;
 
   private:
+    void copyEmission(const GBufferTargets& targets);
     const gl::Texture* drawSource(const Inputs& inputs, ChannelSource source);
     void uploadLevelColors(const GpuScene::State& scene);
     const gl::Program& program(DebugView view);
@@ -70,6 +73,8 @@ class DebugViewPass {
     gl::Program display_;
     gl::VertexArray vertexArray_;
     MaxReduction maximum_;
+    gl::Texture emission_;  ///< Created for the first view of emission.
+    glm::ivec2 emissionSize_{0};
     gl::BufferTexture instanceColors_;
 };
 

@@ -165,7 +165,8 @@ void ComputeTiles::shade(const LightingInputs& inputs, const LightSpan& span) co
     glBindImageTexture(layout::RADIANCE_IMAGE, inputs.targets.radiance.name(), 0, GL_FALSE, 0, GL_READ_WRITE,
                        GL_RGBA32F);
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groupBuffer_.name());
-    glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+    // The geometry pass has written emission as a framebuffer; it is loaded as an image.
+    glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     for (std::size_t part = 0; part < partsOf(span.count()); ++part) {
         const bool loadRadiance = inputs.emissionDrawn || part > 0 || span.first > 0;
         glUniform1i(layout::LOAD_RADIANCE_LOCATION, loadRadiance ? 1 : 0);
