@@ -1,4 +1,6 @@
-// Shades each pixel of a tile by the lights of its list: the G-buffer is read once and the radiance written once.
+// Shades each pixel of a tile by the lights of its list: the G-buffer is read once and the radiance written once. LOAD_RADIANCE is 1
+// where it adds to the radiance target, 0 where it overwrites it. It is no uniform: Mesa 22.3's zink keeps the compute variant
+// of the first value.
 
 #include "lib/lighting.glsl"
 #include "lib/tiles.glsl"
@@ -6,7 +8,6 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba32f, binding = RADIANCE_IMAGE) uniform image2D radianceImage;
-layout(location = LOAD_RADIANCE_LOCATION) uniform bool loadRadiance;
 // The part of each list that this dispatch iterates over: LIST_PART lights from part * LIST_PART on.
 layout(location = LIST_PART_LOCATION) uniform int part;
 
@@ -44,7 +45,11 @@ void main() {
     int count = listed ? int(tileCounts[tile]) : lightSpan.y - lightSpan.x;
     int first = part * LIST_PART, end = min(first + LIST_PART, count);
     if (part > 0 && first >= end) return;
-    vec3 radiance = loadRadiance ? imageLoad(radianceImage, pixel).rgb : vec3(0.0);
+#if LOAD_RADIANCE
+    vec3 radiance = imageLoad(radianceImage, pixel).rgb;
+#else
+    vec3 radiance = vec3(0.0);
+#endif
     PixelSurface surface = fetchSurface(pixel);
     if (surface.lit) {
         ShadingPoint point = shadingPointOf(surface);

@@ -47,7 +47,6 @@ const int RADIANCE_IMAGE = 0;
 
 // Uniform locations.
 const int FIRST_LIGHT_LOCATION = 0;      // tile_fill: the first light of a dispatch
-const int LOAD_RADIANCE_LOCATION = 0;    // tile_shade: does the dispatch add to what the radiance target holds?
 const int LIST_PART_LOCATION = 1;        // tile_shade: which part of the lists
 const int LIGHT_SPAN_LOCATION = 2;       // tile_fill, tile_prefix, tile_shade: first and end of the lights that the lists are of
 const int LIGHT_SPANS_LOCATION = 0;      // fullscreen: first and end of points and spots

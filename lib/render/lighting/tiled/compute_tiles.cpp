@@ -53,7 +53,8 @@ ComputeTiles::ComputeTiles(std::size_t maxListBytes)
       count_({{"tile_fill.comp", {"FILL 0"}, {}}}, "tile count"),
       prefix_({{"tile_prefix.comp", {}, {}}}, "tile prefix sum"),
       fill_({{"tile_fill.comp", {"FILL 1"}, {}}}, "tile fill"),
-      shade_("", "tile_shade.comp", {}),
+      shade_("", "tile_shade.comp", {"LOAD_RADIANCE 0"}),
+      addLight_("", "tile_shade.comp", {"LOAD_RADIANCE 1"}),
       boxBuffer_("tile boxes"),
       countBuffer_("tile counts"),
       startBuffer_("tile starts"),
@@ -160,8 +161,6 @@ void ComputeTiles::fillLists(const LightSpan& span) const {
 }
 
 void ComputeTiles::shade(const LightingInputs& inputs, const LightSpan& span) const {
-    glUseProgram(shade_.get(inputs.brdf).name());
-    glUniform2i(layout::LIGHT_SPAN_LOCATION, span.first, span.end);
     glBindImageTexture(layout::RADIANCE_IMAGE, inputs.targets.radiance.name(), 0, GL_FALSE, 0, GL_READ_WRITE,
                        GL_RGBA32F);
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groupBuffer_.name());
@@ -169,7 +168,8 @@ void ComputeTiles::shade(const LightingInputs& inputs, const LightSpan& span) co
     glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     for (std::size_t part = 0; part < partsOf(span.count()); ++part) {
         const bool loadRadiance = inputs.emissionDrawn || part > 0 || span.first > 0;
-        glUniform1i(layout::LOAD_RADIANCE_LOCATION, loadRadiance ? 1 : 0);
+        glUseProgram((loadRadiance ? addLight_ : shade_).get(inputs.brdf).name());
+        glUniform2i(layout::LIGHT_SPAN_LOCATION, span.first, span.end);
         glUniform1i(layout::LIST_PART_LOCATION, static_cast<GLint>(part));
         glDispatchComputeIndirect(static_cast<GLintptr>(part * groupBytes));
         glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);

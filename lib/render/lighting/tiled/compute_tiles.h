@@ -53,7 +53,8 @@ class ComputeTiles final : public LightingTechnique {
     void copyTotal();
 
     gl::Program boxes_, count_, prefix_, fill_;
-    ModelPrograms shade_;
+    ModelPrograms shade_;     ///< Overwrites the radiance target.
+    ModelPrograms addLight_;  ///< Adds to what it holds.
     gl::Buffer boxBuffer_, countBuffer_, startBuffer_, listBuffer_, totalBuffer_, groupBuffer_,
         readbackBuffer_;
     std::size_t maxListBytes_;
