@@ -35,12 +35,12 @@ std::vector<Definitions> combinations() {
     for (const char* model : {"BRDF BRDF_COURSE", "BRDF BRDF_GLTF"}) {
         for (const char* kind : {"SPOT 0", "SPOT 1"})
             all.push_back({model, kind, "SOURCE 0", "VIEW_CODE vec3(depth)", "HEAT_STOPS 5", "TEXTURED 0",
-                           "CORNERS 2", "FILL 0"});
+                           "CORNERS 2", "FILL 0", "LOAD_RADIANCE 0"});
     }
     for (const DebugView debugView : debugViews()) {
         Definitions definitions = debugViewDefinitions(debugViewRow(debugView));
-        definitions.insert(definitions.end(),
-                           {"BRDF BRDF_COURSE", "SPOT 0", "TEXTURED 1", "CORNERS 3", "FILL 1"});
+        definitions.insert(definitions.end(), {"BRDF BRDF_COURSE", "SPOT 0", "TEXTURED 1", "CORNERS 3",
+                                               "FILL 1", "LOAD_RADIANCE 1"});
         all.push_back(definitions);
     }
     return all;
