@@ -24,7 +24,6 @@ class Buffer {
   public:
     Buffer() = default;
     Buffer(const char* label, BufferUsage usage);
-    explicit Buffer(const char* label) : Buffer(label, BufferUsage::dynamic) {}
     /// A buffer whose content never changes. Throws `Error` (limit) when the device has no memory for it.
     static Buffer immutable(const char* label, std::span<const std::byte> bytes);
     template <typename T>
@@ -32,8 +31,8 @@ class Buffer {
         return immutable(label, std::as_bytes(values));
     }
 
-    /// Replaces the content. Throws `Error` (limit) when the device has no memory for it. Not for an immutable
-    /// buffer.
+    /// Replaces the content. Throws `Error` (limit) when the device has no memory for it. Not for an
+    /// immutable buffer.
     void upload(std::span<const std::byte> bytes);
     template <typename T>
     void upload(std::span<const T> values) {

@@ -73,7 +73,7 @@ Texture Texture::target2d(GLenum format, int width, int height, const char* labe
 }
 
 BufferTexture::BufferTexture(GLenum format, const char* label)
-    : buffer_(label), texture_(GL_TEXTURE_BUFFER, label), format_(format) {
+    : buffer_(label, BufferUsage::dynamic), texture_(GL_TEXTURE_BUFFER, label), format_(format) {
     upload(std::span<const std::byte>{});
 }
 

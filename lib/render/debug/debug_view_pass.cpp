@@ -88,7 +88,8 @@ std::vector<std::string> debugViewDefinitions(const DebugViewRow& row) {
 }
 
 MaxReduction::MaxReduction()
-    : program_({{"max_reduction.comp", {}, {}}}, "max reduction"), buffer_("max reduction") {}
+    : program_({{"max_reduction.comp", {}, {}}}, "max reduction"),
+      buffer_("max reduction", gl::BufferUsage::device) {}
 
 void MaxReduction::reduce(const gl::Texture& texture, int width, int height) {
     constexpr float zero = 0.0f;

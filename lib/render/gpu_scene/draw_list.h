@@ -71,7 +71,7 @@ class DrawSelection {
     std::vector<DrawCommand> commands_;
     std::vector<DrawBatch> batches_;
     std::vector<std::uint32_t> cageInstances_;
-    gl::Buffer commandBuffer_{"draw commands"};
+    gl::Buffer commandBuffer_{"draw commands", gl::BufferUsage::dynamic};
 };
 
 /// A draw for every submesh of every instance, and for every part of a cage that has one material, grouped by

@@ -19,8 +19,8 @@ namespace candela {
 /// The vertex buffers of a limit surface that an evaluation writes: all positions, then all normals, in one;
 /// and the tangents in another, if there are any.
 struct LimitBuffers {
-    gl::Buffer surface{"cage positions and normals"};
-    gl::Buffer tangents{"cage tangents"};
+    gl::Buffer surface{"cage positions and normals", gl::BufferUsage::device};
+    gl::Buffer tangents{"cage tangents", gl::BufferUsage::device};
 
     static std::size_t surfaceBytes(std::size_t vertices) { return 2 * vertices * sizeof(glm::vec3); }
 };

@@ -62,7 +62,7 @@ class LimitSurface {
     GpuStencilTable* table_;
     bool described_ = false, stale_ = true;
     Tangents tangents_ = Tangents::none;
-    gl::Buffer pointBuffer_{"cage points"};
+    gl::Buffer pointBuffer_{"cage points", gl::BufferUsage::dynamic};
     LimitBuffers buffers_;
     gl::VertexArray vertexArray_{"cage"};
     std::optional<gl::VertexArray> faceLines_, cageLines_;

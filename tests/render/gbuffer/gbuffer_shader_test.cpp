@@ -54,7 +54,7 @@ class Program {
 
     void run(std::vector<Record>& records) const {
         records.resize((records.size() + 63) / 64 * 64);
-        gl::Buffer buffer("records");
+        gl::Buffer buffer("records", gl::BufferUsage::device);
         buffer.upload(std::span<const Record>(records));
         glUseProgram(name_);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer.name());

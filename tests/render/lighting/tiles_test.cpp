@@ -204,8 +204,9 @@ TEST_F(TilesTest, prefixSumsSaturate) {
     counts[2] = 5;
     layout::FrameUniforms uniforms{};
     uniforms.size = {64, 64, 0, 0};
-    gl::Buffer frame("frame"), countBuffer("counts"), starts("starts"), lists("lists"), total("total"),
-        groups("groups");
+    gl::Buffer frame("frame", gl::BufferUsage::dynamic), countBuffer("counts", gl::BufferUsage::dynamic),
+        starts("starts", gl::BufferUsage::dynamic), lists("lists", gl::BufferUsage::dynamic),
+        total("total", gl::BufferUsage::dynamic), groups("groups", gl::BufferUsage::dynamic);
     frame.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
     countBuffer.upload(std::span<const std::uint32_t>(counts));
     const std::vector<std::uint32_t> zeros(64, 0);

@@ -65,7 +65,7 @@ std::vector<float> radianceOf(const Context& context, const TileForm& form, cons
     state.cull(frustum, draws);
     const layout::FrameUniforms uniforms =
         frameUniforms(picture.view, picture.width, picture.height, glm::dmat3(1.0), state.lights.counts());
-    gl::Buffer buffer("frame");
+    gl::Buffer buffer("frame", gl::BufferUsage::dynamic);
     buffer.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
     glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, buffer.name());
     gl::PassTimer timer(gl::PassTimer::Clock::wallAroundFinish);

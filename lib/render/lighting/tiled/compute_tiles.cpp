@@ -55,13 +55,13 @@ ComputeTiles::ComputeTiles(std::size_t maxListBytes)
       fill_({{"tile_fill.comp", {"FILL 1"}, {}}}, "tile fill"),
       shade_("", "tile_shade.comp", {"LOAD_RADIANCE 0"}),
       addLight_("", "tile_shade.comp", {"LOAD_RADIANCE 1"}),
-      boxBuffer_("tile boxes"),
-      countBuffer_("tile counts"),
-      startBuffer_("tile starts"),
-      listBuffer_("tile lists"),
-      totalBuffer_("tile total"),
-      groupBuffer_("tile groups"),
-      readbackBuffer_("tile total, read back"),
+      boxBuffer_("tile boxes", gl::BufferUsage::device),
+      countBuffer_("tile counts", gl::BufferUsage::device),
+      startBuffer_("tile starts", gl::BufferUsage::device),
+      listBuffer_("tile lists", gl::BufferUsage::device),
+      totalBuffer_("tile total", gl::BufferUsage::device),
+      groupBuffer_("tile groups", gl::BufferUsage::device),
+      readbackBuffer_("tile total, read back", gl::BufferUsage::readback),
       maxListBytes_(std::min(maxListBytes, maxStorageBlock())) {
     listBuffer_.reserve(std::min(initialListBytes, maxListBytes_));
     totalBuffer_.reserve(totalBytes);
@@ -90,7 +90,7 @@ void ComputeTiles::growLists(std::size_t bytes) {
         // The device has no memory for more: what it had is the maximum from now on. OpenGL leaves the buffer
         // undefined after such an error.
         maxListBytes_ = before;
-        listBuffer_ = gl::Buffer("tile lists");
+        listBuffer_ = gl::Buffer("tile lists", gl::BufferUsage::device);
         listBuffer_.reserve(before);
     }
 }

@@ -127,12 +127,11 @@ void LightBatches::assign(const Input& input) {
 LightVolumes::LightVolumes()
     : proxy_(makeSphereProxy()),
       mark_({{"light_volume.vert", {}, {}}, {"light_volume_mark.frag", {}, {}}}, "light volume mark"),
-      vertices_("light volume vertices"),
-      triangles_("light volume triangles"),
-      indexBuffer_("light volume lights"),
+      vertices_(gl::Buffer::immutable("light volume vertices", std::span<const glm::vec3>(proxy_.vertices))),
+      triangles_(gl::Buffer::immutable("light volume triangles",
+                                       std::span<const std::array<std::uint32_t, 3>>(proxy_.triangles))),
+      indexBuffer_("light volume lights", gl::BufferUsage::dynamic),
       vertexArray_("light volumes") {
-    vertices_.upload(std::span<const glm::vec3>(proxy_.vertices));
-    triangles_.upload(std::span<const std::array<std::uint32_t, 3>>(proxy_.triangles));
     const GLuint name = vertexArray_.name();
     glVertexArrayElementBuffer(name, triangles_.name());
     glVertexArrayVertexBuffer(name, 0, vertices_.name(), 0, sizeof(glm::vec3));
