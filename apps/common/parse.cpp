@@ -1,5 +1,6 @@
 #include "parse.h"
 
+#include <array>
 #include <candela/threads.h>
 
 #include <algorithm>

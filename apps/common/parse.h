@@ -9,10 +9,11 @@
 
 #include <glm/vec3.hpp>
 
-#include <array>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -50,11 +51,11 @@ candela::BrdfModel parseBrdf(const std::string& text);
 
 /// The one of `values` whose name is `text`. Throws `UsageError` that lists all names, after those in `more`,
 /// which the caller handles itself.
-template <typename Value, std::size_t Count, typename Name>
-Value parseWord(const std::string& option, const std::string& text, const std::array<Value, Count>& values,
-                Name&& name, std::string more = "") {
+template <typename Values, typename Name>
+auto parseWord(const std::string& option, const std::string& text, const Values& values, Name&& name,
+               std::string more = "") -> std::decay_t<decltype(*std::begin(values))> {
     std::string words = std::move(more);
-    for (const Value value : values) {
+    for (const auto value : values) {
         if (text == name(value)) return value;
         words += (words.empty() ? "" : ", ") + std::string(name(value));
     }

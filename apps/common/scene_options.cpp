@@ -106,17 +106,21 @@ ScatterOptions parseScatter(const std::string& text) {
     return parsed;
 }
 
+std::vector<candela::DebugView> selectableViews() {
+    std::vector<candela::DebugView> views{candela::DebugView::none};
+    const auto debugViews = candela::debugViews();
+    views.insert(views.end(), debugViews.begin(), debugViews.end());
+    return views;
+}
+
 DebugViewOptions parseDebugView(const std::string& text) {
-    using enum candela::DebugView;
-    constexpr std::array all{none,      normals, level,    baseColor, metallic,
-                             roughness, depth,   emission, lightCount};
     DebugViewOptions parsed;
     bool hasView = false;
     for (const std::string& word : splitAtCommas(text)) {
         if (parseOverlay(word, parsed.overlays)) continue;
         const candela::DebugView view = parseWord(
-            "--show", word, all, [](candela::DebugView value) { return candela::toString(value); },
-            "wireframe, cage");
+            "--show", word, selectableViews(),
+            [](candela::DebugView value) { return candela::toString(value); }, "wireframe, cage");
         if (hasView)
             throw UsageError("--show \"" + text + "\": expected at most one debug view, and overlays");
         parsed.view = view;

@@ -92,3 +92,5 @@ class SceneOptionReader {
 /// Readers of option values as in parse.h.
 ScatterOptions parseScatter(const std::string& text);
 DebugViewOptions parseDebugView(const std::string& text);
+/// The lit picture and all debug views.
+std::vector<candela::DebugView> selectableViews();

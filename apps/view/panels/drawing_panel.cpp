@@ -27,10 +27,8 @@ void chooseLighting(ViewModel& model) {
 }
 
 void chooseShown(DebugViewOptions& choice) {
-    using enum candela::DebugView;
-    constexpr std::array all{none,      normals, level,    baseColor, metallic,
-                             roughness, depth,   emission, lightCount};
-    chooseOne("show", choice.view, all, [](candela::DebugView show) { return candela::toString(show); });
+    chooseOne("show", choice.view, selectableViews(),
+              [](candela::DebugView view) { return candela::toString(view); });
     ImGui::Checkbox("wireframe", &choice.overlays.wireframe);
     ImGui::SameLine();
     ImGui::Checkbox("cages", &choice.overlays.cage);
