@@ -1,9 +1,9 @@
 #include "parse.h"
 
-#include <array>
 #include <candela/threads.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
