@@ -10,7 +10,7 @@
 
 namespace {
 
-/// The least side of the bounds that lights are scattered in, as a share of the longest.
+/// The minimum side of the bounds that lights are scattered in, as a share of the longest.
 constexpr float minSideShare = 0.05f;
 
 /// The bounds, thickened where the scene is flat: lights in the plane of a floor would light it at grazing

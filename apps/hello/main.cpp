@@ -1,4 +1,4 @@
-/// The least that draws a picture with candela: 256 lights, into hello.png.
+/// The smallest program that draws a picture with candela: 256 lights, into hello.png.
 
 #include <candela/candela.h>
 

@@ -4,11 +4,12 @@
 
 #include <chrono>
 
-Painter::Painter(candela::Renderer& renderer, candela::GpuScene& scene, const candela::ColorConfig& color,
-                 const std::optional<candela::DisplayTransform>& display, const Options& options)
+FrameWriter::FrameWriter(candela::Renderer& renderer, candela::GpuScene& scene,
+                         const candela::ColorConfig& color,
+                         const std::optional<candela::DisplayTransform>& display, const Options& options)
     : renderer_(renderer), scene_(scene), color_(color), display_(display), options_(options) {}
 
-FrameTiming Painter::draw(const candela::CameraView& view) {
+FrameTiming FrameWriter::draw(const candela::CameraView& view) {
     candela::FrameSettings settings;
     settings.width = options_.width;
     settings.height = options_.height;
@@ -28,7 +29,7 @@ FrameTiming Painter::draw(const candela::CameraView& view) {
     return timing;
 }
 
-void Painter::write(const std::filesystem::path& path) {
+void FrameWriter::write(const std::filesystem::path& path) {
     if (display_)
         writeShownPicture(path, options_.width, options_.height, pixels_, *display_);
     else

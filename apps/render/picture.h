@@ -18,11 +18,11 @@ struct FrameTiming {
 };
 
 /// Draws frames and writes them in the format that the options ask for.
-class Painter {
+class FrameWriter {
   public:
     /// All have to outlive it. `display` is set for a PNG.
-    Painter(candela::Renderer& renderer, candela::GpuScene& scene, const candela::ColorConfig& color,
-            const std::optional<candela::DisplayTransform>& display, const Options& options);
+    FrameWriter(candela::Renderer& renderer, candela::GpuScene& scene, const candela::ColorConfig& color,
+                const std::optional<candela::DisplayTransform>& display, const Options& options);
 
     FrameTiming draw(const candela::CameraView& view);
     /// The frame drawn last; `draw` comes first.

@@ -97,7 +97,7 @@ void noteLodClamped(Session& session, const candela::CageReport& report) {
 }
 
 /// Draws frame after frame and writes each. Returns what the drawings took.
-std::vector<FrameTiming> drawFrames(Session& session, Painter& painter, candela::GpuScene& gpuScene,
+std::vector<FrameTiming> drawFrames(Session& session, FrameWriter& frameWriter, candela::GpuScene& gpuScene,
                                     const candela::Scene& scene, const CameraSelection& views) {
     const FrameRange frames = session.frames();
     std::vector<FrameTiming> timings;
@@ -108,11 +108,11 @@ std::vector<FrameTiming> drawFrames(Session& session, Painter& painter, candela:
                               std::to_string(frames.last - frames.first + 1) + ")");
         if (!scene.animations.empty()) gpuScene.setTime(time);
         const candela::CameraView view = views.at(time);
-        if (session.options.stats && frame == frames.first) painter.draw(view);  // compiles and allocates
+        if (session.options.stats && frame == frames.first) frameWriter.draw(view);  // compiles and allocates
         const int drawings = session.options.stats && !session.options.frames ? statsDrawings : 1;
-        for (int i = 0; i < drawings; ++i) timings.push_back(painter.draw(view));
+        for (int i = 0; i < drawings; ++i) timings.push_back(frameWriter.draw(view));
         session.progress.show("writing " + name);
-        painter.write(session.pathOf(frame));
+        frameWriter.write(session.pathOf(frame));
     }
     return timings;
 }
@@ -162,15 +162,15 @@ void renderPictures(const Options& options) {
     noteLights(session, gpuScene.lightReport());
     noteMissingSubdivider(session, gpuScene.cageReport());
     candela::Renderer renderer(context);
-    Painter painter(renderer, gpuScene, color, display, options);
+    FrameWriter frameWriter(renderer, gpuScene, color, display, options);
 
     Stats stats;
-    stats.timings = drawFrames(session, painter, gpuScene, scene, views);
+    stats.timings = drawFrames(session, frameWriter, gpuScene, scene, views);
     noteLodClamped(session, gpuScene.cageReport());
     stats.renderer = context.renderer();
     stats.width = options.width;
     stats.height = options.height;
-    stats.technique = painter.frame().technique();
+    stats.technique = frameWriter.frame().technique();
     stats.brdf = options.brdf;
     stats.threads = candela::threadCount();
     stats.subdivisionEvaluator = gpuScene.cageReport().evaluator;
@@ -179,7 +179,7 @@ void renderPictures(const Options& options) {
     stats.lights = gpuScene.lightReport().lights;
     if (options.stats) {
         session.progress.show("counting pairs of pixel and light");
-        stats.pairs = painter.frame().countPairs();
+        stats.pairs = frameWriter.frame().countPairs();
         writeStats(session, stats);
     }
 

@@ -6,7 +6,7 @@
 
 namespace {
 
-/// The distance of the point that the hand turns round: that of the scene's middle along the view's axis.
+/// The distance of the point that the hand orbits: that of the scene's middle along the view's axis.
 float targetDistance(const ViewModel& model, const candela::CameraView& view) {
     const candela::Bounds box = model.document->bounds();
     if (box.empty()) return 1.0f;

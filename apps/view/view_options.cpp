@@ -19,7 +19,7 @@ constexpr const char* description =
 
 constexpr const char* footer =
     "In the window:\n"
-    "  left button      turn round the target; a click picks what is under the pointer\n"
+    "  left button      orbit the target; a click picks what is under the pointer\n"
     "  middle button    (or shift and left) move sideways;  wheel: come nearer\n"
     "  right button     look around, and fly with W A S D Q E\n"
     "  F, shift F       frame all, frame what is picked;  space: time goes on or stops\n"

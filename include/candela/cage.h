@@ -39,7 +39,7 @@ enum class TriangleSubdivision { catmullClark, smooth };
 /// From this sharpness on an edge or a vertex is infinitely sharp.
 constexpr float infiniteSharpness = 10.0f;
 
-/// The greatest level that a cage can be refined to.
+/// The maximum level that a cage can be refined to.
 constexpr std::uint32_t maxSubdivisionLevel = 8;
 
 /// A sharp edge of a cage. Sharpness is 0 or more; it falls by one a level.

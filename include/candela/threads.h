@@ -4,7 +4,7 @@
 
 namespace candela {
 
-/// The most threads that `setThreadCount` takes.
+/// The maximum number of threads that `setThreadCount` takes.
 constexpr unsigned maxThreadCount = 1024;
 
 /// The number of cores this process may use, 1 or more: those of its affinity mask (`sched_getaffinity`), at

@@ -29,7 +29,7 @@ class ThreadPool {
     ~ThreadPool();
 
     /// The pool that all parallel work of the library shares, of `threadCount()` threads. `setThreadCount`
-    /// replaces it; whoever holds the old one can use it still.
+    /// replaces it; holders of the old one can still use it.
     static std::shared_ptr<ThreadPool> shared();
 
     unsigned size() const { return static_cast<unsigned>(threads_.size()) + 1; }

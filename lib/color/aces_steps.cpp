@@ -28,10 +28,10 @@ std::string glowAndRedGlsl() {
     return R"(vec3 candelaGlowAndRed(vec3 ap0) {
     vec3 apart = ap0.gbr - ap0;
     float chroma = sqrt(0.5 * dot(apart, apart));
-    float most = max(ap0.r, max(ap0.g, ap0.b));
-    float range = max(most, 1e-10) - max(min(ap0.r, min(ap0.g, ap0.b)), 1e-10);
+    float maximum = max(ap0.r, max(ap0.g, ap0.b));
+    float range = max(maximum, 1e-10) - max(min(ap0.r, min(ap0.g, ap0.b)), 1e-10);
 
-    float x = 5.0 * (range / max(most, 1e-2)) - 2.0;
+    float x = 5.0 * (range / max(maximum, 1e-2)) - 2.0;
     float t = max(1.0 - 0.5 * abs(x), 0.0);
     float shape = x < 0.0 ? 0.5 * t * t : 1.0 - 0.5 * t * t;
     float brightness = (ap0.r + ap0.g + ap0.b + 1.75 * chroma) * (1.0 / 3.0);
@@ -46,7 +46,7 @@ std::string glowAndRedGlsl() {
     float weight = 0.25 * outer * outer * outer - inner * inner * inner;
 
     vec3 glowing = ap0 * glow;
-    float saturation = glow * range / max(most * glow, 1e-2);
+    float saturation = glow * range / max(maximum * glow, 1e-2);
     glowing.r += 0.18 * weight * saturation * (0.03 - glowing.r);
     return glowing;
 }

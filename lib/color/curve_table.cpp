@@ -68,13 +68,13 @@ int CurveTable::rowLength() {
 }
 
 std::string CurveTable::glsl() {
-    const std::string least = std::to_string(startBits), most = std::to_string(lastBits);
+    const std::string first = std::to_string(startBits), last = std::to_string(lastBits);
     // As integers, the bits of negative numbers are negative and those of NaN lie beyond all others, so that
     // the limits serve for these too.
     return "uniform samplerBuffer candelaCurves;\n"
            "float candelaCurve(int firstTexel, float x) {\n"
            "    int bits = clamp(floatBitsToInt(x + intBitsToFloat(" +
-           least + ")), " + least + ", " + most +
+           first + ")), " + first + ", " + last +
            ");\n"
            "    vec2 piece = texelFetch(candelaCurves, firstTexel + (bits >> " +
            std::to_string(pieceBits) + ") - " + std::to_string(startBits >> pieceBits) +

@@ -78,14 +78,14 @@ BufferTexture::BufferTexture(GLenum format, const char* label)
 }
 
 void BufferTexture::upload(std::span<const std::byte> bytes) {
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    GLint maxTexels = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &maxTexels);
     const std::size_t texels = bytes.size() / bytesPerTexel(format_);
-    if (texels > static_cast<std::size_t>(most)) {
+    if (texels > static_cast<std::size_t>(maxTexels)) {
         throw Error(ErrorKind::limit, "",
                     std::to_string(texels) +
                         " texels of scene data are asked for, but this device's buffer textures hold " +
-                        std::to_string(most) + " at most");
+                        std::to_string(maxTexels) + " at most");
     }
     const std::size_t before = buffer_.capacity();
     buffer_.reserve(std::max<std::size_t>(bytes.size(), bytesPerTexel(format_)));

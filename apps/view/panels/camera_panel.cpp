@@ -61,7 +61,7 @@ void editPlace(ViewModel& model) {
 /// A camera of the file stays the one looked through, as --camera with --fov does.
 void editFieldOfView(ViewModel& model) {
     float degrees = glm::degrees(model.camera.verticalFov());
-    if (!slideNumber("field of view", degrees, {.least = 1.0f, .most = 175.0f, .format = "%.1f deg"})) return;
+    if (!slideNumber("field of view", degrees, {.min = 1.0f, .max = 175.0f, .format = "%.1f deg"})) return;
     model.camera.setVerticalFov(glm::radians(degrees));
     model.options.verticalFov = model.camera.verticalFov();
 }

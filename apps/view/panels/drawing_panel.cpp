@@ -45,15 +45,15 @@ bool editSubdivision(candela::SubdivisionSettings& settings) {
         settings.level = firstLevel;
         changed = true;
     }
-    const std::uint32_t greatest = candela::maxSubdivisionLevel;
-    if (settings.level) return slideLevel("level", *settings.level, 1, greatest) || changed;
+    const std::uint32_t maxLevel = candela::maxSubdivisionLevel;
+    if (settings.level) return slideLevel("level", *settings.level, 1, maxLevel) || changed;
     changed = slideNumber("edges", settings.edgePixels,
-                          {.least = minEdge,
-                           .most = longestEdge,
+                          {.min = minEdge,
+                           .max = longestEdge,
                            .format = "%.1f px",
                            .scale = NumberRange::Scale::logarithmic}) ||
               changed;
-    return slideLevel("up to level", settings.maxLevel, 1, greatest) || changed;
+    return slideLevel("up to level", settings.maxLevel, 1, maxLevel) || changed;
 }
 
 std::string levelsText(const candela::CageReport& report) {

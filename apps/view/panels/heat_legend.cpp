@@ -45,18 +45,18 @@ void drawMark(const ImVec2& corner, const ImVec2& size, float share, std::uint32
     list.AddText({left, end}, color, text.c_str());
 }
 
-void drawCounts(std::uint32_t greatest) {
+void drawCounts(std::uint32_t maxCount) {
     showText("lights at a pixel");
-    if (greatest == 0) return showText("no light reaches the picture");
+    if (maxCount == 0) return showText("no light reaches the picture");
     const ImVec2 size(barLetters * ImGui::GetFontSize(), barHeightLetters * ImGui::GetFontSize());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({size.x, size.y + 1.5f * ImGui::GetFontSize()});
     drawBar(corner, size);
     // Whole numbers only, each at its place.
-    const std::uint32_t steps = std::min(greatest, maxMarks - 1);
+    const std::uint32_t steps = std::min(maxCount, maxMarks - 1);
     for (std::uint32_t i = 0; i <= steps; ++i) {
-        const auto number = static_cast<std::uint32_t>(std::uint64_t{greatest} * i / steps);
-        drawMark(corner, size, static_cast<float>(number) / static_cast<float>(greatest), number);
+        const auto number = static_cast<std::uint32_t>(std::uint64_t{maxCount} * i / steps);
+        drawMark(corner, size, static_cast<float>(number) / static_cast<float>(maxCount), number);
     }
 }
 

@@ -49,10 +49,10 @@ bool editDirection(WorldLight& light, const LightEditing& editing) {
     if (light.type == LightType::point) return false;
     DirectionAngles angles = anglesOf(light.direction);
     bool changed =
-        slideNumber("heading", angles.heading, {.least = -180.0f, .most = 180.0f, .format = "%.1f deg"});
+        slideNumber("heading", angles.heading, {.min = -180.0f, .max = 180.0f, .format = "%.1f deg"});
     // Straight up and down have no heading.
-    changed = slideNumber("height", angles.height, {.least = -89.9f, .most = 89.9f, .format = "%.1f deg"}) ||
-              changed;
+    changed =
+        slideNumber("height", angles.height, {.min = -89.9f, .max = 89.9f, .format = "%.1f deg"}) || changed;
     if (changed) light.direction = directionOf(angles);
     const glm::vec3 toTarget = editing.target - light.position;
     if (light.type == LightType::spot && ImGui::SmallButton("Aim at the camera's target") &&
@@ -67,11 +67,11 @@ bool editCones(WorldLight& light) {
     if (light.type != LightType::spot) return false;
     float outer = glm::degrees(light.outerConeAngle), inner = glm::degrees(light.innerConeAngle);
     bool changed = false;
-    if (slideNumber("outer cone", outer, {.least = 0.5f, .most = 90.0f, .format = "%.1f deg"})) {
+    if (slideNumber("outer cone", outer, {.min = 0.5f, .max = 90.0f, .format = "%.1f deg"})) {
         light.outerConeAngle = std::min(glm::radians(outer), glm::radians(90.0f));
         changed = true;
     }
-    if (slideNumber("inner cone", inner, {.least = 0.0f, .most = 90.0f, .format = "%.1f deg"})) {
+    if (slideNumber("inner cone", inner, {.min = 0.0f, .max = 90.0f, .format = "%.1f deg"})) {
         light.innerConeAngle = glm::radians(inner);
         changed = true;
     }
@@ -87,7 +87,7 @@ bool editRange(WorldLight& light, float candela) {
         light.range = own ? std::clamp(std::sqrt(candela / rangeIrradiance), minRange, farthest) : 0.0f;
     if (!own) return changed;
     const NumberRange range{
-        .least = minRange, .most = farthest, .speed = dragShare * light.range, .format = "%.4g m"};
+        .min = minRange, .max = farthest, .speed = dragShare * light.range, .format = "%.4g m"};
     return dragNumber("range", light.range, range) || changed;
 }
 
@@ -106,8 +106,8 @@ bool editHue(glm::vec3& hue, LightEditing& editing) {
     ImGui::SameLine();
     float kelvin = nearestTemperature(hue);
     if (!slideNumber("kelvin", kelvin,
-                     {.least = minTemperature,
-                      .most = maxTemperature,
+                     {.min = minTemperature,
+                      .max = maxTemperature,
                       .format = "%.0f K",
                       .scale = NumberRange::Scale::logarithmic}))
         return false;
@@ -117,7 +117,7 @@ bool editHue(glm::vec3& hue, LightEditing& editing) {
 
 /// Of any size: an empty light can still be dragged up.
 NumberRange strengthRange(float value, const char* format) {
-    return {.most = brightest, .speed = dragShare * std::max(value, 0.1f), .format = format};
+    return {.max = brightest, .speed = dragShare * std::max(value, 0.1f), .format = format};
 }
 
 bool editStrength(const WorldLight& light, float& strength, LightEditing& editing) {

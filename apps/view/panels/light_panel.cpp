@@ -177,9 +177,9 @@ void drawScattering(ViewModel& model) {
     countInput("number", form.options.count, maxScattered);
     countInput("seed", form.options.seed, std::numeric_limits<std::uint32_t>::max());
     editOptional("range", form.options.range, form.range,
-                 {.least = 1.0e-3f, .most = 1.0e8f, .speed = 0.01f * form.range, .format = "%.4g m"});
+                 {.min = 1.0e-3f, .max = 1.0e8f, .speed = 0.01f * form.range, .format = "%.4g m"});
     editOptional("candela", form.options.candela, form.candela,
-                 {.least = 1.0e-6f, .most = 1.0e8f, .speed = 0.01f * form.candela, .format = "%.4g cd"});
+                 {.min = 1.0e-6f, .max = 1.0e8f, .speed = 0.01f * form.candela, .format = "%.4g cd"});
     if (ImGui::Button("Scatter")) scatter(model, form.options);
     if (!model.options.scatter) return;
     ImGui::SameLine();
@@ -191,9 +191,9 @@ void drawMotion(ViewModel& model) {
     const bool toggled = ImGui::Checkbox("circle their places", &motion.moving);
     bool changed = toggled;
     changed =
-        dragNumber("radius", motion.radius, {.most = 1.0e6f, .speed = 0.01f, .format = "%.3f m"}) || changed;
+        dragNumber("radius", motion.radius, {.max = 1.0e6f, .speed = 0.01f, .format = "%.3f m"}) || changed;
     changed = dragNumber("speed", motion.speed,
-                         {.least = -10.0f, .most = 10.0f, .speed = 0.005f, .format = "%.3f turns/s"}) ||
+                         {.min = -10.0f, .max = 10.0f, .speed = 0.005f, .format = "%.3f turns/s"}) ||
               changed;
     if (changed) tryTo(model, [&] { model.document->setLightMotion(motion); });
     // The motion follows the scene time.

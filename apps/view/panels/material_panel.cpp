@@ -86,7 +86,7 @@ bool editEmission(candela::Material& material, Kept& kept, std::uint32_t index) 
         changed = true;
     }
     changed = dragNumber("its strength", emission.strength,
-                         {.most = brightestEmission, .speed = 0.01f, .format = "%.3f"}) ||
+                         {.max = brightestEmission, .speed = 0.01f, .format = "%.3f"}) ||
               changed;
     kept.emissionHue = emission.hue;
     if (changed) material.emission = emission.joined();
@@ -102,8 +102,7 @@ bool editNumbers(candela::Material& material) {
     if (material.alphaMode == candela::AlphaMode::mask)
         changed = slideNumber("alpha cutoff", material.alphaCutoff, {}) || changed;
     if (material.normalTexture)
-        changed =
-            dragNumber("normal scale", material.normalScale, {.least = -16.0f, .most = 16.0f}) || changed;
+        changed = dragNumber("normal scale", material.normalScale, {.min = -16.0f, .max = 16.0f}) || changed;
     return changed;
 }
 

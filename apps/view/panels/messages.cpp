@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t maxShown = 6;
 constexpr float widestLetters = 50.0f;
 constexpr float tallestShare = 0.62f;  ///< Of the picture.
-/// At most, of a shader's error.
+/// At max, of a shader's error.
 constexpr std::ptrdiff_t shaderLines = 10;
 
 ImVec4 colorOf(Message::Kind kind) {

@@ -18,7 +18,7 @@ ImGuiSliderFlags flagsOf(const NumberRange& range) {
 /// Takes what the user made of a number, unless it is none: typing can overflow.
 bool take(float& value, float edited, const NumberRange& range) {
     if (!std::isfinite(edited)) return false;
-    const float held = std::clamp(edited, range.least, range.most);
+    const float held = std::clamp(edited, range.min, range.max);
     const bool changed = held != value;
     value = held;
     return changed;
@@ -28,20 +28,20 @@ bool take(float& value, float edited, const NumberRange& range) {
 
 bool dragNumber(const char* label, float& value, const NumberRange& range) {
     float edited = value;
-    return ImGui::DragFloat(label, &edited, range.speed, range.least, range.most, range.format,
+    return ImGui::DragFloat(label, &edited, range.speed, range.min, range.max, range.format,
                             flagsOf(range)) &&
            take(value, edited, range);
 }
 
 bool slideNumber(const char* label, float& value, const NumberRange& range) {
     float edited = value;
-    return ImGui::SliderFloat(label, &edited, range.least, range.most, range.format, flagsOf(range)) &&
+    return ImGui::SliderFloat(label, &edited, range.min, range.max, range.format, flagsOf(range)) &&
            take(value, edited, range);
 }
 
-bool slideNumber(const char* label, double& value, double least, double most, const char* format) {
+bool slideNumber(const char* label, double& value, double min, double max, const char* format) {
     double edited = value;
-    if (!ImGui::SliderScalar(label, ImGuiDataType_Double, &edited, &least, &most, format,
+    if (!ImGui::SliderScalar(label, ImGuiDataType_Double, &edited, &min, &max, format,
                              ImGuiSliderFlags_AlwaysClamp) ||
         !std::isfinite(edited))
         return false;
@@ -49,16 +49,16 @@ bool slideNumber(const char* label, double& value, double least, double most, co
     return true;
 }
 
-bool slideLevel(const char* label, std::uint32_t& value, std::uint32_t least, std::uint32_t most) {
-    return ImGui::SliderScalar(label, ImGuiDataType_U32, &value, &least, &most, "%u",
+bool slideLevel(const char* label, std::uint32_t& value, std::uint32_t min, std::uint32_t max) {
+    return ImGui::SliderScalar(label, ImGuiDataType_U32, &value, &min, &max, "%u",
                                ImGuiSliderFlags_AlwaysClamp);
 }
 
-bool countInput(const char* label, std::uint32_t& value, std::uint32_t most) {
+bool countInput(const char* label, std::uint32_t& value, std::uint32_t max) {
     const std::uint32_t one = 1, many = 100;
     std::uint32_t edited = value;
     if (!ImGui::InputScalar(label, ImGuiDataType_U32, &edited, &one, &many)) return false;
-    edited = std::min(edited, most);
+    edited = std::min(edited, max);
     const bool changed = edited != value;
     value = edited;
     return changed;
@@ -69,7 +69,7 @@ bool dragPoint(const char* label, glm::vec3& value, float speed) {
     if (!ImGui::DragFloat3(label, &edited.x, speed, -farthestCoordinate, farthestCoordinate, "%.3f",
                            ImGuiSliderFlags_AlwaysClamp))
         return false;
-    const NumberRange range{.least = -farthestCoordinate, .most = farthestCoordinate};
+    const NumberRange range{.min = -farthestCoordinate, .max = farthestCoordinate};
     bool changed = false;
     for (int axis = 0; axis < 3; ++axis) changed = take(value[axis], edited[axis], range) || changed;
     return changed;

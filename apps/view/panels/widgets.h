@@ -10,7 +10,7 @@
 
 /// What a number may be, and how it is shown and dragged.
 struct NumberRange {
-    float least = 0.0f, most = 1.0f;
+    float min = 0.0f, max = 1.0f;
     float speed = 0.005f;  ///< Change for a pixel that the pointer is dragged.
     const char* format = "%.3f";
     enum class Scale { linear, logarithmic } scale = Scale::linear;
@@ -19,10 +19,10 @@ struct NumberRange {
 /// Each returns whether the user changed the value; a changed value is finite and within its range.
 bool dragNumber(const char* label, float& value, const NumberRange& range);
 bool slideNumber(const char* label, float& value, const NumberRange& range);
-bool slideNumber(const char* label, double& value, double least, double most, const char* format);
-bool slideLevel(const char* label, std::uint32_t& value, std::uint32_t least, std::uint32_t most);
+bool slideNumber(const char* label, double& value, double min, double max, const char* format);
+bool slideLevel(const char* label, std::uint32_t& value, std::uint32_t min, std::uint32_t max);
 /// A whole number with buttons for one less and one more.
-bool countInput(const char* label, std::uint32_t& value, std::uint32_t most);
+bool countInput(const char* label, std::uint32_t& value, std::uint32_t max);
 /// Metres, within those in which scenes lie.
 bool dragPoint(const char* label, glm::vec3& value, float speed);
 /// Linear Rec.709 of 0 to 1; shown, picked and typed as sRGB.

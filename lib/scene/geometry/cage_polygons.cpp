@@ -29,7 +29,7 @@ struct Derivatives {
     std::vector<float> du, dv;  ///< Of sum 0, but for rounding.
 };
 
-/// The point for which `measure` is greatest.
+/// The point for which `measure` is largest.
 template <typename Measure>
 std::uint32_t farthest(const std::vector<glm::dvec2>& points, const Measure& measure) {
     std::uint32_t best = 0;

@@ -40,16 +40,16 @@ PointGrid::Span PointGrid::spanInRow(const glm::dvec2 (&triangle)[3], std::size_
     Span span{1.0, 0.0};
     for (int i = 0; i < 3; ++i) {
         const glm::dvec2 a = triangle[i], b = triangle[(i + 1) % 3];
-        const auto [least, most] = std::minmax(a.y, b.y);
-        if (most < low || least > high) continue;
-        if (most - least < margin) {
+        const auto [minY, maxY] = std::minmax(a.y, b.y);
+        if (maxY < low || minY > high) continue;
+        if (maxY - minY < margin) {
             span.add(a.x);
             span.add(b.x);
             continue;
         }
         const double slope = (b.x - a.x) / (b.y - a.y);
-        span.add(a.x + (std::max(low, least) - a.y) * slope);
-        span.add(a.x + (std::min(high, most) - a.y) * slope);
+        span.add(a.x + (std::max(low, minY) - a.y) * slope);
+        span.add(a.x + (std::min(high, maxY) - a.y) * slope);
     }
     span.low -= margin;
     span.high += margin;
