@@ -1,7 +1,7 @@
 # `cmake --install`: headers, the shared library, plugins (declared in plugins/), the programs, and what lets other
 # projects find them: a CMake package and a pkg-config file. The tree can be moved after installation.
 
-# GLM is the vocabulary of the public headers, so whoever links candela needs it too.
+# GLM is the vocabulary of the public headers, so targets that link candela need it too.
 target_link_libraries(candela INTERFACE $<INSTALL_INTERFACE:glm::glm>)
 
 install(TARGETS candela EXPORT candelaTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})

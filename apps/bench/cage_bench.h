@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <string>
 
-/// The measurements of a moving cage. Times are medians in milliseconds; what is compared is measured in
-/// turns.
+/// The measurements of a moving cage. Times are medians in milliseconds; compared variants are measured
+/// alternately.
 struct CageResult {
     std::uint64_t quads = 0, vertices = 0, entries = 0;  ///< Of the cage; of its table.
     std::uint32_t level = 0;

@@ -38,9 +38,7 @@ class CandelaProgram final : public Program {
         result.lightsVisible = pairs.lightsVisible;
         result.lightsDropped = pairs.lightsDropped;
         result.lightListBytes = pairs.lightListBytes;
-        result.picture = medianOf([&] {
-            render().displayPicture(transform_);
-        });
+        result.picture = medianOf([&] { render().displayPicture(transform_); });
         result.setLights = medianOf([&] {
             scene_.setLights(lights_);
             glFinish();
@@ -71,9 +69,9 @@ class CandelaProgram final : public Program {
     }
 
     static candela::DisplayTransform transformOf(const BenchOptions& options) {
-        candela::DisplayOptions choice;
-        choice.view = options.view.value_or("");
-        return candela::ColorConfig::builtIn().displayTransform(choice);
+        candela::DisplayOptions displayOptions;
+        displayOptions.view = options.view.value_or("");
+        return candela::ColorConfig::builtIn().displayTransform(displayOptions);
     }
 
     PassClock clock_;

@@ -62,7 +62,7 @@ class Program {
 
 /// Draws the program's frames and takes medians: after one frame that is not counted, `options.frames`
 /// frames; fewer, but at least three, when they take over ten seconds, and fewer than three over a minute.
-/// `reference`, if any, draws the scene's first `referenceLights` lights in turns with `program`, so that
+/// `reference`, if any, draws the scene's first `referenceLights` lights alternately with `program`, so that
 /// other load on the machine affects both.
 Result measure(Program& program, Program* reference, const BenchScene& scene, const BenchOptions& options,
                const std::string& technique);

@@ -38,9 +38,9 @@ void printPlugins(const Options& options) {
 }
 
 /// The renderer that a context on the device gets, or why there is none.
-std::string tryDevice(const candela::DeviceOptions& choice) {
+std::string tryDevice(const candela::DeviceOptions& options) {
     try {
-        return candela::Context::createHeadless(choice).renderer();
+        return candela::Context::createHeadless(options).renderer();
     } catch (const candela::Error& error) {
         return std::string("unusable: ") + error.what();
     }

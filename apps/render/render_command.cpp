@@ -31,8 +31,8 @@ struct Session {
     const Options& options;
     Progress progress;
 
-    explicit Session(const Options& chosen)
-        : options(chosen), progress(chosen.quiet ? Verbosity::quiet : Verbosity::normal) {}
+    explicit Session(const Options& sessionOptions)
+        : options(sessionOptions), progress(sessionOptions.quiet ? Verbosity::quiet : Verbosity::normal) {}
 
     void note(const std::string& text) {
         if (options.quiet) return;
@@ -53,10 +53,11 @@ void checkOutputs(const Session& session) {
 
 /// The way to the display for a PNG; the names are checked for an EXR too, which takes nothing of it.
 std::optional<candela::DisplayTransform> chooseDisplay(Session& session, const candela::ColorConfig& color) {
-    const candela::DisplayOptions& choice = session.options.display;
-    candela::DisplayTransform transform = color.displayTransform(choice);
+    const candela::DisplayOptions& displayOptions = session.options.display;
+    candela::DisplayTransform transform = color.displayTransform(displayOptions);
     if (session.options.format == PictureFormat::png) return transform;
-    if (!choice.display.empty() || !choice.view.empty() || !choice.look.empty() || choice.exposure != 0.0)
+    if (!displayOptions.display.empty() || !displayOptions.view.empty() || !displayOptions.look.empty() ||
+        displayOptions.exposure != 0.0)
         session.note(
             "an .exr holds scene-linear light: --display, --view, --look and --exposure do not change it");
     return std::nullopt;

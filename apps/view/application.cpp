@@ -51,7 +51,7 @@ void remember(std::vector<std::string>& recent, const std::string& scene) {
     if (recent.size() > keptRecent) recent.resize(keptRecent);
 }
 
-bool sameChoice(const candela::DisplayOptions& a, const candela::DisplayOptions& b) {
+bool sameDisplayOptions(const candela::DisplayOptions& a, const candela::DisplayOptions& b) {
     return a.display == b.display && a.view == b.view && a.look == b.look && a.exposure == b.exposure;
 }
 
@@ -142,7 +142,7 @@ bool Application::timeGoesOn() const {
     return model_.playing && model_.document && model_.document->animated();
 }
 
-/// Panels come to rest before the window sleeps; a coarse picture is sharpened after a short rest.
+/// Panels come to rest before the window sleeps; full resolution returns after a short rest.
 Window::Sleep Application::sleep() const {
     if (options_.scripted()) return model_.loading ? Window::Sleep::briefly : Window::Sleep::none;
     if (timeGoesOn() || motion_ == Motion::moves || settling_ > 0) return Window::Sleep::none;
@@ -311,16 +311,16 @@ void Application::serveReadings() {
 
 /// Nothing changes when it throws.
 void Application::changeConfig(const std::optional<std::string>& config,
-                               const candela::DisplayOptions& choice) {
+                               const candela::DisplayOptions& displayOptions) {
     const candela::ColorConfig color = candela::ColorConfig::choose(config);
-    const candela::DisplayTransform display = color.displayTransform(choice);
+    const candela::DisplayTransform display = color.displayTransform(displayOptions);
     // Colours are uploaded in the working space.
     if (model_.document) model_.document->adopt(model_.document->upload(context_, uploadOptions(color)));
     model_.color = color;
     model_.options.ocio = config;
-    model_.options.display = choice;
+    model_.options.display = displayOptions;
     display_ = display;
-    shownChoice_ = choice;
+    appliedDisplayOptions_ = displayOptions;
     drawnPicture_.clear();
 }
 
@@ -340,9 +340,9 @@ void Application::copyCommand() {
 }
 
 void Application::changeDisplay() {
-    if (sameChoice(shownChoice_, model_.options.display)) return;
+    if (sameDisplayOptions(appliedDisplayOptions_, model_.options.display)) return;
     guarded([this] { display_ = model_.color.displayTransform(model_.options.display); });
-    shownChoice_ = model_.options.display;
+    appliedDisplayOptions_ = model_.options.display;
 }
 
 void Application::drawPicture(Motion motion) {
@@ -386,11 +386,10 @@ void Application::writePicture(const std::filesystem::path& file) {
     drawnPicture_.clear();
     const candela::Frame& frame = *viewport_.frame();
     if (endingOf(file) == ".exr") {
-        writeRadiance(file, frame, candela::Renderer::aovNames(),
-                      model_.color);
+        writeRadiance(file, frame, candela::Renderer::aovNames(), model_.color);
     } else {
-        writeShownPicture(file, model_.options.width, model_.options.height,
-                          frame.displayPicture(*display_), *display_);
+        writeShownPicture(file, model_.options.width, model_.options.height, frame.displayPicture(*display_),
+                          *display_);
     }
     model_.messages.push_back({Message::Kind::note, "wrote " + file.string()});
 }

@@ -46,7 +46,8 @@ class Application {
     void reloadShaders();
     void serveRequests();
     void serveReadings();
-    void changeConfig(const std::optional<std::string>& config, const candela::DisplayOptions& choice);
+    void changeConfig(const std::optional<std::string>& config,
+                      const candela::DisplayOptions& displayOptions);
     void changeDisplay();
     void chooseFirstColor();
     void writePicture(const std::filesystem::path& file);
@@ -76,7 +77,7 @@ class Application {
     SceneLoader loader_;
     ShaderWatch shaders_;
     std::optional<candela::DisplayTransform> display_;
-    candela::DisplayOptions shownChoice_;
+    candela::DisplayOptions appliedDisplayOptions_;
     std::string drawnPicture_;  ///< What the picture shows: see `pictureKey`.
     ResolutionScale resolutionScale_;
     Motion motion_ = Motion::rests;  ///< In the last step.

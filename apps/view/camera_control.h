@@ -17,13 +17,13 @@ class CameraControl {
     /// Moves back along the axis until the box is in the picture; `aspect` is width over height.
     void frame(const candela::Bounds& box, float aspect);
 
-    /// `drag` is in heights of the window; a drag over the whole height turns half round.
+    /// `drag` is in heights of the window; a drag over the whole height rotates by 180 degrees.
     void orbit(const glm::vec2& drag);
     /// The target's point follows the pointer.
     void pan(const glm::vec2& drag);
     /// Nears the target by a factor for each step: 1 step is one click of the wheel.
     void dolly(float steps);
-    /// Turns the head: the eye stays.
+    /// Rotates the view direction; the eye stays.
     void turn(const glm::vec2& drag);
     /// Moves eye and target by `direction` (x right, y up, z back; camera space) times `metres`.
     void fly(const glm::vec3& direction, float metres);

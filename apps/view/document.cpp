@@ -102,9 +102,9 @@ void Document::removeLight(std::uint32_t index) {
     showLights();
 }
 
-void Document::scatterLights(const ScatterOptions& choice) {
+void Document::scatterLights(const ScatterOptions& options) {
     scene_.lights.resize(ownLights_);
-    addScatteredLights(scene_, choice, "the scene");
+    addScatteredLights(scene_, options, "the scene");
     const std::vector<candela::WorldLight> placed =
         candela::worldLights(scene_, candela::worldTransforms(scene_, time_));
     restingLights_.resize(firstScattered_);

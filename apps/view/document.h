@@ -50,7 +50,7 @@ class Document {
     void removeLight(std::uint32_t index);
     /// Takes away the lights of an earlier call (or of --scatter-lights) and scatters others. Throws
     /// `candela::Error` and leaves the lights when there is nothing to scatter them over.
-    void scatterLights(const ScatterOptions& choice);
+    void scatterLights(const ScatterOptions& options);
     void setLightMotion(const LightMotion& motion);
     const LightMotion& lightMotion() const { return motion_; }
 

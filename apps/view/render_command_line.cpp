@@ -60,18 +60,18 @@ class Command {
     std::string text_;
 };
 
-std::string scatterText(const ScatterOptions& choice) {
-    std::string text = std::to_string(choice.count);
-    if (choice.range) text += "," + numberText(*choice.range);
-    if (choice.range && choice.candela) text += "," + numberText(*choice.candela);
-    if (choice.range && choice.candela && choice.seed != 1) text += "," + std::to_string(choice.seed);
+std::string scatterText(const ScatterOptions& options) {
+    std::string text = std::to_string(options.count);
+    if (options.range) text += "," + numberText(*options.range);
+    if (options.range && options.candela) text += "," + numberText(*options.candela);
+    if (options.range && options.candela && options.seed != 1) text += "," + std::to_string(options.seed);
     return text;
 }
 
-std::string debugViewText(const DebugViewOptions& choice) {
-    std::string text = candela::toString(choice.view);
-    if (choice.overlays.wireframe) text += ",wireframe";
-    if (choice.overlays.cage) text += ",cage";
+std::string debugViewText(const DebugViewOptions& options) {
+    std::string text = candela::toString(options.view);
+    if (options.overlays.wireframe) text += ",wireframe";
+    if (options.overlays.cage) text += ",cage";
     return text;
 }
 

@@ -2,9 +2,9 @@
 
 namespace {
 
-/// A picture that takes longer than this is drawn coarser while it moves.
+/// A picture that takes longer than this is drawn at a lower resolution while the camera moves.
 constexpr double fluentMilliseconds = 50.0;
-constexpr int coarsest = 4;
+constexpr int maxDivisor = 4;
 /// A hand that moves the camera pauses for less than this.
 constexpr std::chrono::milliseconds rest{150};
 
@@ -17,7 +17,7 @@ int ResolutionScale::divisor(Motion motion, Clock::time_point now) {
     }
     lastMotion_ = now;
     divisor_ = 1;
-    while (divisor_ < coarsest && fullMilliseconds_ / (divisor_ * divisor_) > fluentMilliseconds)
+    while (divisor_ < maxDivisor && fullMilliseconds_ / (divisor_ * divisor_) > fluentMilliseconds)
         divisor_ *= 2;
     return divisor_;
 }

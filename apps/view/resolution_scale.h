@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-/// How coarse the picture is drawn: on a slow device coarser while it moves, and sharp once it has rested.
+/// The divisor of the resolution: above 1 on a slow device while the camera moves, 1 once it rests.
 class ResolutionScale {
   public:
     using Clock = std::chrono::steady_clock;
@@ -13,11 +13,11 @@ class ResolutionScale {
     int divisor(Motion motion, Clock::time_point now);
     /// The last picture, with the divisor asked for last, took this long.
     void tookMilliseconds(double milliseconds) { fullMilliseconds_ = milliseconds * divisor_ * divisor_; }
-    /// Is the picture coarse, so that there is still something to do at rest?
+    /// Is the resolution reduced, so that another frame is due at rest?
     bool isReduced() const { return divisor_ > 1; }
 
   private:
-    double fullMilliseconds_ = 0.0;  ///< About what a picture takes that is not coarse.
+    double fullMilliseconds_ = 0.0;  ///< Estimated time of a frame at full resolution.
     int divisor_ = 1;
     Clock::time_point lastMotion_{};
 };

@@ -16,9 +16,9 @@ constexpr double shownStep = 0.005;
 }  // namespace
 
 struct SceneLoader::Job {
-    Job(const candela::PluginRegistry& registry, const SceneOptions& chosen, void (*wakeUp)())
-        : plugins(registry), options(chosen), wake(wakeUp) {
-        result.options = chosen;
+    Job(const candela::PluginRegistry& registry, const SceneOptions& sceneOptions, void (*wakeUp)())
+        : plugins(registry), options(sceneOptions), wake(wakeUp) {
+        result.options = sceneOptions;
     }
 
     const candela::PluginRegistry plugins;

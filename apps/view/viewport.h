@@ -25,7 +25,7 @@ class Viewport {
         const SceneOptions& options;  ///< Its size is the picture's.
         const candela::CameraView& view;
         const candela::DisplayTransform& display;
-        int divisor = 1;  ///< Width and height are divided by it: coarser, faster.
+        int divisor = 1;  ///< Width and height are divided by it.
     };
     /// Draws the picture. Returns the milliseconds it took. Throws `candela::Error`.
     double draw(const Inputs& inputs);

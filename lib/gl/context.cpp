@@ -45,15 +45,15 @@ std::string wayOf(const Device& device) {
     return "EGL device " + std::to_string(device.index) + " (" + device.description + ")";
 }
 
-/// What the choice allows, GPUs first, then software devices, then the surfaceless display.
-std::vector<Candidate> candidates(const DeviceOptions& choice) {
+/// What the options allow, GPUs first, then software devices, then the surfaceless display.
+std::vector<Candidate> candidates(const DeviceOptions& options) {
     std::vector<gl::EglDevice> devices = gl::enumerateEglDevices();
-    if (choice.index) {
+    if (options.index) {
         const auto found =
-            std::ranges::find(devices, *choice.index, [](const gl::EglDevice& d) { return d.device.index; });
+            std::ranges::find(devices, *options.index, [](const gl::EglDevice& d) { return d.device.index; });
         if (found == devices.end()) {
             throw Error(ErrorKind::environment, "",
-                        "there is no EGL device " + std::to_string(*choice.index) + "; this machine has " +
+                        "there is no EGL device " + std::to_string(*options.index) + "; this machine has " +
                             std::to_string(devices.size()) + ", counted from 0");
         }
         return {{wayOf(found->device), found->handle}};
@@ -61,7 +61,7 @@ std::vector<Candidate> candidates(const DeviceOptions& choice) {
     std::ranges::stable_sort(devices, {}, [](const gl::EglDevice& d) { return d.device.software; });
     std::vector<Candidate> result;
     for (const gl::EglDevice& device : devices) {
-        if (choice.softwareOnly && !device.device.software) continue;
+        if (options.softwareOnly && !device.device.software) continue;
         result.push_back({wayOf(device.device), device.handle});
     }
     result.push_back({"EGL surfaceless display", EGL_NO_DEVICE_EXT});
@@ -76,13 +76,13 @@ std::string failureText(const std::vector<ContextAttempt>& attempts) {
 
 }  // namespace
 
-Context Context::createHeadless(const DeviceOptions& choice) {
+Context Context::createHeadless(const DeviceOptions& options) {
     auto state = std::make_unique<State>();
-    for (const Candidate& candidate : candidates(choice)) {
+    for (const Candidate& candidate : candidates(options)) {
         try {
             auto headless = std::make_unique<gl::HeadlessContext>(gl::EglDisplay::open(candidate.handle));
             state->renderer = checkedRenderer();
-            if (choice.softwareOnly && !softwareName(state->renderer)) {
+            if (options.softwareOnly && !softwareName(state->renderer)) {
                 throw Error(ErrorKind::environment, "",
                             "it is not a software rasteriser but " + state->renderer);
             }

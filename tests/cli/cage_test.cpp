@@ -51,12 +51,12 @@ TEST_F(Cages, TakeTheLevelOfTheOption) {
     EXPECT_EQ(first.colors(), 2u);
     EXPECT_EQ(third.colors(), 2u);
     EXPECT_NE(first.rgba, third.rgba);
-    const std::string coarse = "256", fine = "2";
+    const std::string longEdges = "256", shortEdges = "2";
     const auto edges = [&](const std::string& pixels) {
         return png({"cube.obj?subdivide", "--subdivision-edge", pixels, "--show", "level"}).rgba;
     };
-    EXPECT_EQ(edges(coarse), first.rgba);
-    EXPECT_NE(edges(fine), first.rgba);
+    EXPECT_EQ(edges(longEdges), first.rgba);
+    EXPECT_NE(edges(shortEdges), first.rgba);
 }
 
 TEST_F(Cages, ShowTheirLinesOverThePicture) {

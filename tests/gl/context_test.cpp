@@ -22,15 +22,15 @@ std::vector<float> drawn(const Context& context, Renderer& renderer, const LitSc
 }
 
 DeviceOptions software() {
-    DeviceOptions choice;
-    choice.softwareOnly = true;
-    return choice;
+    DeviceOptions options;
+    options.softwareOnly = true;
+    return options;
 }
 
 DeviceOptions deviceNumber(int index) {
-    DeviceOptions choice;
-    choice.index = index;
-    return choice;
+    DeviceOptions options;
+    options.index = index;
+    return options;
 }
 
 /// The text and kind of the error that `action` throws; a failure when it throws none.

@@ -33,7 +33,8 @@ std::string VirtualDisplay::start() {
         dup2(nowhere, STDERR_FILENO);
         // The server picks a free number and writes it, followed by a newline, once it takes clients.
         const std::string descriptor = std::to_string(ends[1]);
-        // Without -noreset it begins anew when its last client leaves, and refuses whoever comes meanwhile.
+        // Without -noreset it begins anew when its last client leaves, and refuses clients that connect
+        // meanwhile.
         execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "640x480x24", "-noreset",
                "-nolisten", "tcp", nullptr);
         _exit(127);

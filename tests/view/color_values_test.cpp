@@ -36,7 +36,7 @@ TEST(ColorTemperature, LiesOnThePlanckianLocus) {
     }
 }
 
-TEST(ColorTemperature, HasAGreatestChannelOfOneAndNoneBelowZero) {
+TEST(ColorTemperature, HasALargestChannelOfOneAndNoneBelowZero) {
     for (float kelvin = minTemperature; kelvin <= maxTemperature; kelvin += 53.0f) {
         const glm::vec3 color = colorOfTemperature(kelvin);
         EXPECT_EQ(std::max({color.r, color.g, color.b}), 1.0f) << kelvin;

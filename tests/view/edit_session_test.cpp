@@ -66,7 +66,7 @@ TEST_F(EditSession, AHiddenNodeIsGoneAndComesBack) {
     EXPECT_TRUE(session.document().changes().empty());
 }
 
-TEST_F(EditSession, StrewnLightsAreThoseOfTheCommandLine) {
+TEST_F(EditSession, ScatteredLightsAreThoseOfTheCommandLine) {
     ViewSession session(small({"square.gltf", "--scatter-lights", "500"}));
     session.awaitScene();
     expectPicture(session, {"square.gltf", "--scatter-lights", "500"});

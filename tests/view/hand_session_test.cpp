@@ -200,17 +200,17 @@ class SlowHandSession : public HandSession {
         ASSERT_GT(session->model().frames.back().milliseconds, 60.0);
     }
 
-    bool becomesCoarse() {
+    bool lowersResolution() {
         return session->stepUntil([&] { return session->model().divisor > 1; });
     }
 };
 
-TEST_F(SlowHandSession, IsCoarseWhileItMovesAndSharpAtRest) {
+TEST_F(SlowHandSession, LowersTheResolutionOnlyWhileTheCameraMoves) {
     session->pointTo(160, 120);
     useHand("mousedown " + std::to_string(left));
     session->settle();
     useHand("mousemove_relative 20 5");
-    EXPECT_TRUE(becomesCoarse());
+    EXPECT_TRUE(lowersResolution());
     useHand("mouseup " + std::to_string(left));
     EXPECT_TRUE(session->stepUntil([&] { return session->model().divisor == 1; }));
     const std::size_t drawn = session->model().frames.size();
@@ -219,14 +219,14 @@ TEST_F(SlowHandSession, IsCoarseWhileItMovesAndSharpAtRest) {
     expectCommandDrawsThePicture();
 }
 
-TEST_F(SlowHandSession, TheProbeBearsTheLastPixelOfACoarsePicture) {
+TEST_F(SlowHandSession, TheProbeReadsTheLastPixelAtLowResolution) {
     session->resize(323, 243);  // neither is a multiple of 4
     session->model().panels.probe = true;
     session->pointTo(160, 60);
     useHand("mousedown " + std::to_string(left));
     session->settle();
     useHand("mousemove 322 242");
-    EXPECT_TRUE(becomesCoarse());
+    EXPECT_TRUE(lowersResolution());
     EXPECT_EQ(session->model().pointer, glm::ivec2(322, 242));
     EXPECT_EQ(session->messages(Message::Kind::error), 0u);
     useHand("mouseup " + std::to_string(left));

@@ -78,7 +78,7 @@ TEST(Cones, KeepTheInnerWithinTheOuter) {
     EXPECT_EQ(light.innerConeAngle, 0.2f);
 }
 
-candela::WorldLight strewnLight() {
+candela::WorldLight scatteredLight() {
     candela::WorldLight light;
     light.range = 3.5f;
     light.intensity = {0.0f, 1.25f, 0.5f};
@@ -86,26 +86,26 @@ candela::WorldLight strewnLight() {
 }
 
 TEST(SpelledOut, LeavesOpenWhatTheCommandLineCanLeaveOpen) {
-    const ScatterOptions choice = completed({.count = 10, .range = {}, .candela = {}}, strewnLight());
-    EXPECT_FALSE(choice.range);
-    EXPECT_FALSE(choice.candela);
-    const ScatterOptions ranged = completed({.count = 10, .range = 2.0f, .candela = {}}, strewnLight());
+    const ScatterOptions options = completed({.count = 10, .range = {}, .candela = {}}, scatteredLight());
+    EXPECT_FALSE(options.range);
+    EXPECT_FALSE(options.candela);
+    const ScatterOptions ranged = completed({.count = 10, .range = 2.0f, .candela = {}}, scatteredLight());
     EXPECT_EQ(ranged.range, 2.0f);
     EXPECT_FALSE(ranged.candela);
 }
 
 TEST(SpelledOut, GivesARangeBeforeAnIntensity) {
-    const ScatterOptions choice = completed({.count = 10, .range = {}, .candela = 8.0f}, strewnLight());
-    EXPECT_EQ(choice.range, 3.5f);
-    EXPECT_EQ(choice.candela, 8.0f);
+    const ScatterOptions options = completed({.count = 10, .range = {}, .candela = 8.0f}, scatteredLight());
+    EXPECT_EQ(options.range, 3.5f);
+    EXPECT_EQ(options.candela, 8.0f);
 }
 
 TEST(SpelledOut, GivesBothBeforeASeed) {
-    const ScatterOptions choice =
-        completed({.count = 10, .range = {}, .candela = {}, .seed = 7}, strewnLight());
-    EXPECT_EQ(choice.range, 3.5f);
-    EXPECT_EQ(choice.candela, 1.25f);
-    EXPECT_EQ(choice.seed, 7u);
+    const ScatterOptions options =
+        completed({.count = 10, .range = {}, .candela = {}, .seed = 7}, scatteredLight());
+    EXPECT_EQ(options.range, 3.5f);
+    EXPECT_EQ(options.candela, 1.25f);
+    EXPECT_EQ(options.seed, 7u);
 }
 
 }  // namespace

@@ -52,9 +52,9 @@ TEST_F(PanelSession, DisplayAndViewAreChosenFromLists) {
     const PngPicture before = session->picture();
     ASSERT_TRUE(chooseIn("Colour", [&] { return !session->model().options.display.display.empty(); }));
     ASSERT_TRUE(chooseIn("Colour", [&] { return !session->model().options.display.view.empty(); }));
-    const candela::DisplayOptions choice = session->model().options.display;
-    EXPECT_EQ(choice.display, session->model().color.displays().back());
-    EXPECT_EQ(choice.view, session->model().color.views(choice.display).back());
+    const candela::DisplayOptions options = session->model().options.display;
+    EXPECT_EQ(options.display, session->model().color.displays().back());
+    EXPECT_EQ(options.view, session->model().color.views(options.display).back());
     const PngPicture shown = session->picture();
     EXPECT_GT(maxDifference(shown, before), 5);
     // Two runs may choose another form of an ACES view, which differ by a quarter of a code and its rounding.

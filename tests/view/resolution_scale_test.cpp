@@ -6,7 +6,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-class CoarsenessTest : public testing::Test {
+class ResolutionScaleTest : public testing::Test {
   protected:
     int at(int time, Motion motion) { return scale.divisor(motion, start + milliseconds(time)); }
 
@@ -14,14 +14,14 @@ class CoarsenessTest : public testing::Test {
     ResolutionScale scale;
 };
 
-TEST_F(CoarsenessTest, AFastDeviceStaysSharp) {
+TEST_F(ResolutionScaleTest, AFastDeviceStaysSharp) {
     EXPECT_EQ(at(0, Motion::rests), 1);
     scale.tookMilliseconds(15.0);
     EXPECT_EQ(at(20, Motion::moves), 1);
     EXPECT_FALSE(scale.isReduced());
 }
 
-TEST_F(CoarsenessTest, ASlowDeviceIsCoarserWhileItMoves) {
+TEST_F(ResolutionScaleTest, ASlowDeviceLowersTheResolutionWhileTheCameraMoves) {
     at(0, Motion::rests);
     scale.tookMilliseconds(150.0);
     EXPECT_EQ(at(20, Motion::moves), 2);
@@ -31,7 +31,7 @@ TEST_F(CoarsenessTest, ASlowDeviceIsCoarserWhileItMoves) {
     EXPECT_TRUE(scale.isReduced());
 }
 
-TEST_F(CoarsenessTest, SharpensAfterAShortRestOnly) {
+TEST_F(ResolutionScaleTest, SharpensAfterAShortRestOnly) {
     at(0, Motion::rests);
     scale.tookMilliseconds(400.0);
     EXPECT_EQ(at(20, Motion::moves), 4);
@@ -42,7 +42,7 @@ TEST_F(CoarsenessTest, SharpensAfterAShortRestOnly) {
     EXPECT_FALSE(scale.isReduced());
 }
 
-TEST_F(CoarsenessTest, TakesTheTimeOfACoarsePictureForAPartOfAFullOne) {
+TEST_F(ResolutionScaleTest, ScalesTheTimeOfALowResolutionFrameToFullResolution) {
     at(0, Motion::rests);
     scale.tookMilliseconds(400.0);
     EXPECT_EQ(at(20, Motion::moves), 4);

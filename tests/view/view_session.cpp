@@ -173,8 +173,8 @@ PngPicture ViewTest::renderedBy(const std::string& command) const {
 
 int maxDifference(const PngPicture& a, const PngPicture& b) {
     if (a.width != b.width || a.height != b.height) return 256;
-    int greatest = 0;
+    int maxDifference = 0;
     for (std::size_t i = 0; i < a.rgba.size(); ++i)
-        greatest = std::max(greatest, std::abs(int{a.rgba[i]} - int{b.rgba[i]}));
-    return greatest;
+        maxDifference = std::max(maxDifference, std::abs(int{a.rgba[i]} - int{b.rgba[i]}));
+    return maxDifference;
 }

@@ -27,11 +27,11 @@ class ViewSession {
     GLFWwindow* window() { return window_; }
     Document& document() { return *model().document; }
 
-    /// Turns the loop.
+    /// Runs one iteration of the loop.
     void step(int times = 1);
-    /// Turns it until `reached` holds; false when that takes a minute.
+    /// Iterates until `reached` holds; false when that takes a minute.
     bool stepUntil(const std::function<bool()>& reached);
-    /// Turns it until nothing is being read; the scene, or a message, is there then.
+    /// Iterates until nothing is being read; the scene, or a message, is there then.
     void awaitScene();
     /// Lets what the hand did arrive and take effect.
     void settle();
@@ -81,5 +81,5 @@ class ViewTest : public testing::Test {
 /// Small enough to be drawn fast, with a place for the panels at every side.
 constexpr const char* smallSize = "320x240";
 
-/// The greatest difference of two pictures in code values; 256 when their sizes differ.
+/// The largest difference of two pictures in code values; 256 when their sizes differ.
 int maxDifference(const PngPicture& a, const PngPicture& b);

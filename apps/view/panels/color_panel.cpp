@@ -12,10 +12,10 @@ namespace {
 constexpr double maxStops = 10.0;
 
 /// An empty name means the default, which is shown by its name.
-bool chooseName(const char* label, std::string& chosen, std::vector<std::string> names,
+bool chooseName(const char* label, std::string& selected, std::vector<std::string> names,
                 const std::string& defaultText) {
     names.insert(names.begin(), "");
-    return chooseOne(label, chosen, names,
+    return chooseOne(label, selected, names,
                      [&](const std::string& name) { return name.empty() ? defaultText : name; });
 }
 
@@ -37,15 +37,15 @@ void chooseConfig(ViewModel& model) {
 
 /// A view that the new display does not have falls back to its default.
 void chooseDisplay(ViewModel& model) {
-    candela::DisplayOptions& choice = model.options.display;
+    candela::DisplayOptions& options = model.options.display;
     const std::vector<std::string> displays = model.color.displays();
     const std::string standard = model.color.defaultDisplay();
-    const bool changed = chooseName("display", choice.display, displays, standard + " (default)");
-    const std::string& display = choice.display.empty() ? standard : choice.display;
+    const bool changed = chooseName("display", options.display, displays, standard + " (default)");
+    const std::string& display = options.display.empty() ? standard : options.display;
     if (!has(displays, display)) return showWrappedText("The config has no such display.");
     const std::vector<std::string> views = model.color.views(display);
-    if (changed && !has(views, choice.view)) choice.view.clear();
-    chooseName("view", choice.view, views, model.color.defaultView(display) + " (default)");
+    if (changed && !has(views, options.view)) options.view.clear();
+    chooseName("view", options.view, views, model.color.defaultView(display) + " (default)");
 }
 
 }  // namespace

@@ -26,12 +26,12 @@ void chooseLighting(ViewModel& model) {
               [](candela::BrdfModel brdf) { return candela::toString(brdf); });
 }
 
-void chooseShown(DebugViewOptions& choice) {
-    chooseOne("show", choice.view, selectableViews(),
+void chooseDebugView(DebugViewOptions& options) {
+    chooseOne("show", options.view, selectableViews(),
               [](candela::DebugView view) { return candela::toString(view); });
-    ImGui::Checkbox("wireframe", &choice.overlays.wireframe);
+    ImGui::Checkbox("wireframe", &options.overlays.wireframe);
     ImGui::SameLine();
-    ImGui::Checkbox("cages", &choice.overlays.cage);
+    ImGui::Checkbox("cages", &options.overlays.cage);
 }
 
 bool editSubdivision(candela::SubdivisionSettings& settings) {
@@ -89,7 +89,7 @@ void drawDrawingPanel(ViewModel& model) {
     const PanelWindow window(Panel::drawing, "Drawing", model.panels.drawing);
     if (!window) return;
     chooseLighting(model);
-    chooseShown(model.options.debug);
+    chooseDebugView(model.options.debug);
     ImGui::Separator();
     showText("subdivision");
     drawSubdivision(model);

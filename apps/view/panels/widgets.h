@@ -46,16 +46,17 @@ void showRow(const char* name, const std::string& value);
 enum class Row { plain, selected };
 bool listRow(std::uint64_t id, Row row, const std::string& text);
 
-/// A list to choose one of `values` from, by the names that `name` gives. Returns whether another was chosen.
+/// A list to choose one of `values` from, by the names that `name` gives. Returns whether the selection
+/// changed.
 template <typename Value, typename Values, typename Name>
-bool chooseOne(const char* label, Value& chosen, const Values& values, Name&& name) {
-    if (!ImGui::BeginCombo(label, std::string(name(chosen)).c_str())) return false;
+bool chooseOne(const char* label, Value& selected, const Values& values, Name&& name) {
+    if (!ImGui::BeginCombo(label, std::string(name(selected)).c_str())) return false;
     bool changed = false;
     std::uint64_t id = 0;
     for (const Value& value : values) {
-        const bool same = value == chosen;
+        const bool same = value == selected;
         if (listRow(id++, same ? Row::selected : Row::plain, std::string(name(value))) && !same) {
-            chosen = value;
+            selected = value;
             changed = true;
         }
     }

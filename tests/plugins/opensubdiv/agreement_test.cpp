@@ -78,10 +78,10 @@ TEST_P(Agreement, ofSmoothCages) {
 TEST_P(Agreement, ofSharpCages) {
     Random random(2);
     const std::vector<Cage> cages = manifoldCages();
-    std::size_t turn = 0;
+    std::size_t iteration = 0;
     for (const Rules& rules : allRules(std::get<0>(GetParam()))) {
         for (int i = 0; i < 4; ++i) {
-            Cage cage = prepared(cages[turn++ % cages.size()]);
+            Cage cage = prepared(cages[iteration++ % cages.size()]);
             set(cage, rules);
             shake(cage, 0.2f, random);
             giveTornUvs(cage, random);

@@ -100,7 +100,7 @@ TEST(Crease, thatEndsInASmoothVertexIsADart) {
     EXPECT_EQ(vertexAt(cage, refined, 20, 1.0, 0.25), vertexAt(cage, refined, 21, 0.0, 0.25));
 }
 
-TEST(Crease, aroundOneFaceOfACubeMakesOneTwinAPoint) {
+TEST(Crease, aroundOneFaceOfACubeMakesOneSeamVertexPerPoint) {
     Cage cage = cube();
     cage.creases = {{0, 2, 10.0f}, {2, 3, 10.0f}, {3, 1, 10.0f}, {1, 0, 10.0f}};
     const RefinedCage refined = refineWithPlugin(cage, 2);
@@ -141,7 +141,7 @@ TEST(Bilinear, facesShareNoNormals) {
     EXPECT_EQ(refined.vertexCount(), 20u * 9u);
 }
 
-TEST(Seam, hasTwinsWithTheTextureCoordinatesOfBothSides) {
+TEST(Seam, hasSeamVerticesWithTheTextureCoordinatesOfBothSides) {
     Cage cage = sheet(2, 1);
     cage.faceVaryingInterpolation = FaceVaryingInterpolation::all;
     cage.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};

@@ -21,9 +21,9 @@ Cage collapsedPole(std::uint32_t around, std::uint32_t rings) {
             0.5f * std::numbers::pi_v<float> * static_cast<float>(j) / static_cast<float>(rings);
         const float radius = j == rings ? 0.0f : std::cos(latitude);
         for (std::uint32_t i = 0; i < around; ++i) {
-            const float turn =
+            const float angle =
                 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(around);
-            points.emplace_back(radius * std::cos(turn), std::sin(latitude), -radius * std::sin(turn));
+            points.emplace_back(radius * std::cos(angle), std::sin(latitude), -radius * std::sin(angle));
             if (j == rings) continue;
             const std::uint32_t next = (i + 1) % around;
             faces.push_back(

@@ -18,13 +18,13 @@ class RandomCage {
   public:
     explicit RandomCage(Random& random) : random_(random) {
         cage_.struct_size = sizeof(cage_);
-        const std::uint32_t choices[] = {below(3) + rarely(), below(3) + rarely(), below(6) + rarely(),
-                                         below(2) + rarely(), below(2) + rarely()};
-        std::memcpy(&cage_.scheme, &choices[0], 4);
-        std::memcpy(&cage_.boundary_interpolation, &choices[1], 4);
-        std::memcpy(&cage_.face_varying_interpolation, &choices[2], 4);
-        std::memcpy(&cage_.crease_method, &choices[3], 4);
-        std::memcpy(&cage_.triangle_subdivision, &choices[4], 4);
+        const std::uint32_t values[] = {below(3) + rarely(), below(3) + rarely(), below(6) + rarely(),
+                                        below(2) + rarely(), below(2) + rarely()};
+        std::memcpy(&cage_.scheme, &values[0], 4);
+        std::memcpy(&cage_.boundary_interpolation, &values[1], 4);
+        std::memcpy(&cage_.face_varying_interpolation, &values[2], 4);
+        std::memcpy(&cage_.crease_method, &values[3], 4);
+        std::memcpy(&cage_.triangle_subdivision, &values[4], 4);
         cage_.vertex_count = 3 + below(8);
         positions_ = floats(3 * cage_.vertex_count);
         cage_.positions = positions_.data();
@@ -155,9 +155,9 @@ TEST(Fuzz, randomBytesEndInResultsOrReasons) {
             number = static_cast<std::uint32_t>(random() % (i % 2 == 0 ? 6 : 0xFFFFFFFFu));
         candela_cage cage{};
         cage.struct_size = sizeof(cage);
-        std::uint32_t choices[5];
-        for (std::uint32_t& choice : choices) choice = random() % 4;
-        std::memcpy(&cage.scheme, choices, sizeof(choices));
+        std::uint32_t values[5];
+        for (std::uint32_t& value : values) value = random() % 4;
+        std::memcpy(&cage.scheme, values, sizeof(values));
         const auto some = [&] { return static_cast<std::uint32_t>(random() % 12); };
         cage.vertex_count = some();
         cage.face_count = some();

@@ -12,8 +12,8 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-glm::vec3 onCircle(float turns, float radius, float height) {
-    return {radius * std::cos(2.0f * pi * turns), height, -radius * std::sin(2.0f * pi * turns)};
+glm::vec3 onCircle(float revolutions, float radius, float height) {
+    return {radius * std::cos(2.0f * pi * revolutions), height, -radius * std::sin(2.0f * pi * revolutions)};
 }
 
 float uniform(Random& random) {
@@ -104,9 +104,9 @@ Cage torus(std::uint32_t around, std::uint32_t along) {
     std::vector<std::vector<std::uint32_t>> faces;
     for (std::uint32_t j = 0; j < along; ++j) {
         for (std::uint32_t i = 0; i < around; ++i) {
-            const float turn = 2.0f * pi * static_cast<float>(j) / static_cast<float>(along);
+            const float angle = 2.0f * pi * static_cast<float>(j) / static_cast<float>(along);
             points.push_back(onCircle(static_cast<float>(i) / static_cast<float>(around),
-                                      3.0f + std::cos(turn), std::sin(turn)));
+                                      3.0f + std::cos(angle), std::sin(angle)));
             const std::uint32_t nextI = (i + 1) % around, nextJ = (j + 1) % along;
             faces.push_back({j * around + i, j * around + nextI, nextJ * around + nextI, nextJ * around + i});
         }
@@ -183,8 +183,8 @@ Cage book() {
     for (std::uint32_t j = 0; j < 4; ++j) {
         points.emplace_back(0.0f, 0.0f, -static_cast<float>(j));
         for (std::uint32_t page = 0; page < 3; ++page) {
-            const float turn = static_cast<float>(page) / 3.0f + 0.1f;
-            points.emplace_back(std::cos(2.0f * pi * turn), std::sin(2.0f * pi * turn),
+            const float angle = static_cast<float>(page) / 3.0f + 0.1f;
+            points.emplace_back(std::cos(2.0f * pi * angle), std::sin(2.0f * pi * angle),
                                 -static_cast<float>(j));
             if (j == 3) continue;
             const std::uint32_t line = 4 * j, outer = line + 1 + page;
@@ -248,8 +248,8 @@ void giveTornUvs(Cage& cage, Random& random) {
 }
 
 void sharpenSome(Cage& cage, Random& random) {
-    constexpr float choices[] = {0.4f, 1.0f, 1.7f, 2.6f, infiniteSharpness, infiniteSharpness};
-    const auto choose = [&] { return choices[std::uniform_int_distribution<std::size_t>(0, 5)(random)]; };
+    constexpr float sharpnesses[] = {0.4f, 1.0f, 1.7f, 2.6f, infiniteSharpness, infiniteSharpness};
+    const auto choose = [&] { return sharpnesses[std::uniform_int_distribution<std::size_t>(0, 5)(random)]; };
     for (const auto& [vertex0, vertex1] : edgesOf(cage)) {
         if (uniform(random) < 0.25f) cage.creases.push_back({vertex0, vertex1, choose()});
     }

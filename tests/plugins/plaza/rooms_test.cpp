@@ -1,4 +1,4 @@
-// The scene of walls: the same on every machine, one can walk through it, and most lights are out of sight.
+// The scene of walls: the same on every machine, one can walk through it, and most lights are occluded.
 #include "procedural_scene.h"
 
 #include <candela/error.h>
@@ -126,7 +126,7 @@ TEST(Rooms, TheCameraStandsInTheOpen) {
 }
 
 // Most lights are hidden: a straight line from the camera to a light mostly meets a wall.
-TEST(Rooms, MostLightsAreOutOfSight) {
+TEST(Rooms, MostLightsAreOccluded) {
     const Scene scene = rooms("300");
     const glm::vec3 eye = cameraView(scene, 0, worldTransforms(scene)).eye();
     const std::vector<Box> boxes = boxesOf(scene);

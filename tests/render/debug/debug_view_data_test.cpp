@@ -44,9 +44,9 @@ FrameRequest frameOf(const LitScene& made, DebugView debugView = DebugView::none
 }
 
 DisplayTransform transformOf(double exposure = 0.0) {
-    DisplayOptions choice;
-    choice.exposure = exposure;
-    return ColorConfig::builtIn().displayTransform(choice);
+    DisplayOptions options;
+    options.exposure = exposure;
+    return ColorConfig::builtIn().displayTransform(options);
 }
 
 /// IEC 61966-2-1.

@@ -15,9 +15,9 @@ namespace {
 constexpr int width = 64, height = 48;
 
 DisplayTransform transformOf(double exposure = 0.0) {
-    DisplayOptions choice;
-    choice.exposure = exposure;
-    return ColorConfig::builtIn().displayTransform(choice);
+    DisplayOptions options;
+    options.exposure = exposure;
+    return ColorConfig::builtIn().displayTransform(options);
 }
 
 FrameRequest frame(int w = width, int h = height) {

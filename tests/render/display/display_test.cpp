@@ -71,9 +71,9 @@ class DisplayPassTest : public testing::Test {
         return worst;
     }
 
-    void expectAgreement(const ColorConfig& config, const DisplayOptions& choice, double tolerance) {
-        const double worst = worstDifference(config.displayTransform(choice));
-        EXPECT_LE(worst, tolerance) << choice.display << ", " << choice.view << ", look '" << choice.look
+    void expectAgreement(const ColorConfig& config, const DisplayOptions& options, double tolerance) {
+        const double worst = worstDifference(config.displayTransform(options));
+        EXPECT_LE(worst, tolerance) << options.display << ", " << options.view << ", look '" << options.look
                                     << "': worst at " << testing::PrintToString(worstPixel_);
     }
 
@@ -160,11 +160,11 @@ TEST_F(DisplayPassTest, blackAndWhiteHaveNoNoise) {
 }
 
 /// The ACES views: all of the built-in config's that baking serves.
-std::vector<DisplayOptions> bakedChoices() {
-    std::vector<DisplayOptions> choices;
+std::vector<DisplayOptions> bakedOptions() {
+    std::vector<DisplayOptions> baked;
     for (const std::string& display : ColorConfig::builtIn().displays())
-        choices.push_back({display, "ACES 1.0 SDR", "", 0.0});
-    return choices;
+        baked.push_back({display, "ACES 1.0 SDR", "", 0.0});
+    return baked;
 }
 
 // A quarter of a code is what `BakedTransform` allows its tables; the exact steps' rounding is on top.
@@ -172,12 +172,12 @@ constexpr double bakedTolerance = 0.25 / 255.0 + chainRounding;
 
 TEST_F(DisplayPassTest, bakedShaderAgreesWithCpu) {
     use(DisplayPass::Baking::always);
-    for (const DisplayOptions& choice : bakedChoices()) {
-        const DisplayTransform transform = ColorConfig::builtIn().displayTransform(choice);
-        EXPECT_LE(worstDifference(transform), bakedTolerance) << choice.display;
+    for (const DisplayOptions& options : bakedOptions()) {
+        const DisplayTransform transform = ColorConfig::builtIn().displayTransform(options);
+        EXPECT_LE(worstDifference(transform), bakedTolerance) << options.display;
         EXPECT_LE(worstDifference(transform, test::Ramps().scattered(60000).rgba()), bakedTolerance)
-            << choice.display;
-        EXPECT_TRUE(pass().isBaked(transform)) << choice.display;
+            << options.display;
+        EXPECT_TRUE(pass().isBaked(transform)) << options.display;
     }
 }
 

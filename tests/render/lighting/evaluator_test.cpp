@@ -53,8 +53,8 @@ class EvaluatorTest : public DrawingTest {
         GpuScene scene = upload(lit.scene, lit.lights);
         FrameRequest inputs{width, height, lit.view, model, Technique::fullscreen};
         render(scene, inputs);
-        const std::vector<ExpectedPixel> expected = evaluatedPicture(model, aovs(width), width, height,
-                                                                     lit.view.eye(), withRanges(lit.lights));
+        const std::vector<ExpectedPixel> expected =
+            evaluatedPicture(model, aovs(width), width, height, lit.view.eye(), withRanges(lit.lights));
         for (const Technique technique : techniques) {
             inputs.technique = technique;
             const Worst worst = compare(drawn(scene, inputs), expected);
@@ -170,7 +170,7 @@ TEST_F(FinitePixelsTest, lightOppositeToTheEye) {
 }
 
 TEST_F(FinitePixelsTest, sceneFarFromTheOrigin) {
-    // 1e6 m away single precision knows positions to 6 cm: the picture is coarse, but finite.
+    // 1e6 m away single precision knows positions to 6 cm: the image is imprecise, but finite.
     const glm::vec3 away(1.0e6f, 0.0f, -1.0e6f);
     glm::mat4 there(1.0f);
     there[3] = glm::vec4(away, 1.0f);

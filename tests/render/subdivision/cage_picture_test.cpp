@@ -36,8 +36,7 @@ class CagePictureTest : public DrawingTest {
 };
 
 TEST_F(CagePictureTest, infiniteCreasesShadeSharp) {
-    GpuScene scene =
-        uploadCages(sceneOfCage(makeSharpCubeCage(0.6f), Material{}, edgeOn), subdividing(4));
+    GpuScene scene = uploadCages(sceneOfCage(makeSharpCubeCage(0.6f), Material{}, edgeOn), subdividing(4));
     const AovReader picture = reader(scene, far);
     const float slope = std::sqrt(0.5f);
     for (const int y : {side / 3, side / 2, 2 * side / 3}) {
@@ -89,8 +88,9 @@ TEST_F(CagePictureTest, closedSurfaceHasNoCracks) {
             // Seams and creases, so that there are seam vertices.
             Cage cage = seed % 2 == 0 ? makeCubeCage(1.0f) : makeSharpCubeCage(0.7f);
             cage.positions = jittered(cage.positions, 0.1f, 100 * seed);
-            const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), 1.0f + float(seed), hashedDirection(seed, 5));
-            GpuScene scene = uploadCages(sceneOfCage(cage, Material{}, turn), subdividing(level));
+            const glm::mat4 rotation =
+                glm::rotate(glm::mat4(1.0f), 1.0f + float(seed), hashedDirection(seed, 5));
+            GpuScene scene = uploadCages(sceneOfCage(cage, Material{}, rotation), subdividing(level));
             render(scene, inputsOf(far, 400));
             const HdrImage picture = lastFrame().radiance();
             int covered = 0;
@@ -136,9 +136,9 @@ TEST_F(CagePictureTest, texturesAndNormalMapsAreThoseOfAMesh) {
             makeImage(4, 4, [](auto x, auto y) { return glm::u8vec4(90 + 25 * x, 80 + 30 * y, 220, 255); })};
         return scene;
     };
-    const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), 0.7f, glm::vec3(0, 0, 1));
+    const glm::mat4 rotation = glm::rotate(glm::mat4(1.0f), 0.7f, glm::vec3(0, 0, 1));
     for (const float mirror : {1.0f, -1.0f}) {
-        const glm::mat4 transform = glm::scale(turn, {mirror, 1.0f, 1.0f});
+        const glm::mat4 transform = glm::scale(rotation, {mirror, 1.0f, 1.0f});
         const AovReader expected =
             reader(upload(withImages(sceneOf(makeQuad(0.7f), material, transform))), far);
         for (const auto evaluator : {SubdivisionEvaluator::compute, SubdivisionEvaluator::cpu}) {
