@@ -1,0 +1,62 @@
+#pragma once
+
+// What every panel is built on: its window, its state for the open scene, and what becomes of errors.
+
+#include "panels/layout.h"
+#include "view_model.h"
+
+#include <cstdint>
+#include <exception>
+#include <optional>
+
+/// The ImGui window of one panel, open for the lifetime of the object. Its initial place is that of layout.h.
+class PanelWindow {
+  public:
+    /// `open` turns false when the user closes the window.
+    PanelWindow(Panel panel, const char* title, bool& open);
+    PanelWindow(const PanelWindow&) = delete;
+    PanelWindow& operator=(const PanelWindow&) = delete;
+    ~PanelWindow();
+
+    /// False where the window is collapsed, so that nothing has to be drawn.
+    explicit operator bool() const { return visible_; }
+
+  private:
+    bool visible_;
+};
+
+/// The space that the panels have in this frame.
+PanelSpace panelSpace();
+
+/// Moves every panel to its initial place in this frame; `endArrangement` is called once all are drawn.
+void beginArrangement();
+void endArrangement();
+
+/// Adds an error to the model's messages, unless the last one says the same.
+void addError(ViewModel& model, const char* text);
+
+/// Runs `work`, which changes the scene or the device. What it throws becomes a message.
+template <typename Work>
+void tryTo(ViewModel& model, Work&& work) {
+    try {
+        work();
+    } catch (const std::exception& error) {
+        addError(model, error.what());
+    }
+}
+
+/// A number that changes with every scene that is opened. Call it in every frame that draws panels.
+std::uint64_t sceneNumber(const ViewModel& model);
+
+/// State of a panel for the open scene, reset for each scene. The program has one window; each panel has its
+/// own type `Kept`.
+template <typename Kept>
+Kept& keptOfScene(const ViewModel& model) {
+    static std::optional<Kept> kept;
+    static std::uint64_t number = 0;
+    if (!kept || number != sceneNumber(model)) {
+        kept.emplace();
+        number = sceneNumber(model);
+    }
+    return *kept;
+}
