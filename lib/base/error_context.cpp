@@ -27,20 +27,29 @@ void ErrorContext::refuse(const std::string& reason, ErrorKind kind) const {
     throw Error(kind, {}, label() + ": " + reason);
 }
 
+namespace {
+
+std::string valueText(const char* what, double value) {
+    return what + (" is " + shortNumber(value)) + ", but ";
+}
+
+}  // namespace
+
 void ErrorContext::requirePositive(const char* what, double value) const {
-    if (value > 0.0 && std::isfinite(value)) return;
-    refuse(what + (" is " + shortNumber(value)) + ", but must be finite and over 0");
+    if (!std::isfinite(value)) refuse(valueText(what, value) + "a finite number was expected");
+    if (value > 0.0) return;
+    refuse(valueText(what, value) + "a number over 0 was expected");
 }
 
 void ErrorContext::requireNotNegative(const char* what, double value) const {
-    if (value >= 0.0 && std::isfinite(value)) return;
-    refuse(what + (" is " + shortNumber(value)) + ", but must be finite and 0 or more");
+    if (!std::isfinite(value)) refuse(valueText(what, value) + "a finite number was expected");
+    if (value >= 0.0) return;
+    refuse(valueText(what, value) + "0 or more was expected");
 }
 
 void ErrorContext::requireWithin(const char* what, double value, double min, double max) const {
     if (value >= min && value <= max) return;
-    refuse(what + (" is " + shortNumber(value)) + ", but must lie between " + shortNumber(min) + " and " +
-           shortNumber(max));
+    refuse(valueText(what, value) + shortNumber(min) + " to " + shortNumber(max) + " was expected");
 }
 
 void ErrorContext::requireIndex(const char* kind, std::optional<std::uint32_t> index,

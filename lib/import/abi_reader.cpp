@@ -71,15 +71,12 @@ glm::vec3 AbiReader::finiteVector(const char* member, const float (&from)[3]) co
 }
 
 float AbiReader::within(const char* member, float value, float low, float high) const {
-    finite(member, value);
-    if (value < low || value > high)
-        refuse(joined(member, " is ", value, ", but ", low, " to ", high, " was expected"));
+    context().requireWithin(member, value, low, high);
     return value;
 }
 
 float AbiReader::zeroOrMore(const char* member, float value) const {
-    finite(member, value);
-    if (value < 0.0f) refuse(joined(member, " is ", value, ", but 0 or more was expected"));
+    context().requireNotNegative(member, value);
     return value;
 }
 

@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(Images, HostRefuses, testing::ValuesIn(imageFaults), na
 
 const Fault materialFaults[] = {
     {"material-color", "material 0 'paint': base_color is 1.5, but 0 to 1 was expected"},
-    {"material-metallic", "material 0 'paint': metallic is nan, but a finite number was expected"},
+    {"material-metallic", "material 0 'paint': metallic is nan, but 0 to 1 was expected"},
     {"material-roughness", "material 0 'paint': roughness is -0.1, but 0 to 1 was expected"},
     {"material-emission", "material 0 'paint': emission is inf, but a finite number was expected"},
     {"material-image",

@@ -32,8 +32,8 @@ void validateRules(const Cage& cage, const ErrorContext& element) {
         isWithin(cage.triangleSubdivision, TriangleSubdivision::catmullClark, TriangleSubdivision::smooth),
         "its triangle subdivision is unknown");
     if (!cage.level || (*cage.level >= 1 && *cage.level <= maxSubdivisionLevel)) return;
-    element.refuse("its level is " + std::to_string(*cage.level) + ", but must lie between 1 and " +
-                   std::to_string(maxSubdivisionLevel));
+    element.refuse("its level is " + std::to_string(*cage.level) + ", but 1 to " +
+                   std::to_string(maxSubdivisionLevel) + " was expected");
 }
 
 // A part of a cage as errors name it: "face 3".

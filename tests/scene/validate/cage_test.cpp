@@ -52,9 +52,9 @@ TEST(ValidateCage, Rules) {
          [](Scene& s) { s.cages[0].creaseMethod = unknown<CreaseMethod>(); }},
         {"cage 0 'hull': its triangle subdivision is unknown",
          [](Scene& s) { s.cages[0].triangleSubdivision = unknown<TriangleSubdivision>(); }},
-        {"cage 0 'hull': its level is 0, but must lie between 1 and 8",
+        {"cage 0 'hull': its level is 0, but 1 to 8 was expected",
          [](Scene& s) { s.cages[0].level = 0; }},
-        {"cage 0 'hull': its level is 9, but must lie between 1 and 8",
+        {"cage 0 'hull': its level is 9, but 1 to 8 was expected",
          [](Scene& s) { s.cages[0].level = maxSubdivisionLevel + 1; }},
     });
 }
