@@ -11,13 +11,13 @@ enum class Interpolation { linear, step, cubicSpline };
 
 /// The values of one property of one node over time.
 struct AnimationChannel {
-    /// Index into `Scene::nodes`. The node's transform is a `Transform`; or, for morph weights, it shows a
-    /// cage.
+    /// Index into `Scene::nodes`. Its transform is a `Transform`, not a matrix. For morph weights the node
+    /// has a cage.
     std::uint32_t node = 0;
     AnimationPath path = AnimationPath::translation;
     Interpolation interpolation = Interpolation::linear;  ///< Linear is spherical for rotations.
-    std::vector<float> times;                             ///< Seconds, strictly growing, at least one.
-    std::vector<float> values;  ///< 3 numbers a key, 4 (x, y, z, w) for rotations, one a morph target for
+    std::vector<float> times;                             ///< Seconds, strictly increasing, one or more.
+    std::vector<float> values;  ///< 3 numbers per key, 4 (x, y, z, w) for rotations, one per morph target for
                                 ///< morph weights; cubic splines hold in-tangent, value and out-tangent.
 };
 

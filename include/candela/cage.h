@@ -42,7 +42,7 @@ constexpr float infiniteSharpness = 10.0f;
 /// The maximum level that a cage can be refined to.
 constexpr std::uint32_t maxSubdivisionLevel = 8;
 
-/// A sharp edge of a cage. Sharpness is 0 or more; it falls by one a level.
+/// A sharp edge of a cage. Sharpness is 0 or more; it falls by one per level.
 struct Crease {
     std::uint32_t vertex0 = 0, vertex1 = 0;  ///< Both ends of an edge of the cage.
     float sharpness = infiniteSharpness;
@@ -56,7 +56,7 @@ struct Corner {
 
 /// Moves every vertex of a cage by its weight times `offsets`.
 struct MorphTarget {
-    std::vector<glm::vec3> offsets;  ///< Metres, one a vertex.
+    std::vector<glm::vec3> offsets;  ///< Metres, one per vertex.
 };
 
 /// The control polyhedron of a subdivision surface. A corner of a face is one of its vertices; arrays "a
@@ -69,11 +69,11 @@ struct Cage {
     CreaseMethod creaseMethod = CreaseMethod::uniform;
     TriangleSubdivision triangleSubdivision = TriangleSubdivision::catmullClark;
 
-    std::vector<glm::vec3> positions;         ///< Metres, one a vertex.
+    std::vector<glm::vec3> positions;         ///< Metres, one per vertex.
     std::vector<std::uint32_t> faceSizes;     ///< Corners of each face, 3 or more.
-    std::vector<std::uint32_t> faceVertices;  ///< Index into `positions`, one a corner.
+    std::vector<std::uint32_t> faceVertices;  ///< Index into `positions`, one per corner.
     std::vector<glm::vec2> uvs;               ///< Face-varying texture coordinates; empty: none.
-    std::vector<std::uint32_t> faceUvs;       ///< Index into `uvs`, one a corner; empty where `uvs` is.
+    std::vector<std::uint32_t> faceUvs;       ///< Index into `uvs`, one per corner; empty where `uvs` is.
     std::vector<Crease> creases;
     std::vector<Corner> corners;
     std::vector<std::uint32_t> holes;  ///< Faces without a surface, which shape that of their neighbours.
@@ -82,9 +82,9 @@ struct Cage {
     std::optional<std::uint32_t>
         level;  ///< Refine to this level, 1 to `maxSubdivisionLevel`; none: by the size on the screen.
 
-    std::uint32_t influenceCount = 0;   ///< Joints a vertex; 0: no skin moves it.
-    std::vector<std::uint32_t> joints;  ///< `influenceCount` a vertex: indices into `Skin::joints`.
-    std::vector<float> jointWeights;    ///< `influenceCount` a vertex, 0 or more, of sum 1 for each vertex.
+    std::uint32_t influenceCount = 0;   ///< Joints per vertex; 0: no skin moves it.
+    std::vector<std::uint32_t> joints;  ///< `influenceCount` per vertex: indices into `Skin::joints`.
+    std::vector<float> jointWeights;    ///< `influenceCount` per vertex, 0 or more, of sum 1 for each vertex.
     std::vector<MorphTarget> morphTargets;
 };
 

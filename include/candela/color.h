@@ -44,8 +44,8 @@ class CANDELA_API ColorConfig {
     /// The path it was read from, or "built-in".
     const std::string& source() const;
     std::vector<std::string> displays() const;
-    /// The views of a display. Throws `Error` (badInput) naming the displays there are when there is none of
-    /// that name.
+    /// The views of a display. Throws `Error` (badInput) that lists the existing displays when there is
+    /// none of that name.
     std::vector<std::string> views(const std::string& display) const;
     std::vector<std::string> looks() const;
     std::string defaultDisplay() const;
@@ -58,11 +58,11 @@ class CANDELA_API ColorConfig {
     glm::dmat3 workingFromRec709() const;
     /// The working space's primaries and white.
     Chromaticities chromaticities() const;
-    /// What had to be assumed, a line each: a config may not say what its working space's primaries are.
+    /// Assumptions, one line each: a config may not state the primaries of its working space.
     std::vector<std::string> notes() const;
 
-    /// The transform from the working space to a display. Throws `Error` (badInput) naming the names there
-    /// are when one of `options` is unknown, and when the exposure is not -100 to 100.
+    /// The transform from the working space to a display. Throws `Error` (badInput) that lists the existing
+    /// names when one of `options` is unknown, and when the exposure is not -100 to 100.
     DisplayTransform displayTransform(const DisplayOptions& options) const;
 
   private:
@@ -84,8 +84,8 @@ class CANDELA_API DisplayTransform {
     const DisplayOptions& options() const;
     /// How the display encodes, for the tags of a picture file.
     DisplayEncoding encoding() const;
-    /// Applies the transform in place on the CPU, by OpenColorIO's own CPU processor: RGBA, 4 floats a pixel;
-    /// alpha is not changed. Throws `Error` (badInput) when the size is not a multiple of 4.
+    /// Applies the transform in place on the CPU, by OpenColorIO's own CPU processor: RGBA, 4 floats per
+    /// pixel; alpha is not changed. Throws `Error` (badInput) when the size is not a multiple of 4.
     void apply(std::span<float> rgba) const;
 
     struct State;  ///< Private to the library.

@@ -16,13 +16,13 @@ struct Device {
     bool software = false;
 };
 
-/// One way to a context that was tried, and what came of it.
+/// An attempt to create a context, and its outcome.
 struct ContextAttempt {
     std::string way;      ///< Such as "EGL device 0 (/dev/dri/renderD128)".
     std::string outcome;  ///< The renderer's name, or why it failed.
 };
 
-/// Which device a headless context shall run on. By default GPUs first, then the software device, then a
+/// Which device a headless context runs on. By default GPUs first, then the software device, then a
 /// surfaceless display.
 struct DeviceOptions {
     std::optional<int> index;   ///< This device and no other.
@@ -32,16 +32,16 @@ struct DeviceOptions {
 /// The EGL devices of this machine; empty where EGL can not enumerate them.
 CANDELA_API std::vector<Device> listDevices();
 
-/// An OpenGL 4.5 core context. Everything made for a context has to be used while that context is current on
-/// the calling thread; using it otherwise throws `Error` (environment). What is made for a headless context
-/// keeps it alive. What is made for a host's context should be destroyed while that is current: otherwise its
-/// OpenGL objects are leaked, with a line on standard error. A `Context` that was moved from throws `Error`
-/// (badInput).
+/// An OpenGL 4.5 core context. Everything created for a context has to be used while that context is current
+/// on the calling thread; using it otherwise throws `Error` (environment). What is created for a headless
+/// context keeps it alive. What is created for a host's context should be destroyed while that is current:
+/// otherwise its OpenGL objects are leaked, with a line on standard error. A `Context` that was moved from
+/// throws `Error` (badInput).
 class CANDELA_API Context {
   public:
-    /// Makes a context without a window and makes it current. Throws `Error` (environment) that lists every
+    /// Creates a context without a window and makes it current. Throws `Error` (environment) that lists every
     /// attempt and its reason.
-    static Context createHeadless(const DeviceOptions& choice = {});
+    static Context createHeadless(const DeviceOptions& options = {});
     /// Takes the context that is current on this thread, of a window or any other host; it stays the host's.
     /// Throws `Error` (environment) when there is none or it is older than OpenGL 4.5.
     static Context adoptCurrent();
@@ -55,8 +55,8 @@ class CANDELA_API Context {
 
     /// GL_RENDERER, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
     const std::string& renderer() const;
-    /// True when the renderer runs on the CPU; the paths that are fast there are taken then. False where the
-    /// environment sets CANDELA_ASSUME_GPU, with which tests draw as on a GPU.
+    /// True when the renderer runs on the CPU: the code paths that are fast there are used. False where the
+    /// environment variable CANDELA_ASSUME_GPU is set, which makes tests draw as on a GPU.
     bool isSoftware() const;
     /// What was tried on the way to this context, in order; empty for an adopted one.
     const std::vector<ContextAttempt>& attempts() const;

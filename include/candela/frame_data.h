@@ -32,7 +32,7 @@ struct HdrImage {
 struct Aov {
     std::string name;                        ///< As in `gbufferChannels`.
     std::vector<std::string> channels;       ///< Names as in the EXR file.
-    std::vector<std::vector<float>> values;  ///< One array a channel: width × height, rows from the top.
+    std::vector<std::vector<float>> values;  ///< One array per channel: width × height, rows from the top.
 };
 
 /// What a pixel of a frame shows.

@@ -59,7 +59,7 @@ CANDELA_API const char* toString(DebugView debugView);
 CANDELA_API glm::vec3 levelColor(std::uint32_t level);
 /// The heat map: from black at 0 over blue, green and yellow to red at 1; clamped, NaN is 0. Display code
 /// values.
-CANDELA_API glm::vec3 heatColor(float share);
+CANDELA_API glm::vec3 heatColor(float value);
 
 /// Lines drawn over the finished picture where the surface does not hide them.
 struct Overlays {

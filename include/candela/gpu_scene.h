@@ -97,7 +97,7 @@ class CANDELA_API GpuScene {
     void setTransform(std::uint32_t node, const glm::mat4& local);
     /// Poses all animated nodes, and what is below them, as at `seconds`, a finite number.
     void setTime(double seconds);
-    /// Replaces the points of the cage of a node (one a vertex of the cage, in the node's frame). Morph
+    /// Replaces the points of the cage of a node (one per vertex of the cage, in the node's frame). Morph
     /// targets and skin do not move it any more. Throws `Error` (badInput) when there is no such node, it
     /// shows no cage, the number of points differs or one of them is not finite.
     void setCagePoints(std::uint32_t node, std::span<const glm::vec3> points);

@@ -35,15 +35,15 @@ struct ExrChannel {
 };
 
 /// Writes 8-bit RGBA, rows from the top, straight (not premultiplied) alpha, as PNG, tagged with `encoding`.
-/// The file is whole or absent: it is written beside its name and moved there. Throws `Error` (environment)
+/// The file is written atomically (`writeWholeFile`). Throws `Error` (environment)
 /// naming the file when the folder is missing, the disk full, and so on; and (badInput), before a file is
-/// touched, when a side is not 1 to 2^31 - 1 or `rgba` does not have 4 bytes a pixel.
+/// touched, when a side is not 1 to 2^31 - 1 or `rgba` does not have 4 bytes per pixel.
 CANDELA_API void writePng(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
                           std::span<const std::uint8_t> rgba, const DisplayEncoding& encoding);
 
 /// Writes 32-bit float channels as one single-part scan-line EXR file (ZIP), with the chromaticities of its
-/// colour channels. Whole or absent, throws as `writePng`; badInput also when there is no channel, two have
-/// the same name, a name is not 1 to 255 bytes long, or a channel does not have one value a pixel.
+/// colour channels. Written atomically; throws as `writePng`; badInput also when there is no channel, two
+/// have the same name, a name is not 1 to 255 bytes long, or a channel does not have one value per pixel.
 CANDELA_API void writeExr(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
                           std::span<const ExrChannel> channels, const Chromaticities& chromaticities);
 

@@ -12,7 +12,7 @@ namespace candela {
 
 struct ImportReport {
     std::string plugin;              ///< Name of the plugin that read the scene.
-    std::vector<std::string> notes;  ///< Parts of the file that are not drawn or not used, a line each.
+    std::vector<std::string> notes;  ///< Parts of the file that are not drawn or not used, one line each.
 };
 
 struct ImportedScene {

@@ -12,7 +12,7 @@ namespace candela {
 
 enum class LightType { point, spot, directional };
 
-/// A punctual light of a scene, as in KHR_lights_punctual. It stands in the frame of its node.
+/// A punctual light of a scene, as in KHR_lights_punctual. It is given in the frame of its node.
 struct Light {
     std::string name;
     LightType type = LightType::point;

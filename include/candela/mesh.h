@@ -17,8 +17,8 @@ struct Submesh {
     std::optional<std::uint32_t> material;  ///< Index into `Scene::materials`; none: a default `Material`.
 };
 
-/// Indexed triangles, counter-clockwise from the front. `positions` and `normals` have one element a vertex;
-/// every other vertex array has as many or is empty.
+/// Indexed triangles, counter-clockwise from the front. `positions` and `normals` have one element per
+/// vertex; every other vertex array has as many or is empty.
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;  ///< Metres.

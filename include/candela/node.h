@@ -19,14 +19,14 @@ struct Transform {
     glm::vec3 scale{1.0f};
 };
 
-/// An instance of a cage at a node. A skinned cage stands where its joints are, not where its node is.
+/// An instance of a cage at a node. A skinned cage is placed by its joints, not by its node.
 struct CageInstance {
     std::uint32_t cage = 0;             ///< Index into `Scene::cages`.
     std::optional<std::uint32_t> skin;  ///< Index into `Scene::skins`.
-    std::vector<float> morphWeights;    ///< One a morph target of the cage; empty: all 0.
+    std::vector<float> morphWeights;    ///< One per morph target of the cage; empty: all 0.
 };
 
-/// A node of the hierarchy. Parents stand before their children in `Scene::nodes`.
+/// A node of the hierarchy. Parents precede their children in `Scene::nodes`.
 struct Node {
     std::string name;
     std::optional<std::uint32_t> parent;  ///< Index into `Scene::nodes`, less than this node's own.

@@ -32,19 +32,20 @@ struct RefinedCage {
     std::uint32_t level = 0;  ///< Each edge of the cage is 2^level edges long; 0: the cage's own polygons.
     std::uint32_t pointCount = 0;
     std::vector<std::uint32_t> seamPoints;  ///< The point of each seam vertex.
-    StencilTable positions;  ///< A row a vertex, of the cage's points. The value weights of a seam vertex are
-                             ///< not used, only those of its derivatives.
-    StencilTable uvs;        ///< A row a vertex, of the cage's texture coordinates; no rows without those.
+    StencilTable positions;  ///< One row per vertex, of the cage's points. The value weights of a seam vertex
+                             ///< are not used, only those of its derivatives.
+    StencilTable uvs;  ///< One row per vertex, of the cage's texture coordinates; no rows without those.
     std::uint32_t faceSize = 4;               ///< 3 or 4.
-    std::vector<std::uint32_t> faceVertices;  ///< `faceSize` a face, counter-clockwise.
-    std::vector<std::uint32_t> cageFaces;     ///< The cage's face that each face stems from.
+    std::vector<std::uint32_t> faceVertices;  ///< `faceSize` per face, counter-clockwise.
+    std::vector<std::uint32_t> cageFaces;     ///< The face of the cage that each face belongs to.
 
     std::size_t vertexCount() const { return pointCount + seamPoints.size(); }
     /// The point at which a vertex lies. Throws `Error` (badInput) when there is no such vertex.
     CANDELA_API std::uint32_t pointOf(std::uint32_t vertex) const;
 };
 
-/// What `evaluateLimit` writes, one element a vertex. `du` and `dv` may be empty: they are left out then.
+/// What `evaluateLimit` writes, one element per vertex. `du` and `dv` may be empty: they are not written
+/// then.
 struct LimitVertices {
     std::span<glm::vec3> positions;  ///< Metres. All vertices of a point have the same position, bit for bit.
     std::span<glm::vec3> normals;    ///< du × dv at unit length; (0, 0, 0) where that vanishes.
@@ -53,7 +54,7 @@ struct LimitVertices {
 
 /// Applies the stencils to the points of the cage, in parallel. The result does not depend on the number of
 /// threads. Throws `Error` (badInput) when a size or an index of `refined` does not fit, a stencil reads a
-/// point that `cagePoints` does not have, or an array of `out` does not have one element a vertex.
+/// point that `cagePoints` does not have, or an array of `out` does not have one element per vertex.
 CANDELA_API void evaluateLimit(const RefinedCage& refined, std::span<const glm::vec3> cagePoints,
                                const LimitVertices& out);
 
@@ -68,10 +69,10 @@ struct LimitUvs {
 CANDELA_API LimitUvs evaluateLimitUvs(const RefinedCage& refined, std::span<const glm::vec2> cageUvs);
 
 /// The polygons of a cage, cut into triangles, as a refined cage of level 0: what is drawn without a
-/// subdivider. A vertex a corner; holes are left out. The derivatives span the plane that fits the polygon
-/// best as it stands in `cage.positions` (with more than 64 corners: the plane of three that are far apart),
-/// and follow it where it moves. Throws `Error`: badInput when faces, texture coordinates or holes break a
-/// rule of `validate`, limit when 32 bits cannot count the weights.
+/// subdivider. One vertex per corner; holes are left out. The derivatives span the plane that fits the
+/// polygon best as it stands in `cage.positions` (with more than 64 corners: the plane of three that are far
+/// apart), and follow it where it moves. Throws `Error`: badInput when faces, texture coordinates or holes
+/// break a rule of `validate`, limit when 32 bits cannot count the weights.
 CANDELA_API RefinedCage cagePolygons(const Cage& cage);
 
 }  // namespace candela

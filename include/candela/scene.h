@@ -25,7 +25,7 @@ struct Scene {
     std::vector<Mesh> meshes;
     std::vector<Cage> cages;
     std::vector<Skin> skins;
-    std::vector<Node> nodes;  ///< Parents before children.
+    std::vector<Node> nodes;  ///< Parents precede children.
     std::vector<Camera> cameras;
     std::vector<Light> lights;
     std::vector<Animation> animations;
@@ -40,27 +40,27 @@ struct CANDELA_API Bounds {
     void add(const Bounds& other);
 };
 
-/// World matrices of all nodes, one a node. With animations the nodes stand as at `time` (seconds); every
-/// animation of the scene plays, and where two move the same property of a node, the later one holds.
+/// World matrices of all nodes, one per node. Animated nodes are posed at `time` (seconds). Every animation
+/// of the scene plays; where two animate the same property of a node, the later one in the scene applies.
 /// Interpolation is that of glTF 2.0, appendix C. Throws `Error` (badInput) when `time` is not finite, a
-/// parent does not stand before its child, or a channel does not fit its node.
+/// parent does not precede its child, or a channel does not fit its node.
 CANDELA_API std::vector<glm::mat4> worldTransforms(const Scene& scene, double time = 0.0);
 
 /// The scene's lights in world space, in the order of `Scene::lights`. `world` comes from `worldTransforms`.
 /// As KHR_lights_punctual says, a node moves and rotates its lights, but does not scale range or intensity.
-/// Throws `Error` (badInput) when `world` does not have one matrix a node, or a light breaks a rule of
+/// Throws `Error` (badInput) when `world` does not have one matrix per node, or a light breaks a rule of
 /// `validate`.
 CANDELA_API std::vector<WorldLight> worldLights(const Scene& scene, const std::vector<glm::mat4>& world);
 
 /// The points of a cage instance at one time.
 struct PosedCage {
-    std::vector<glm::vec3> points;    ///< Metres, one a vertex of the cage.
+    std::vector<glm::vec3> points;    ///< Metres, one per vertex of the cage.
     glm::mat4 worldFromPoints{1.0f};  ///< The node's world matrix; the identity for a skinned cage.
 };
 
 /// The cage that node `node` shows, moved by its morph targets and then by its skin (glTF 2.0, 3.7.2.2 and
 /// 3.7.3.3). `world` comes from `worldTransforms` of the same `time`. Throws `Error` (badInput) when there is
-/// no such node, it shows no cage, `world` does not have one matrix a node, `time` is not finite, or cage,
+/// no such node, it shows no cage, `world` does not have one matrix per node, `time` is not finite, or cage,
 /// skin, morph weights and animation do not fit each other.
 CANDELA_API PosedCage poseCage(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
                                double time = 0.0);
@@ -78,7 +78,7 @@ CANDELA_API Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>&
 
 /// The view of camera `index` of the scene. A camera ignores its node's scale, shear and mirroring. Throws
 /// `Error` (badInput) when there is no such camera, it breaks a rule of `validate`, or `world` does not have
-/// one finite matrix a node.
+/// one finite matrix per node.
 CANDELA_API CameraView cameraView(const Scene& scene, std::uint32_t index,
                                   const std::vector<glm::mat4>& world);
 

@@ -12,7 +12,7 @@ namespace candela {
 struct Skin {
     std::string name;
     std::vector<std::uint32_t> joints;           ///< Indices into `Scene::nodes`, one or more.
-    std::vector<glm::mat4> inverseBindMatrices;  ///< Affine, one a joint.
+    std::vector<glm::mat4> inverseBindMatrices;  ///< Affine, one per joint.
 };
 
 }  // namespace candela

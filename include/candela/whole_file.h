@@ -8,12 +8,12 @@
 
 namespace candela {
 
-/// Writes a file whole or not at all: into a temporary file beside it, which takes the name only once every
-/// byte is on the disk. On failure the temporary file is gone and a file of that name is as it was.
+/// Writes a file atomically: into a temporary file in the same folder, which is renamed once every byte is on
+/// the disk. On failure the temporary file is deleted and an existing file is unchanged.
 ///
 /// A new file gets its permissions by the umask, a replaced one keeps its own. Symbolic links are followed.
 /// What is not an ordinary file (a device, a pipe, an open descriptor such as /dev/stdout) can not be
-/// replaced and is written straight.
+/// replaced and is written in place.
 ///
 /// Throws `Error` (environment) that names the file, and the folder if that is at fault.
 CANDELA_API void writeWholeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);

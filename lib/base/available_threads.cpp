@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 using Limit = std::optional<unsigned>;
 
-Limit smaller(Limit a, Limit b) {
+Limit minLimit(Limit a, Limit b) {
     if (!a || !b) return a ? a : b;
     return std::min(*a, *b);
 }
@@ -57,12 +57,12 @@ Limit limitOfV1(const fs::path& group) {
 // The limit of `group`, such as "/a/b", and of all groups above it. In a container the group's own folder may
 // not be mounted; the root then is the container's.
 template <typename LimitOf>
-Limit limitAlong(const fs::path& hierarchy, const std::string& group, const LimitOf& limitOf) {
+Limit limitOfGroups(const fs::path& hierarchy, const std::string& group, const LimitOf& limitOf) {
     fs::path folder = hierarchy;
     Limit limit = limitOf(folder);
     for (const fs::path& part : fs::path(group).relative_path()) {
         folder /= part;
-        limit = smaller(limit, limitOf(folder));
+        limit = minLimit(limit, limitOf(folder));
     }
     return limit;
 }
@@ -110,11 +110,11 @@ std::optional<unsigned> cgroupThreads(const fs::path& mount, const std::string& 
         const std::string controllers = line.substr(first + 1, second - first - 1);
         const std::string group = line.substr(second + 1);
         if (controllers.empty()) {
-            limit = smaller(limit, limitAlong(mount, group, limitOfV2));
-            limit = smaller(limit, limitAlong(mount / "unified", group, limitOfV2));
+            limit = minLimit(limit, limitOfGroups(mount, group, limitOfV2));
+            limit = minLimit(limit, limitOfGroups(mount / "unified", group, limitOfV2));
         } else if (hasCpu(controllers)) {
             for (const std::string& hierarchy : {controllers, std::string("cpu")})
-                limit = smaller(limit, limitAlong(mount / hierarchy, group, limitOfV1));
+                limit = minLimit(limit, limitOfGroups(mount / hierarchy, group, limitOfV1));
         }
     }
     return limit;

@@ -103,7 +103,7 @@ void requireFits(const std::string& path, std::uint32_t width, std::uint32_t hei
         if (channel.values.size() == std::uint64_t{width} * height) continue;
         throw Error(ErrorKind::badInput, path,
                     "EXR channel '" + channel.name + "' has " + std::to_string(channel.values.size()) +
-                        " values for " + size + " pixels; one a pixel was expected");
+                        " values for " + size + " pixels; one per pixel was expected");
     }
 }
 

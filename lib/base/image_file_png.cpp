@@ -20,13 +20,13 @@ namespace {
 /// The gamma that stands for the sRGB curve in a gAMA chunk. Source: PNG specification, 11.3.2.
 constexpr double gammaOfSrgb = 2.2;
 
-/// What libpng's callbacks reach: the bytes written so far, and why it gave up.
+/// The state of libpng's callbacks: the bytes written so far, and the reason of a failure.
 struct PngOutput {
     std::vector<std::byte> bytes;
     std::array<char, 128> failure{};
 };
 
-/// libpng's two structures, which live and die together.
+/// Owns libpng's two structures.
 class PngWriter {
   public:
     PngWriter(PngOutput& output, png_error_ptr onError, png_error_ptr onWarning)
@@ -114,7 +114,7 @@ void requireFits(const std::filesystem::path& path, std::uint32_t width, std::ui
     if (bytes / 4 != pixels || bytes % 4 != 0)
         throw Error(ErrorKind::badInput, path.string(),
                     "there are " + std::to_string(bytes) + " bytes for " + size +
-                        " pixels of RGBA; 4 a pixel were expected");
+                        " pixels of RGBA; 4 per pixel were expected");
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ ThreadPool::ThreadPool(unsigned size) : process_(getpid()) {
         for (unsigned worker = 1; worker < size; ++worker)
             threads_.emplace_back([this, worker] { work(worker); });
     } catch (const std::system_error&) {
-        // The system gives no more threads; those at hand do the work.
+        // The system gives no more threads; the existing ones do the work.
     }
 }
 

@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As many as the kernel follows.
+/// The number of links that the kernel follows.
 constexpr int maxLinks = 40;
 
-/// How many names for the temporary file are tried, in case another process holds one.
+/// The number of names tried for the temporary file, in case another process uses one.
 constexpr int maxNames = 100;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& text) {
@@ -66,12 +66,12 @@ bool writeAll(int descriptor, std::span<const std::byte> bytes) {
     return true;
 }
 
-/// Moves the bytes to the disk; true too where a file system has nothing of the kind.
+/// Flushes the bytes to the disk; also true where the file system does not support it.
 bool synchronise(int descriptor) {
     return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP || errno == ENOSYS;
 }
 
-/// A file that is deleted at the end of its scope, unless it was moved to its place.
+/// A file that is deleted at the end of its scope unless it has been moved to its target.
 class TemporaryFile {
   public:
     /// Creates the file in `folder`. `target` is what errors name.
@@ -114,8 +114,8 @@ class TemporaryFile {
     Descriptor descriptor_;
 };
 
-/// Where a path leads. No place: to an open descriptor of a process (/dev/stdout, /dev/fd/3), which has none
-/// that could be replaced.
+/// The target of a path after all links. None for an open descriptor of a process (/dev/stdout, /dev/fd/3),
+/// which has no path that could be replaced.
 std::optional<fs::path> followLinks(const fs::path& path) {
     fs::path place = path;
     std::error_code error;
@@ -131,7 +131,7 @@ std::optional<fs::path> followLinks(const fs::path& path) {
 }
 
 /// Appends, so that a descriptor shared with others (`>> log`) is not overwritten.
-void writeStraight(const fs::path& path, std::span<const std::byte> bytes) {
+void writeInPlace(const fs::path& path, std::span<const std::byte> bytes) {
     Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_APPEND | O_NOCTTY | O_CLOEXEC));
     if (!descriptor.isOpen()) failWithReason(path, "can not open the file for writing", errno);
     if (!writeAll(descriptor.number(), bytes) || !descriptor.close())
@@ -155,12 +155,12 @@ fs::path folderOf(const fs::path& path, const fs::path& place) {
 void writeWholeFile(const fs::path& path, std::span<const std::byte> bytes) {
     if (path.empty()) fail(path, "a file to write has no name");
     const std::optional<fs::path> place = followLinks(path);
-    if (!place) return writeStraight(path, bytes);
+    if (!place) return writeInPlace(path, bytes);
 
     struct stat status {};
     const bool exists = ::stat(place->c_str(), &status) == 0;
     if (exists && S_ISDIR(status.st_mode)) fail(path, "is a folder, expected a file to write");
-    if (exists && !S_ISREG(status.st_mode)) return writeStraight(*place, bytes);
+    if (exists && !S_ISREG(status.st_mode)) return writeInPlace(*place, bytes);
     const fs::path folder = folderOf(path, *place);
     // Renaming would replace a file that is protected against writing.
     if (exists && ::faccessat(AT_FDCWD, place->c_str(), W_OK, AT_EACCESS) != 0)

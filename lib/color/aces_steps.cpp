@@ -23,8 +23,8 @@ std::string glowAndRedGlsl() {
     // Source: Academy Color Encoding System, RRT.ctl and RRT_common.ctl, version 1.0. Notes on the form:
     // - The chroma is written as a sum of squares, which no rounding makes negative.
     // - The hue's weight is a cubic B-spline over ±67.5 degrees about red. (a, b) has the length 2 × chroma,
-    //   so that b / (a + 2 chroma) is the tangent of half the hue. The polynomial makes of it the hue in
-    //   steps of 33.75 degrees, to 3e-5.
+    //   so that b / (a + 2 chroma) is the tangent of half the hue. The polynomial maps it to the hue in units
+    //   of 33.75 degrees, to 3e-5.
     return R"(vec3 candelaGlowAndRed(vec3 ap0) {
     vec3 apart = ap0.gbr - ap0;
     float chroma = sqrt(0.5 * dot(apart, apart));

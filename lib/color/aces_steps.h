@@ -7,8 +7,8 @@
 
 namespace candela {
 
-// Steps of the ACES 1.0 output transforms, written for speed: the same formulas as OpenColorIO's fixed
-// functions of these names, without its arc tangent and its choice among four vectors of coefficients.
+// Steps of the ACES 1.0 output transforms, optimised: the same formulas as OpenColorIO's fixed
+// functions of these names, without the arc tangent and the selection among four vectors of coefficients.
 
 /// Whether `first` and `second` are the glow and the red modifier, which share most of their terms.
 bool isGlowAndRed(const OCIO::ConstTransformRcPtr& first, const OCIO::ConstTransformRcPtr& second);
@@ -17,7 +17,7 @@ std::string glowAndRedGlsl();
 
 /// Whether `step` is the correction for a dim surround.
 bool isDarkToDim(const OCIO::ConstTransformRcPtr& step);
-/// What it multiplies a colour by, as a function of its luminance.
+/// The factor of a colour, as a function of its luminance.
 CurveTable darkToDimFactor();
 /// The GLSL function `vec3 candelaDarkToDim(vec3 ap1, int factor)`, `factor` being the first texel of
 /// `darkToDimFactor`. Needs `CurveTable::glsl`.

@@ -38,9 +38,9 @@ bool isMatrixOrRange(const OCIO::ConstTransformRcPtr& step) {
     return type == OCIO::TRANSFORM_TYPE_MATRIX || type == OCIO::TRANSFORM_TYPE_RANGE;
 }
 
-/// Whether each channel of the step's result depends on that channel alone. Found by trying, so that it holds
-/// for every kind of step that OpenColorIO has or will have.
-bool treatsChannelsAlone(const OCIO::ConstTransformRcPtr& step) {
+/// Whether each channel of the step's result depends on that channel only. Tested on colours, so that it
+/// works for every kind of step.
+bool isPerChannel(const OCIO::ConstTransformRcPtr& step) {
     const auto cpu = processorOf({&step, 1})->getOptimizedCPUProcessor(ocioPrecision);
     std::uint32_t state = 1;
     const auto next = [&state] {
@@ -71,9 +71,9 @@ CurveTable tableOf(const OCIO::ConstCPUProcessorRcPtr& cpu) {
     });
 }
 
-/// Colours on which a baked transform is tried: every channel from -16 to 65504 with every other, more
+/// Colours on which a baked transform is tested: every channel from -16 to 65504 with every other, more
 /// densely in the range that pictures have.
-std::vector<float> trialColors() {
+std::vector<float> testColors() {
     std::vector<float> levels{-16.0f, -0.25f, -0.001f, 0.0f, 1e-6f, 1e-4f, 64.0f, 1000.0f, maxRadiance};
     for (int i = 0; i < 15; ++i) levels.push_back(std::exp2(-10.0f + float(i)));
     std::vector<float> colors;
@@ -109,7 +109,7 @@ std::optional<BakedTransform> BakedTransform::make(const OCIO::ConstProcessorRcP
         } else if (isDarkToDim(all[i])) {
             kind = Step::Kind::darkToDim, end = i + 1;
         } else {
-            while (end < all.size() && treatsChannelsAlone(all[end])) ++end;
+            while (end < all.size() && isPerChannel(all[end])) ++end;
             const auto run = std::span(all).subspan(i, end - i);
             const auto costly = run.size() - std::size_t(std::ranges::count_if(run, isMatrixOrRange));
             if (costly > 0) kind = Step::Kind::curves, curves += costly;
@@ -125,9 +125,9 @@ std::optional<BakedTransform> BakedTransform::make(const OCIO::ConstProcessorRcP
     add(Step::Kind::exact, exactFrom, all.size());
     if (curves < 2) return {};
     Step& last = baked.steps_.back();
-    if (last.kind == Step::Kind::curves) last.table->limitToCodes();
+    if (last.kind == Step::Kind::curves) last.table->clampToCodes();
     const auto exact = processor->getOptimizedCPUProcessor(ocioPrecision);
-    if (!(baked.worstError(exact) <= errorLimit)) return {};
+    if (!(baked.maxError(exact) <= errorLimit)) return {};
     return baked;
 }
 
@@ -142,14 +142,14 @@ void BakedTransform::apply(std::span<float> rgba) const {
     }
 }
 
-float BakedTransform::worstError(const OCIO::ConstCPUProcessorRcPtr& exact) const {
-    std::vector<float> expected = trialColors(), actual = expected;
+float BakedTransform::maxError(const OCIO::ConstCPUProcessorRcPtr& exact) const {
+    std::vector<float> expected = testColors(), actual = expected;
     applyTo(exact, expected);
     apply(actual);
-    float worst = 0.0f;
+    float max = 0.0f;
     for (std::size_t i = 0; i < expected.size(); ++i)
-        worst = std::max(worst, std::abs(sanitizedCode(expected[i]) - sanitizedCode(actual[i])));
-    return 255.0f * worst;
+        max = std::max(max, std::abs(sanitizedCode(expected[i]) - sanitizedCode(actual[i])));
+    return 255.0f * max;
 }
 
 DisplayShader BakedTransform::shader() const {

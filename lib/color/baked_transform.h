@@ -10,25 +10,24 @@
 
 namespace candela {
 
-/// A display transform whose curves are baked: its steps, where each run of steps that treat every channel by
-/// itself is one table. All other steps stay exact.
+/// A display transform whose curves are baked: each run of per-channel steps is
+/// replaced by one table. All other steps are exact.
 class BakedTransform {
   public:
     /// The largest error, in 8-bit codes, with which a baked transform is used.
     static constexpr float errorLimit = 0.25f;
 
-    /// Nothing where there is nothing to win (no more than one curve) or where tables do not meet the error
-    /// limit.
+    /// None where fewer than two curves can be baked, or where the tables exceed the error limit.
     static std::optional<BakedTransform> make(const OCIO::ConstProcessorRcPtr& processor);
 
-    /// What the baked shader makes of colours whose radiance is sanitised, on the CPU, in place: RGBA, alpha
-    /// being 1. The tables work as in the shader, the exact steps are OpenColorIO's.
+    /// Applies the transform in place on the CPU to colours of sanitised radiance: RGBA with an alpha of 1.
+    /// Tables are evaluated as in the shader, exact steps by OpenColorIO.
     void apply(std::span<float> rgba) const;
 
     DisplayShader shader() const;
 
     /// The largest difference between `apply` and `exact`, in 8-bit codes, over a grid of colours.
-    float worstError(const OCIO::ConstCPUProcessorRcPtr& exact) const;
+    float maxError(const OCIO::ConstCPUProcessorRcPtr& exact) const;
 
   private:
     struct Step {

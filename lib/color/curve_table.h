@@ -7,10 +7,10 @@
 
 namespace candela {
 
-/// A function of one number, or of each channel of a colour, as a table of straight pieces that are found by
-/// the bits of a floating-point number: no logarithm is needed to spread them evenly over the octaves.
+/// A function of one number, or of each channel of a colour, as a table of linear segments. A segment is
+/// indexed by the bits of a floating-point number: no logarithm is needed to distribute them over octaves.
 ///
-/// The table reaches from 0 to `end`; below and above it keeps the values of its ends. NaN gives either.
+/// The domain is 0 to `end`; arguments beyond it are clamped. NaN gives the value of either end.
 class CurveTable {
   public:
     static constexpr float end = 131072.0f;  ///< Twice the largest radiance.
@@ -24,25 +24,25 @@ class CurveTable {
     /// Samples `function`, which is given numbers in all channels and replaces them by its values.
     explicit CurveTable(const Function& function);
 
-    /// What GLSL makes of `x`, in the same arithmetic.
+    /// The value at `x`, in the arithmetic of the GLSL function.
     float at(int channel, float x) const;
 
-    /// Limits the values to 0..1: for a table whose values are a display's codes.
-    void limitToCodes();
+    /// Clamps the values to 0..1: for a table whose values are display codes.
+    void clampToCodes();
 
-    /// Whether one row of pieces serves all channels.
+    /// Whether one row of segments serves all channels.
     bool isShared() const { return rows_.size() == 1; }
-    /// Appends the pieces to `texels`, two floats each (value at the piece's start, slope), and returns the
-    /// index of the first texel. Shared rows are appended once, others red, green, blue.
+    /// Appends the segments to `texels`, two floats each (value at the segment's start, slope), and returns
+    /// the index of the first texel. Shared rows are appended once, others red, green, blue.
     int appendTo(std::vector<float>& texels) const;
 
-    /// Texels a row takes.
+    /// The number of texels of a row.
     static int rowLength();
     /// The GLSL function `float candelaCurve(int firstTexel, float x)` with its sampler `candelaCurves`.
     static std::string glsl();
 
   private:
-    using Row = std::vector<float>;  ///< The values at the ends of the pieces.
+    using Row = std::vector<float>;  ///< The values at the ends of the segments.
     std::vector<Row> rows_;
 };
 

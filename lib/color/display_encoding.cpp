@@ -29,7 +29,7 @@ double codeValue(const DisplayEncoding& encoding, double light) {
     return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
 }
 
-bool answersAs(const OCIO::CPUProcessor& fromXyz, const DisplayEncoding& encoding) {
+bool hasEncoding(const OCIO::CPUProcessor& fromXyz, const DisplayEncoding& encoding) {
     constexpr std::array lights{
         glm::dvec3(0.0),           glm::dvec3(0.002),         glm::dvec3(0.02),
         glm::dvec3(0.18),          glm::dvec3(0.5),           glm::dvec3(1.0),
@@ -67,7 +67,7 @@ DisplayEncoding findDisplayEncoding(const OCIO::ConstConfigRcPtr& config, const 
     const auto processor =
         config->getProcessor(xyz->getName(), space->getName())->getOptimizedCPUProcessor(ocioPrecision);
     for (const DisplayEncoding& encoding : taggableEncodings())
-        if (answersAs(*processor, encoding)) return encoding;
+        if (hasEncoding(*processor, encoding)) return encoding;
     return unknownEncoding;
 }
 

@@ -8,9 +8,9 @@
 
 namespace candela {
 
-/// How a view of a display encodes its code values. Measured, not read from names: the view's display colour
-/// space is fed with colours of known XYZ, and its answers are compared with the encodings that can be
-/// tagged. `unknown` where the config gives no such space, or the answers fit none.
+/// How a view of a display encodes its code values. Measured, not derived from names: colours of known XYZ
+/// are converted to the view's display colour space, and the results are compared with the encodings that can
+/// be tagged. `unknown` where the config has no such space, or no encoding matches.
 DisplayEncoding findDisplayEncoding(const OCIO::ConstConfigRcPtr& config, const std::string& display,
                                     const std::string& view);
 

@@ -20,9 +20,9 @@ DisplayShader makeShader(const DisplayTransform::State& state) {
     return shader;
 }
 
-/// Makes a shader and says of which transform when OpenColorIO can not.
+/// Creates a shader once. Its `Error` names the transform when OpenColorIO fails.
 template <typename Make>
-void makeOnce(const DisplayTransform::State& state, std::once_flag& once, const Make& make) {
+void createOnce(const DisplayTransform::State& state, std::once_flag& once, const Make& make) {
     std::call_once(once, [&] {
         try {
             make();
@@ -38,13 +38,13 @@ void makeOnce(const DisplayTransform::State& state, std::once_flag& once, const 
 
 const DisplayShader& displayShader(const DisplayTransform& transform) {
     const DisplayTransform::State& state = transform.state();
-    makeOnce(state, state.shaderOnce, [&] { state.shader = makeShader(state); });
+    createOnce(state, state.shaderOnce, [&] { state.shader = makeShader(state); });
     return state.shader;
 }
 
 const DisplayShader* bakedDisplayShader(const DisplayTransform& transform) {
     const DisplayTransform::State& state = transform.state();
-    makeOnce(state, state.bakedOnce, [&] {
+    createOnce(state, state.bakedOnce, [&] {
         if (const auto baked = BakedTransform::make(state.processor)) state.baked = baked->shader();
     });
     return state.baked ? &*state.baked : nullptr;

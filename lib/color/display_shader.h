@@ -20,10 +20,10 @@ struct LookupTexture {
 };
 
 /// A display transform as GLSL (4.0 and later): a function `vec4 displayTransform(vec4 radiance)` that takes
-/// exposed working-space colour to code values 0..1 and leaves alpha alone, with the samplers it needs.
-/// Exposure is not in it: the display pass multiplies by 2^exposure before the call. What it makes of NaN and
-/// infinity is said in color/display_transform.h. Other names in the text begin with `ocio`, `candela` or
-/// `sanitized`.
+/// exposed working-space colour to code values 0..1 and does not change alpha, with the samplers it needs.
+/// Exposure is not in it: the display pass multiplies by 2^exposure before the call. How it treats NaN and
+/// infinity is documented in color/display_transform.h. Other names in the text begin with `ocio`, `candela`
+/// or `sanitized`.
 struct DisplayShader {
     std::string glsl;
     std::vector<LookupTexture> textures;
@@ -31,14 +31,14 @@ struct DisplayShader {
     std::vector<float> curves;
 };
 
-/// The shader of a transform. Made once a transform, on the first call, from any thread; the reference lives
-/// as long as the transform. Throws `Error` (unsupported) when the transform needs what a shader cannot be
-/// given.
+/// The shader of a transform. Created once per transform, on the first call, from any thread; the reference
+/// lives as long as the transform. Throws `Error` (unsupported) when the transform needs what a shader cannot
+/// be given.
 const DisplayShader& displayShader(const DisplayTransform& transform);
 
 /// The same transform with its curves baked into tables (see color/baked_transform.h and docs/color.md), or
-/// null where baking has nothing to win or would err by more than a quarter of an 8-bit code. Made once a
-/// transform, as `displayShader`. Whether it is faster depends on the device.
+/// null where fewer than two curves can be baked or the error exceeds a quarter of an 8-bit code. Created
+/// once per transform, as `displayShader`. Whether it is faster depends on the device.
 const DisplayShader* bakedDisplayShader(const DisplayTransform& transform);
 
 }  // namespace candela

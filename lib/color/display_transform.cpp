@@ -20,7 +20,7 @@ void DisplayTransform::apply(std::span<float> rgba) const {
     if (rgba.size() % 4 != 0)
         throw Error(ErrorKind::badInput, {},
                     "a display transform was given " + std::to_string(rgba.size()) +
-                        " numbers; 4 a pixel were expected");
+                        " numbers; 4 per pixel were expected");
     const auto exposure = float(std::exp2(state_->options.exposure));
     // OpenColorIO sees an alpha of 1, as in the shader: a config's matrix may read it.
     constexpr std::size_t chunk = 4096;

@@ -11,12 +11,12 @@ namespace candela {
 
 namespace OCIO = OCIO_NAMESPACE;
 
-/// How exactly OpenColorIO works, on the CPU and on the GPU alike: only rewritings that lose nothing, so that
-/// the two agree; dynamic properties (sliders of interactive tools) are frozen at the config's values.
+/// OpenColorIO's optimisation flags on the CPU and on the GPU: lossless only, so that the two agree; dynamic
+/// properties (sliders of interactive tools) are frozen at the config's values.
 inline constexpr auto ocioPrecision = static_cast<OCIO::OptimizationFlags>(
     OCIO::OPTIMIZATION_LOSSLESS | OCIO::OPTIMIZATION_NO_DYNAMIC_PROPERTIES);
 
-/// OpenColorIO's reason as one line: its messages break lines, ours may not.
+/// OpenColorIO's reason as one line: its messages have line breaks, errors are one line.
 std::string oneLine(const std::string& message);
 
 /// candela's own config, read from the text in the .cpp file. docs/color.md has its table.

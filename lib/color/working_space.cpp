@@ -15,11 +15,11 @@ namespace candela {
 
 namespace {
 
-/// A space of the config whose meaning is certain, and the way into it from linear Rec.709.
+/// A space of the config with a known definition, and the conversion into it from linear Rec.709.
 struct Anchor {
     std::string space;
     glm::dmat3 fromRec709;
-    bool mayBeCurved;  ///< The way on to the working space may lead through a tone curve.
+    bool mayBeNonlinear;  ///< The conversion on to the working space may contain a tone curve.
 };
 
 /// Names that published configs give to linear Rec.709: those of OpenColorIO's and ACES's own configs, and
@@ -45,8 +45,8 @@ std::vector<Anchor> findAnchors(const OCIO::ConstConfigRcPtr& config) {
     std::vector<Anchor> anchors;
     if (const auto space = spaceNamed(config, OCIO::ROLE_INTERCHANGE_SCENE))
         anchors.push_back({*space, rgbFromRgb(ap0Primaries(), rec709Primaries()), false});
-    // From the display's side OpenColorIO goes back through the default view transform, which is often, but
-    // not always, one without a tone curve.
+    // From the display reference space OpenColorIO inverts the default view transform, which may have a tone
+    // curve.
     if (const auto space = spaceNamed(config, OCIO::ROLE_INTERCHANGE_DISPLAY))
         anchors.push_back({*space, xyzFromRgb(rec709Primaries()), true});
     for (const char* name : linearRec709Names)
@@ -75,13 +75,13 @@ double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// The 3×3 matrix that the conversion is, or none when it is not linear.
+/// The conversion as a 3×3 matrix; none when it is not linear.
 std::optional<glm::dmat3> linearMap(const Probe& probe) {
     const glm::dmat3 matrix{probe({1.0, 0.0, 0.0}), probe({0.0, 1.0, 0.0}), probe({0.0, 0.0, 1.0})};
     // Dim, mid and bright colours: a curve shows at some level, and an offset at black.
     constexpr std::array samples{glm::dvec3(0.0), glm::dvec3(0.18), glm::dvec3(0.01, 0.002, 0.03),
                                  glm::dvec3(0.9, 0.2, 0.5), glm::dvec3(8.0, 6.0, 3.0)};
-    // A space made of look-up tables, in half floats say, is linear to about three digits.
+    // A space defined by look-up tables, for example of half floats, is linear to about three digits.
     constexpr double relative = 2e-3, absolute = 1e-5;
     for (const glm::dvec3& sample : samples) {
         const double error = largest(probe(sample) - matrix * sample);
@@ -96,7 +96,7 @@ double difference(const glm::dmat3& a, const glm::dmat3& b) {
 }
 
 /// The primaries of the space that `fromRec709` leads into. A matrix does not show to which white it adapted,
-/// so well-known spaces are told by their matrix, and others are described as seen under Rec.709's white.
+/// so well-known spaces are identified by their matrix, and others are described relative to Rec.709's white.
 Chromaticities primariesOf(const glm::dmat3& fromRec709) {
     // Wide enough for another adaptation than Bradford's (CAT02 moves AP1's matrix by 0.002), far closer than
     // any two of the spaces are to each other.
@@ -129,12 +129,12 @@ WorkingSpace findWorkingSpace(const OCIO::ConstConfigRcPtr& config, const std::s
     const std::vector<Anchor> anchors = space->isData() ? std::vector<Anchor>{} : findAnchors(config);
     for (const Anchor& anchor : anchors) {
         const auto matrix = linearMap(Probe(config, anchor.space, working.name));
-        if (!matrix && anchor.mayBeCurved) continue;
+        if (!matrix && anchor.mayBeNonlinear) continue;
         if (!matrix)
             throw Error(ErrorKind::badInput, source,
                         "the role scene_linear names the colour space '" + working.name +
-                            "', which is not linear in light: the way into it from '" + anchor.space +
-                            "' is no invertible matrix");
+                            "', which is not linear in light: the conversion into it from '" + anchor.space +
+                            "' is not an invertible matrix");
         working.fromRec709 = *matrix * anchor.fromRec709;
         // Rounding in the probe's single precision must not tint a scene that needs no conversion.
         if (difference(working.fromRec709, glm::dmat3(1.0)) < 1e-5) working.fromRec709 = glm::dmat3(1.0);

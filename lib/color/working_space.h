@@ -16,7 +16,7 @@ struct WorkingSpace {
     std::string name;
     glm::dmat3 fromRec709{1.0};
     Chromaticities chromaticities;
-    std::vector<std::string> notes;  ///< What had to be assumed, a line each.
+    std::vector<std::string> notes;  ///< Assumptions, one line each.
 };
 
 /// Finds the space of the role scene_linear and how it relates to linear Rec.709. `source` names the config

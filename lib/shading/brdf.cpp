@@ -47,7 +47,7 @@ void requireCosine(double value, const char* name) {
     require(std::abs(value) <= 1.0 + unitTolerance, name, "a cosine, -1 to 1");
 }
 
-void requireShare(double value, const char* name) {
+void requireUnitRange(double value, const char* name) {
     require(value >= 0.0 && value <= 1.0, name, "0 to 1");
 }
 
@@ -55,8 +55,8 @@ void requireSurface(const SurfacePoint& surface) {
     require(isFinite(surface.position), "the surface's position", "finite");
     require(isUnit(surface.normal), "the surface's normal", "of unit length");
     require(isNonNegative(surface.lobes.baseColor), "the surface's base colour", "finite and 0 or more");
-    requireShare(surface.lobes.metallic, "the surface's metallic");
-    requireShare(surface.lobes.roughness, "the surface's roughness");
+    requireUnitRange(surface.lobes.metallic, "the surface's metallic");
+    requireUnitRange(surface.lobes.roughness, "the surface's roughness");
 }
 
 void requireCone(double innerConeAngle, double outerConeAngle) {
@@ -101,15 +101,15 @@ glm::dvec3 compensation(BrdfModel model, const glm::dvec3& f0, double nDotV, dou
 
 /// Unit vector from `from` to `to`; zero where they are the same point.
 glm::dvec3 directionBetween(const glm::dvec3& from, const glm::dvec3& to) {
-    const glm::dvec3 way = to - from;
-    const double length = glm::length(way);
-    return length < minLength ? glm::dvec3(0.0) : way / length;
+    const glm::dvec3 offset = to - from;
+    const double length = glm::length(offset);
+    return length < minLength ? glm::dvec3(0.0) : offset / length;
 }
 
 /// L_i of a point or spot light, as the lighting equation takes it: candela / pi over the squared distance.
 glm::dvec3 incidentRadiance(const WorldLight& light, const glm::dvec3& l, double distance) {
-    const double reach = std::max(distance, minDistance);
-    double factor = rangeWindow(distance, light.range) / (reach * reach);
+    const double clampedDistance = std::max(distance, minDistance);
+    double factor = rangeWindow(distance, light.range) / (clampedDistance * clampedDistance);
     if (light.type == LightType::spot) {
         const double cosAngle = glm::dot(glm::dvec3(light.direction), -l);
         factor *= spotFactor(cosAngle, light.innerConeAngle, light.outerConeAngle);
@@ -155,7 +155,7 @@ const char* toString(BrdfModel model) {
 // eye, and there a step would draw an edge.
 double distributionGgx(double nDotH, double alpha) {
     requireCosine(nDotH, "n·h");
-    requireShare(alpha, "alpha");
+    requireUnitRange(alpha, "alpha");
     const double alphaSquared = clampAlpha(alpha) * clampAlpha(alpha);
     const double cosineSquared = std::min(nDotH * nDotH, 1.0);
     const double denominator = cosineSquared * (alphaSquared - 1.0) + 1.0;
@@ -165,7 +165,7 @@ double distributionGgx(double nDotH, double alpha) {
 double geometrySchlickSmith(double nDotL, double nDotV, double roughness) {
     requireCosine(nDotL, "n·l");
     requireCosine(nDotV, "n·v");
-    requireShare(roughness, "roughness");
+    requireUnitRange(roughness, "roughness");
     const double k = (roughness + 1.0) * (roughness + 1.0) / 8.0;
     const auto side = [k](double nDotW) { return nDotW / (nDotW * (1.0 - k) + k); };
     return side(nDotL) * side(nDotV);
@@ -174,7 +174,7 @@ double geometrySchlickSmith(double nDotL, double nDotV, double roughness) {
 double geometrySmithCorrelated(double nDotL, double nDotV, double alpha) {
     requireCosine(nDotL, "n·l");
     requireCosine(nDotV, "n·v");
-    requireShare(alpha, "alpha");
+    requireUnitRange(alpha, "alpha");
     const double alphaSquared = clampAlpha(alpha) * clampAlpha(alpha);
     const auto root = [alphaSquared](double nDotW) {
         return std::sqrt(alphaSquared + (1.0 - alphaSquared) * nDotW * nDotW);

@@ -119,7 +119,7 @@ double directionalAlbedo(double nDotV, double alpha) {
     // No number compares as true with NaN.
     if (!(std::abs(nDotV) <= 1.0 + 1.0e-3) || !(alpha >= 0.0 && alpha <= 1.0)) {
         throw Error(ErrorKind::badInput, "",
-                    "the directional albedo is asked for n·v = " + std::to_string(nDotV) +
+                    "the directional albedo was requested for n·v = " + std::to_string(nDotV) +
                         " and alpha = " + std::to_string(alpha) + "; n·v has to be a cosine, alpha 0 to 1");
     }
     nDotV = std::clamp(nDotV, minNDotV, 1.0);

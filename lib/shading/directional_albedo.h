@@ -7,7 +7,7 @@ namespace candela {
 /// The texels along each side of the directional albedo table.
 constexpr int albedoTableSize = 32;
 
-/// Added to every texel (limited to 1): more than the errors of interpolation and integration together, so
+/// Added to every texel (clamped to 1): more than the errors of interpolation and integration together, so
 /// that the compensated lobe never returns more than it receives.
 constexpr double albedoBias = 1.5e-3;
 

@@ -83,7 +83,7 @@ TEST(ImageFileExr, hasTheChannelsOfTheCallerAsFloats) {
     EXPECT_EQ(names, (std::vector<std::string>{"Z", "base_color.R", "light_count"}));  // OpenEXR sorts.
 }
 
-TEST(ImageFileExr, saysItsPrimaries) {
+TEST(ImageFileExr, storesChromaticities) {
     const TemporaryFolder folder;
     const std::string path = (folder.path() / "a.exr").string();
     const std::vector<float> values(1);
@@ -97,7 +97,7 @@ TEST(ImageFileExr, saysItsPrimaries) {
     EXPECT_EQ(read.white, Imath::V2f(0.32168f, 0.33767f));
 }
 
-TEST(ImageFileExr, failsWithoutATrace) {
+TEST(ImageFileExr, leavesNoFileOnFailure) {
     const TemporaryFolder folder;
     const std::vector<float> values(1);
     const std::vector<ExrChannel> channels{{"R", values}};
@@ -107,7 +107,7 @@ TEST(ImageFileExr, failsWithoutATrace) {
     EXPECT_EQ(folder.entries(), 0);
 }
 
-TEST(ImageFileExr, turnsOpenExrExceptionsIntoErrors) {
+TEST(ImageFileExr, convertsOpenExrExceptionsToErrors) {
     const TemporaryFolder folder;
     const std::vector<float> values(1);
     // OpenEXR refuses a channel without a name.

@@ -121,7 +121,7 @@ TEST(ImageFilePng, tagsGammaAndPrimaries) {
     expectNear(*picture.chromaticities, Chromaticities{});
 }
 
-TEST(ImageFilePng, tagsNothingThatIsUnknown) {
+TEST(ImageFilePng, writesNoTagsForUnknownEncodings) {
     const TemporaryFolder folder;
     writePng(folder.path() / "a.png", 1, 1, std::vector<std::uint8_t>{1, 2, 3, 4},
              {.transfer = DisplayEncoding::Transfer::unknown, .chromaticities = {}});
@@ -129,7 +129,7 @@ TEST(ImageFilePng, tagsNothingThatIsUnknown) {
         EXPECT_FALSE(fileContains(folder.path() / "a.png", chunk)) << chunk;
 }
 
-TEST(ImageFilePng, failsWithoutATrace) {
+TEST(ImageFilePng, leavesNoFileOnFailure) {
     const TemporaryFolder folder;
     const std::vector<std::uint8_t> rgba(4);
     EXPECT_THROW(writePng(folder.path() / "missing" / "a.png", 1, 1, rgba, {}), Error);

@@ -7,7 +7,7 @@
 
 namespace candela {
 
-/// A new, empty folder that goes away at the end of its scope.
+/// A new, empty folder that is deleted at the end of its scope.
 class TemporaryFolder {
   public:
     TemporaryFolder() {

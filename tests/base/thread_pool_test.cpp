@@ -66,7 +66,7 @@ TEST(ThreadPool, ThrowsTheExceptionOfABodyInTheCaller) {
             EXPECT_STREQ(error.what(), "ten");
         }
         EXPECT_LT(calls, 100'000);
-        // The pool works on.
+        // The pool is still usable.
         std::atomic<int> sum = 0;
         pool.run(100, [&](std::size_t index, unsigned) { sum += static_cast<int>(index); });
         EXPECT_EQ(sum, 4950);
@@ -129,7 +129,7 @@ TEST(ThreadPool, AdvancesALoopWhileAnotherIsUnderWay) {
     });
     int calls = 0;
     const std::thread::id own = std::this_thread::get_id();
-    // Ends although every other thread of the pool may be held by the slow loop.
+    // Ends although every other thread of the pool may be busy with the slow loop.
     pool.run(10, [&](std::size_t, unsigned) {
         if (std::this_thread::get_id() == own) ++calls;
     });
@@ -146,7 +146,7 @@ TEST(SharedThreadPool, HasTheSizeThatIsSet) {
     EXPECT_EQ(ThreadPool::shared(), three);
     setThreadCount(1);
     EXPECT_EQ(ThreadPool::shared()->size(), 1u);
-    // Who holds the old one can use it still.
+    // Holders of the old pool can still use it.
     std::atomic<int> calls = 0;
     three->run(100, [&](std::size_t, unsigned) { ++calls; });
     EXPECT_EQ(calls, 100);

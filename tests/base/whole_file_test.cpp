@@ -163,7 +163,7 @@ TEST(WholeFile, aFolderIsNotAFile) {
 }
 
 TEST(WholeFile, aFolderThatTakesNoFilesIsNamed) {
-    // The kernel lets nobody, not even root, make files here.
+    // The kernel lets nobody, not even root, create files here.
     EXPECT_TRUE(contains(failureOf("/proc/candela-test.png"), "'/proc'"));
 }
 
@@ -178,7 +178,7 @@ TEST(WholeFile, aProtectedFileStaysAsItWas) {
     EXPECT_EQ(folder.entries(), 1);
 }
 
-TEST(WholeFile, whatFailsHalfWayLeavesTheOldFileAndNothingElse) {
+TEST(WholeFile, aFailedWriteLeavesOnlyTheOldFile) {
     const TemporaryFolder folder;
     const fs::path path = folder.path() / "a";
     write(path, "old");
@@ -192,7 +192,7 @@ TEST(WholeFile, whatFailsHalfWayLeavesTheOldFileAndNothingElse) {
     EXPECT_EQ(folder.entries(), 1);
 }
 
-TEST(WholeFile, aFullDiskLeavesTheOldFileAndNothingElse) {
+TEST(WholeFile, aFullDiskLeavesOnlyTheOldFile) {
     const TemporaryFolder folder;
     const fs::path disk = folder.path() / "disk";
     fs::create_directory(disk);
@@ -215,7 +215,7 @@ TEST(WholeFile, aFullDeviceIsAnErrorAndStaysADevice) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST(WholeFile, aPipeIsWrittenStraight) {
+TEST(WholeFile, aPipeIsWrittenInPlace) {
     const TemporaryFolder folder;
     const fs::path path = folder.path() / "pipe";
     ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);

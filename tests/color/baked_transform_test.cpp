@@ -31,7 +31,7 @@ std::vector<float> logCube() {
 }
 
 struct Errors {
-    double mean, percentile99, most;  ///< 8-bit codes.
+    double mean, percentile99, max;  ///< 8-bit codes.
 };
 
 Errors errorsOf(const DisplayTransform& transform, std::vector<float> colors) {
@@ -55,13 +55,13 @@ Errors errorsOf(const DisplayTransform& transform, std::vector<float> colors) {
 void expectWithinBounds(const char* colors, const std::string& display, const Errors& errors) {
     SCOPED_TRACE(display + ", " + colors);
     std::printf("%-10s %-10s mean %.4f  p99 %.4f  max %.4f codes\n", display.c_str(), colors, errors.mean,
-                errors.percentile99, errors.most);
+                errors.percentile99, errors.max);
     EXPECT_LE(errors.mean, 0.002);
     EXPECT_LE(errors.percentile99, 0.02);
-    EXPECT_LE(errors.most, 0.25);
+    EXPECT_LE(errors.max, 0.25);
 }
 
-TEST(BakedTransform, errsByLessThanAQuarterCode) {
+TEST(BakedTransform, hasAnErrorBelowAQuarterCode) {
     for (const std::string& display : ColorConfig::builtIn().displays()) {
         const DisplayTransform transform = aces(display);
         expectWithinBounds("cube", display, errorsOf(transform, logCube()));
@@ -70,7 +70,7 @@ TEST(BakedTransform, errsByLessThanAQuarterCode) {
     }
 }
 
-TEST(BakedTransform, isNotMadeOfCheapTransforms) {
+TEST(BakedTransform, isNotCreatedForCheapTransforms) {
     const ColorConfig config = ColorConfig::builtIn();
     for (const std::string& display : config.displays())
         for (const char* view : {"Un-tone-mapped", "Raw"}) {
@@ -80,20 +80,20 @@ TEST(BakedTransform, isNotMadeOfCheapTransforms) {
         }
 }
 
-TEST(BakedTransform, servesNoTransformBeyondTheLimit) {
+TEST(BakedTransform, isNotCreatedBeyondTheErrorLimit) {
     const ColorConfig config = ColorConfig::load(CANDELA_TEST_DATA "/config/luts.ocio");
     int refused = 0;
     for (const char* view : {"Mono", "RGB", "Inverse", "Tetrahedral", "Trilinear", "Film and print"}) {
         const DisplayTransform transform = config.displayTransform({"Monitor", view, "", 0.0});
         if (BakedTransform::make(transform.state().processor))
-            EXPECT_LE(errorsOf(transform, logCube()).most, BakedTransform::errorLimit) << view;
+            EXPECT_LE(errorsOf(transform, logCube()).max, BakedTransform::errorLimit) << view;
         else
             ++refused;
     }
     EXPECT_GE(refused, 5) << "those of one step have nothing to win";
 }
 
-TEST(CurveTable, meetsPowersFromZeroToTheLargestRadiance) {
+TEST(CurveTable, approximatesPowersFromZeroToTheMaxRadiance) {
     const CurveTable table([](std::span<CurveTable::Values> numbers) {
         for (CurveTable::Values& n : numbers)
             n = {std::pow(n.red, 1.0f / 2.6f), std::pow(n.green, 1.0f / 2.4f), n.blue};
@@ -103,15 +103,15 @@ TEST(CurveTable, meetsPowersFromZeroToTheLargestRadiance) {
     EXPECT_EQ(table.at(0, -65504.0f), 0.0f);
     EXPECT_EQ(table.at(1, 0.0f), 0.0f);
     for (float x = 1e-6f; x < 65504.0f; x *= 1.01f) {
-        // A straight piece over 1/128 of an octave errs by h²/8 times the relative curvature, which is below
-        // 1/4 for these; single precision adds 1e-6.
+        // The error of a linear segment over 1/128 of an octave is h²/8 times the relative curvature, which
+        // is below 1/4 for these; single precision adds 1e-6.
         EXPECT_NEAR(table.at(0, x) / std::pow(x, 1.0f / 2.6f), 1.0, 1e-5) << x;
         EXPECT_NEAR(table.at(1, x) / std::pow(x, 1.0f / 2.4f), 1.0, 1e-5) << x;
         EXPECT_NEAR(table.at(2, x) / x, 1.0, 1e-5) << x;
     }
 }
 
-TEST(CurveTable, sharesARowWhereChannelsAreAlike) {
+TEST(CurveTable, sharesARowBetweenEqualChannels) {
     const CurveTable shared([](std::span<CurveTable::Values>) {});
     EXPECT_TRUE(shared.isShared());
     std::vector<float> texels;

@@ -66,7 +66,7 @@ TEST(ColorConfig, brokenVariableIsAnErrorAndNotIgnored) {
     EXPECT_TRUE(contains(message, "$OCIO")) << message;
 }
 
-TEST(ColorConfig, missingFileFolderAndNonsense) {
+TEST(ColorConfig, missingFileFolderAndInvalidFile) {
     EXPECT_TRUE(contains(messageOf([] { ColorConfig::load("/nowhere/config.ocio"); }),
                          "/nowhere/config.ocio: there is no such file"));
     EXPECT_TRUE(contains(messageOf([] { ColorConfig::load(CANDELA_TEST_DATA); }), "no such file"));
@@ -89,7 +89,7 @@ TEST(ColorConfig, listsWhatTheFileHas) {
     EXPECT_EQ(config.defaultView("Monitor"), "Mono");
 }
 
-TEST(ColorConfig, unknownNamesAreToldWithThoseThatExist) {
+TEST(ColorConfig, unknownNamesListThoseThatExist) {
     const ColorConfig config = ColorConfig::load(lutConfig);
     EXPECT_EQ(messageOf([&] { config.views("foo"); }),
               lutConfig + ": there is no display 'foo'; the config has: Monitor, Projector");
@@ -117,7 +117,7 @@ TEST(ColorConfig, unknownNamesAreToldWithThoseThatExist) {
               "built-in: there is no look 'cold'; the config has: none");
 }
 
-TEST(ColorConfig, choiceIsCompletedAndSpeltAsInTheConfig) {
+TEST(ColorConfig, optionsAreCompletedAndSpelledAsInTheConfig) {
     const DisplayTransform whole = ColorConfig::load(lutConfig).displayTransform({});
     EXPECT_EQ(whole.options().display, "Monitor");
     EXPECT_EQ(whole.options().view, "Mono");
@@ -126,7 +126,7 @@ TEST(ColorConfig, choiceIsCompletedAndSpeltAsInTheConfig) {
     EXPECT_NO_THROW(ColorConfig::load(lutConfig).displayTransform({"monitor", "mono", "WARM", 0.0}));
 }
 
-TEST(ColorConfig, missingTableIsToldWhenItsViewIsAsked) {
+TEST(ColorConfig, missingTableIsReportedWhenItsViewIsRequested) {
     const ColorConfig config = ColorConfig::load(lutConfig);
     const std::string message = messageOf([&] { config.displayTransform({"Monitor", "Missing", "", 0.0}); });
     EXPECT_TRUE(contains(message, lutConfig + ": display 'Monitor', view 'Missing': ")) << message;

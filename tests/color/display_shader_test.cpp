@@ -73,7 +73,7 @@ TEST(DisplayShader, cornersOfTetrahedraAreFetchedUnfiltered) {
     EXPECT_EQ(displayShader(trilinear).textures.at(0).filter, LookupTexture::Filter::linear);
 }
 
-TEST(DisplayShader, isMadeOnceATransform) {
+TEST(DisplayShader, isCreatedOncePerTransform) {
     const DisplayTransform transform = lutView("Mono");
     const DisplayTransform copy = transform;
     EXPECT_EQ(&displayShader(transform), &displayShader(copy));

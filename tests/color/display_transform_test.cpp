@@ -25,8 +25,8 @@ Color shown(const DisplayTransform& transform, Color color) {
     return color;
 }
 
-Color shown(const ColorConfig& config, const DisplayOptions& choice, const Color& color) {
-    return shown(config.displayTransform(choice), color);
+Color shown(const ColorConfig& config, const DisplayOptions& options, const Color& color) {
+    return shown(config.displayTransform(options), color);
 }
 
 TEST(DisplayTransform, exposureIsInStops) {
@@ -37,7 +37,7 @@ TEST(DisplayTransform, exposureIsInStops) {
     EXPECT_EQ(minusOne, (Color{0.25f, 0.5f, 1.0f, 1.0f}));
 }
 
-TEST(DisplayTransform, alphaIsLeftAlone) {
+TEST(DisplayTransform, alphaIsUnchanged) {
     for (const float alpha : {0.0f, 0.25f, 1.0f, 7.0f}) {
         EXPECT_EQ(shown(ColorConfig::builtIn(), {"", "", "", 3.0}, {0.1f, 0.2f, 0.3f, alpha})[3], alpha);
         EXPECT_EQ(shown(luts(), {"Monitor", "Film and print", "faded", 0.0}, {0.1f, 0.2f, 0.3f, alpha})[3],
@@ -45,7 +45,7 @@ TEST(DisplayTransform, alphaIsLeftAlone) {
     }
 }
 
-TEST(DisplayTransform, numbersThatAreNoColours) {
+TEST(DisplayTransform, nonFiniteNumbers) {
     using Limits = std::numeric_limits<float>;
     const DisplayTransform raw = ColorConfig::builtIn().displayTransform({"", "Raw", "", 0.0});
     EXPECT_EQ(shown(raw, {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), 1.0f}),
@@ -112,12 +112,12 @@ TEST(DisplayTransform, looksCombineAsOpenColorIOWritesThem) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(thereAndBack[i], plain[i], 1e-6) << "single precision";
 }
 
-TEST(DisplayTransform, encodingOfForeignConfigs) {
+TEST(DisplayTransform, encodingOfOtherConfigs) {
     EXPECT_EQ(luts().displayTransform({}).encoding().transfer, DisplayEncoding::Transfer::unknown)
         << "a config that says nothing of its displays' light";
 }
 
-TEST(DisplayTransform, refusesNumbersThatAreNoPixels) {
+TEST(DisplayTransform, refusesIncompletePixels) {
     const DisplayTransform transform = ColorConfig::builtIn().displayTransform({});
     std::vector<float> numbers(7);
     EXPECT_THROW(transform.apply(numbers), Error);

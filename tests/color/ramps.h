@@ -41,12 +41,13 @@ class Ramps {
     /// NaN, infinities and the ends of the float range, in one channel and in all, beside ordinary ones.
     Ramps& nonFinite() {
         using Limits = std::numeric_limits<float>;
-        for (const float odd : {Limits::quiet_NaN(), -Limits::quiet_NaN(), Limits::infinity(),
-                                -Limits::infinity(), Limits::max(), Limits::lowest(), Limits::min(), -0.0f}) {
-            push(odd, odd, odd);
-            push(odd, 0.18f, 0.5f);
-            push(0.18f, odd, 2.0f);
-            push(0.5f, 0.18f, odd);
+        for (const float value :
+             {Limits::quiet_NaN(), -Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(),
+              Limits::max(), Limits::lowest(), Limits::min(), -0.0f}) {
+            push(value, value, value);
+            push(value, 0.18f, 0.5f);
+            push(0.18f, value, 2.0f);
+            push(0.5f, 0.18f, value);
         }
         return *this;
     }

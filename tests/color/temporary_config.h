@@ -12,12 +12,12 @@
 
 namespace candela::test {
 
-/// A config file that lives as long as this object.
+/// A config file that is deleted with this object.
 class TemporaryConfig {
   public:
     explicit TemporaryConfig(const std::string& text)
         : path_(std::filesystem::temp_directory_path() /
-                ("candela_" + std::to_string(getpid()) + "_" + std::to_string(++made) + ".ocio")) {
+                ("candela_" + std::to_string(getpid()) + "_" + std::to_string(++count) + ".ocio")) {
         std::ofstream(path_) << text;
     }
     TemporaryConfig(const TemporaryConfig&) = delete;
@@ -27,7 +27,7 @@ class TemporaryConfig {
     std::string path() const { return path_; }
 
   private:
-    static inline int made = 0;
+    static inline int count = 0;
     std::filesystem::path path_;
 };
 

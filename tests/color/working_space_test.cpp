@@ -57,7 +57,7 @@ constexpr const char* acesSpaces = R"(  - !<ColorSpace> {name: ACES2065-1, isdat
 // Six digits of the published matrices, and the probe's single precision.
 constexpr double sixDigits = 3e-6;
 
-TEST(WorkingSpace, closedFormsOfPrimaries) {
+TEST(WorkingSpace, primariesMatchClosedForms) {
     expectMatrix(rgbFromRgb(known("AP1"), known("Rec.709")), ap1FromRec709, sixDigits);
     const glm::dmat3 xyzFromRec709 = glm::transpose(glm::dmat3{{0.4123908, 0.3575843, 0.1804808},
                                                                {0.2126390, 0.7151687, 0.0721923},
@@ -83,7 +83,7 @@ TEST(WorkingSpace, archiveSpaceItself) {
     expectSame(config.chromaticities(), known("AP0"), 0.0);
 }
 
-TEST(WorkingSpace, displayInterchangeRoleServesToo) {
+TEST(WorkingSpace, displayInterchangeRoleIsUsedToo) {
     const std::string spaces = R"(  - !<ColorSpace>
     name: linear wide
     to_scene_reference: !<MatrixTransform>
@@ -102,7 +102,7 @@ TEST(WorkingSpace, displayInterchangeRoleServesToo) {
     expectMatrix(config.workingFromRec709(), rgbFromRgb(known("Rec.2020"), known("Rec.709")), sixDigits);
 }
 
-TEST(WorkingSpace, toneCurveOfTheDefaultViewIsNotMistakenForTheSpace) {
+TEST(WorkingSpace, toneCurveOfTheDefaultViewIsIgnored) {
     const std::string views =
         "view_transforms:\n  - !<ViewTransform>\n    name: curve\n"
         "    from_scene_reference: !<ExponentTransform> {value: [0.5, 0.5, 0.5, 1]}\n"
@@ -144,7 +144,7 @@ TEST(WorkingSpace, unknownPrimariesAreComputed) {
     EXPECT_NEAR(found.white.y, 0.3290, 1e-6);
 }
 
-TEST(WorkingSpace, withoutAnythingToGoByRec709IsAssumedAndSaid) {
+TEST(WorkingSpace, assumesRec709WithANoteWhenNothingIsKnown) {
     const ColorConfig config = loaded(configText("  scene_linear: lin\n", "  - !<ColorSpace> {name: lin}\n"));
     EXPECT_EQ(config.workingFromRec709(), glm::dmat3(1.0));
     expectSame(config.chromaticities(), known("Rec.709"), 0.0);
@@ -160,7 +160,7 @@ TEST(WorkingSpace, missingRoleIsNamed) {
     EXPECT_NE(message.find("rendering"), std::string::npos) << "tells the roles there are: " << message;
 }
 
-TEST(WorkingSpace, aCurveIsNoWorkingSpace) {
+TEST(WorkingSpace, aNonlinearSpaceIsRefused) {
     const std::string spaces = R"(  - !<ColorSpace> {name: ACES2065-1}
   - !<ColorSpace>
     name: video
@@ -171,7 +171,7 @@ TEST(WorkingSpace, aCurveIsNoWorkingSpace) {
     EXPECT_NE(message.find("'video', which is not linear"), std::string::npos) << message;
 }
 
-TEST(WorkingSpace, anOffsetIsNoWorkingSpaceEither) {
+TEST(WorkingSpace, aSpaceWithAnOffsetIsRefused) {
     const std::string spaces = R"(  - !<ColorSpace> {name: ACES2065-1}
   - !<ColorSpace>
     name: lifted

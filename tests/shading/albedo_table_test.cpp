@@ -20,7 +20,7 @@ double integratedAlbedo(double nDotV, double alpha, int samples) {
            directionalAlbedo(nDotV, alpha);
 }
 
-TEST(AlbedoTable, liesJustAboveTheIntegral) {
+TEST(AlbedoTable, isJustAboveTheIntegral) {
     // Interpolation is worst in the first cells, where E falls from 1 like x log x: 6e-3. The quadrature of
     // the test errs by 2e-4, see brdf_furnace_test.cpp.
     for (double alpha : {minAlpha, 0.004, 0.017, 0.05, 0.1, 0.3, 0.55, 0.8, 0.98, 1.0})
@@ -31,13 +31,13 @@ TEST(AlbedoTable, liesJustAboveTheIntegral) {
         }
 }
 
-TEST(AlbedoTable, meetsTheClosedFormAtFullRoughness) {
+TEST(AlbedoTable, matchesTheClosedFormAtFullRoughness) {
     // At alpha = 1 and n·v = 1, D is 1/pi and G 2 (n·l) / (1 + n·l): the integral is 1 - ln 2.
     // The table's own quadrature errs by 1.5e-4 there.
     EXPECT_NEAR(directionalAlbedo(1.0, 1.0), 1.0 - std::numbers::ln2 + albedoBias, 2.0e-4);
 }
 
-TEST(AlbedoTable, holdsSharesFromGrazingToOne) {
+TEST(AlbedoTable, holdsFractionsFromGrazingToNormalIncidence) {
     const std::span<const float> table = directionalAlbedoTable();
     ASSERT_EQ(table.size(), std::size_t(albedoTableSize) * albedoTableSize);
     for (int j = 0; j < albedoTableSize; ++j) {
@@ -50,7 +50,7 @@ TEST(AlbedoTable, holdsSharesFromGrazingToOne) {
 }
 
 // The header's parametrisation: at the place of a texel there is the texel's value.
-TEST(AlbedoTable, texelsStandOnTheCornersOfTheCells) {
+TEST(AlbedoTable, texelsLieOnTheCornersOfTheCells) {
     for (int j = 0; j < albedoTableSize; ++j)
         for (int i = 1; i < albedoTableSize; ++i) {
             const double alpha = minAlpha + (1.0 - minAlpha) * j / last;
@@ -62,12 +62,12 @@ TEST(AlbedoTable, texelsStandOnTheCornersOfTheCells) {
         }
 }
 
-TEST(AlbedoTable, argumentsBeyondTheDomainAreThoseOfItsBorder) {
+TEST(AlbedoTable, argumentsAreClampedToTheDomain) {
     EXPECT_EQ(directionalAlbedo(-1.0, 0.5), directionalAlbedo(minNDotV, 0.5));
     EXPECT_EQ(directionalAlbedo(0.001, 0.0), directionalAlbedo(0.001, minAlpha));
 }
 
-TEST(AlbedoTable, isOneAndTheSameForEveryThread) {
+TEST(AlbedoTable, isSharedBetweenThreads) {
     std::vector<const float*> seen(8);
     std::vector<std::thread> threads;
     for (const float*& data : seen) threads.emplace_back([&data] { data = directionalAlbedoTable().data(); });

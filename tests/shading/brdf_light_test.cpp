@@ -32,7 +32,7 @@ double radiance(const WorldLight& light, BrdfModel model = BrdfModel::course) {
     return reflectedRadiance(model, surface(1.0, 0.0, 1.0), eye, light).x;
 }
 
-TEST(BrdfLight, oneCandelaAtOneMetreIsAsByHand) {
+TEST(BrdfLight, oneCandelaAtOneMetreMatchesTheClosedForm) {
     // f at normal incidence is (0.96 + 0.04 / 4) / pi; L = pi f (1 cd / pi) / 1 m².
     SurfacePoint point = surface(1.0, 0.0, 1.0);
     const glm::dvec3 result =
@@ -68,7 +68,7 @@ TEST(BrdfLight, isLinearInTheIntensityPerChannel) {
     EXPECT_EQ(result.y, 0.0);
 }
 
-TEST(BrdfLight, rangeWindowMeetsClosedForms) {
+TEST(BrdfLight, rangeWindowMatchesClosedForms) {
     EXPECT_EQ(rangeWindow(0.0, 2.0), 1.0);
     EXPECT_EQ(rangeWindow(1.0, 2.0), 15.0 / 16.0);
     EXPECT_EQ(rangeWindow(2.0, 2.0), 0.0);
@@ -84,7 +84,7 @@ TEST(BrdfLight, theWindowFollowsTheRealDistance) {
     EXPECT_EQ(radiance(pointLight(0.9e-3, 0.5e-3f)), 0.0);
 }
 
-TEST(BrdfLight, spotFactorMeetsClosedForms) {
+TEST(BrdfLight, spotFactorMatchesClosedForms) {
     const double inner = 0.3, outer = 0.8;
     const double middle = 0.5 * (std::cos(inner) + std::cos(outer));
     EXPECT_EQ(spotFactor(1.0, inner, outer), 1.0);
@@ -130,7 +130,7 @@ TEST(BrdfLight, aDirectionalLightIsTheSameEverywhere) {
     EXPECT_EQ(reflectedRadiance(BrdfModel::gltf, point, eye, light), glm::dvec3(0.0));
 }
 
-TEST(BrdfLight, hardCasesAreFinite) {
+TEST(BrdfLight, edgeCasesAreFinite) {
     for (BrdfModel model : models)
         for (double roughness : {0.0, 1.0})
             for (LightType type : {LightType::point, LightType::spot, LightType::directional})

@@ -53,15 +53,15 @@ TEST(Brdf, distributionIsNormalised) {
     }
 }
 
-TEST(Brdf, distributionMeetsClosedForms) {
+TEST(Brdf, distributionMatchesClosedForms) {
     EXPECT_DOUBLE_EQ(distributionGgx(0.3, 1.0), 1.0 / std::numbers::pi);
     EXPECT_NEAR(distributionGgx(1.0, 0.25), 16.0 / std::numbers::pi, rounding);
     EXPECT_EQ(distributionGgx(0.9, 0.0), distributionGgx(0.9, minAlpha));
 }
 
-TEST(Brdf, geometryTermsMeetClosedForms) {
+TEST(Brdf, geometryTermsMatchClosedForms) {
     EXPECT_DOUBLE_EQ(geometrySchlickSmith(1.0, 1.0, 0.3), 1.0);
-    // k = 1/2 at roughness 1: 0.5 / (0.25 + 0.5) = 2/3 a side.
+    // k = 1/2 at roughness 1: 0.5 / (0.25 + 0.5) = 2/3 per side.
     EXPECT_DOUBLE_EQ(geometrySchlickSmith(0.5, 0.5, 1.0), 4.0 / 9.0);
     // k = 1/8 at roughness 0: 0.5 / (0.4375 + 0.125) = 8/9.
     EXPECT_DOUBLE_EQ(geometrySchlickSmith(1.0, 0.5, 0.0), 8.0 / 9.0);
@@ -78,7 +78,7 @@ TEST(Brdf, fresnelGoesFromF0ToOne) {
 }
 
 // l = v = n on a white dielectric of roughness 1: F = 0.04, D = 1/pi, G = 1.
-TEST(Brdf, normalIncidenceIsAsByHand) {
+TEST(Brdf, normalIncidenceMatchesTheClosedForm) {
     const glm::dvec3 n(0.0, 0.0, 1.0);
     const double diffuse = 0.96 / std::numbers::pi, lobe = 0.04 / (4.0 * std::numbers::pi);
     EXPECT_NEAR(evaluateBrdf(BrdfModel::course, surface(1.0, 0.0, 1.0), n, n).x, diffuse + lobe, rounding);
@@ -149,11 +149,11 @@ TEST(BrdfReciprocity, gltfIsAsFarFromReciprocalAsItsCompensation) {
             EXPECT_LT(largest, 1.0 - 1.0 / bound) << "F0 " << f0 << " roughness " << roughness;
         }
     }
-    // The bound is met nearly: f differs by up to 3.2 times for a rough white metal.
+    // The bound is nearly reached: f differs by up to 3.2 times for a rough white metal.
     EXPECT_GT(asymmetry(BrdfModel::gltf, surface(1.0, 1.0, 1.0)), 0.6);
 }
 
-std::vector<glm::dvec3> hardDirections() {
+std::vector<glm::dvec3> edgeCaseDirections() {
     std::vector<glm::dvec3> directions;
     for (double z : {1.0, 0.5, 1.0e-4, 1.0e-9, 1.0e-160, 1.0e-310, 0.0, -1.0e-9, -0.5, -1.0})
         for (double sign : {-1.0, 1.0})
@@ -161,12 +161,12 @@ std::vector<glm::dvec3> hardDirections() {
     return directions;
 }
 
-TEST(BrdfFinite, everyPairOfHardDirections) {
+TEST(BrdfFinite, everyPairOfEdgeCaseDirections) {
     for (BrdfModel model : models)
         for (double roughness : {0.0, 1.0e-8, 0.03, 0.5, 1.0})
             for (double metallic : {0.0, 1.0})
-                for (const glm::dvec3& l : hardDirections())
-                    for (const glm::dvec3& v : hardDirections()) {
+                for (const glm::dvec3& l : edgeCaseDirections())
+                    for (const glm::dvec3& v : edgeCaseDirections()) {
                         const glm::dvec3 f = evaluateBrdf(model, surface(1.0, metallic, roughness), l, v);
                         EXPECT_TRUE(isFinite(f)) << toString(model) << " l.z " << l.z << " v.z " << v.z;
                         EXPECT_GE(f.x, 0.0);

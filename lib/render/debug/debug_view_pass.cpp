@@ -73,10 +73,10 @@ glm::vec3 levelColor(std::uint32_t level) {
                     " is asked for; levels are 0 to " + std::to_string(maxSubdivisionLevel));
 }
 
-glm::vec3 heatColor(float share) {
+glm::vec3 heatColor(float value) {
     constexpr std::size_t steps = heatStops.size() - 1;
     // Written so that NaN becomes 0.
-    const float clamped = share > 0.0f ? std::min(share, 1.0f) : 0.0f;
+    const float clamped = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
     const float position = clamped * static_cast<float>(steps);
     const std::size_t step = std::min(static_cast<std::size_t>(position), steps - 1);
     return glm::mix(heatStops[step], heatStops[step + 1], position - static_cast<float>(step));
