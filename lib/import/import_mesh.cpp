@@ -246,7 +246,7 @@ void fillWithPerpendiculars(Mesh& mesh) {
 void addTangents(const Scene& scene, std::size_t index, Mesh& mesh, std::vector<std::string>& notes) {
     const auto uvSet = normalTextureUvSet(scene, mesh);
     if (!uvSet || !mesh.tangents.empty() || mesh.positions.empty()) return;
-    if (!(*uvSet == 0 ? mesh.uv0 : mesh.uv1).empty()) return makeTangents(mesh, *uvSet);
+    if (!(*uvSet == 0 ? mesh.uv0 : mesh.uv1).empty()) return generateTangents(mesh, *uvSet);
     fillWithPerpendiculars(mesh);
     notes.push_back(joined(AbiReader("mesh", index, mesh.name.c_str()).label(),
                            ": its normal texture shows one texel: the mesh has no texture coordinates ",
@@ -258,7 +258,7 @@ void addTangents(const Scene& scene, std::size_t index, Mesh& mesh, std::vector<
 void addMissingAttributes(Scene& scene, std::vector<std::string>& notes) {
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         Mesh& mesh = scene.meshes[i];
-        if (mesh.normals.empty() && !mesh.positions.empty()) makeFlatNormals(mesh);
+        if (mesh.normals.empty() && !mesh.positions.empty()) generateFlatNormals(mesh);
         addTangents(scene, i, mesh, notes);
     }
 }

@@ -48,10 +48,11 @@ inline Scene sampleScene() {
     scene.lights[2].type = LightType::directional;
 
     AnimationChannel moves{1, AnimationPath::translation, Interpolation::linear, {0, 1}, {0, 0, 0, 1, 2, 3}};
-    AnimationChannel turns{1, AnimationPath::rotation, Interpolation::step, {0, 1}, {0, 0, 0, 1, 0, 0, 1, 0}};
+    AnimationChannel rotation{
+        1, AnimationPath::rotation, Interpolation::step, {0, 1}, {0, 0, 0, 1, 0, 0, 1, 0}};
     AnimationChannel grows{
         0, AnimationPath::scale, Interpolation::cubicSpline, {2}, {0, 0, 0, 1, 1, 1, 0, 0, 0}};
-    scene.animations.push_back({"walk", {moves, turns, grows}});
+    scene.animations.push_back({"walk", {moves, rotation, grows}});
     return scene;
 }
 

@@ -71,7 +71,7 @@ std::optional<PolygonPlane> polygonPlane(std::span<const glm::vec3> corners) {
         size = std::max({size, std::abs(here.x), std::abs(here.y), std::abs(here.z)});
         before = here;
     }
-    // Below this a normal is made of rounding errors.
+    // Below this a normal consists of rounding errors.
     const double length = glm::length(normal);
     if (!(length > 1e-14 * size * size)) return {};
     normal /= length;

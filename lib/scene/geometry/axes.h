@@ -13,11 +13,12 @@ namespace candela {
 
 // Orthonormal axes: of a direction, of a node, of a polygon.
 
-/// A unit vector perpendicular to the unit vector `axis`, made from the world axis that is farthest from it.
+/// A unit vector perpendicular to the unit vector `axis`, derived from the world axis that is farthest from
+/// it.
 glm::dvec3 anyPerpendicular(const glm::dvec3& axis);
 
 /// The orthonormal axes of a node's frame: its world matrix without translation, scale and shear. Z keeps its
-/// direction, Y is made perpendicular to it, X completes them on the side where the matrix has it: a mirror
+/// direction, Y is orthogonalised against it, X completes them with the handedness of the matrix: a mirror
 /// stays a mirror. An axis that the matrix scales to zero is replaced by a perpendicular one.
 glm::dmat3 unscaledFrame(const glm::mat4& world);
 

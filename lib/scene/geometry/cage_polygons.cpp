@@ -77,7 +77,7 @@ std::optional<Derivatives> fit(const std::vector<glm::dvec2>& points) {
         yy += p.y * p.y;
     }
     const double determinant = xx * yy - xy * xy;
-    // A polygon 10^6 times longer than wide: then rounding makes the weights.
+    // A polygon 10^6 times longer than wide: then the weights are rounding errors.
     if (!(determinant > 1e-12 * (xx + yy) * (xx + yy))) return {};
     for (const std::uint32_t corner : result.corners) {
         const glm::dvec2 p = points[corner] - mean;
@@ -110,7 +110,7 @@ void endRow(StencilTable& rows) {
     rows.rowStarts.push_back(static_cast<std::uint32_t>(rows.columns.size()));
 }
 
-/// The row of the polygon's `corner`; `columns` has one a corner.
+/// The row of the polygon's `corner`; `columns` has one per corner.
 void appendRow(StencilTable& rows, const Derivatives& derivatives, std::uint32_t corner,
                std::span<const std::uint32_t> columns) {
     bool present = false;
@@ -139,7 +139,7 @@ std::vector<bool> holesOf(const Cage& cage) {
     return isHole;
 }
 
-/// Makes the table face by face. Points are numbered as faces first name their vertices.
+/// Builds the table face by face. Points are numbered as faces first name their vertices.
 class PolygonTable {
   public:
     explicit PolygonTable(const Cage& cage);
@@ -152,7 +152,7 @@ class PolygonTable {
 
     const Cage& cage_;
     std::vector<bool> isHole_;
-    std::vector<std::uint32_t> pointOf_;  // One a vertex of the cage.
+    std::vector<std::uint32_t> pointOf_;  // One per vertex of the cage.
     std::uint32_t pointsSeen_ = 0;
     StencilTable seamPositions_, seamUvs_;
     RefinedCage result_;

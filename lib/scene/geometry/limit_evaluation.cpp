@@ -14,43 +14,43 @@ namespace candela {
 namespace {
 
 /// A point in one vector register; missing components are 0.
-typedef float Four __attribute__((vector_size(16)));
+typedef float Float4 __attribute__((vector_size(16)));
 
-Four padded(const glm::vec3& v) {
-    return Four{v.x, v.y, v.z, 0.0f};
+Float4 padded(const glm::vec3& v) {
+    return Float4{v.x, v.y, v.z, 0.0f};
 }
-Four padded(const glm::vec2& v) {
-    return Four{v.x, v.y, 0.0f, 0.0f};
+Float4 padded(const glm::vec2& v) {
+    return Float4{v.x, v.y, 0.0f, 0.0f};
 }
 
 template <typename Vector>
-std::vector<Four> paddedPoints(std::span<const Vector> points) {
-    std::vector<Four> result(points.size());
+std::vector<Float4> paddedPoints(std::span<const Vector> points) {
+    std::vector<Float4> result(points.size());
     std::transform(points.begin(), points.end(), result.begin(),
                    [](const Vector& point) { return padded(point); });
     return result;
 }
 
 template <typename Vector>
-void store(Vector& to, Four from) {
+void store(Vector& to, Float4 from) {
     std::memcpy(&to, &from, sizeof to);
 }
 
-glm::vec3 vec3(Four v) {
+glm::vec3 vec3(Float4 v) {
     return {v[0], v[1], v[2]};
 }
 
 struct Sums {
-    Four value{}, du{}, dv{};
+    Float4 value{}, du{}, dv{};
 };
 
-Sums sumRow(const StencilTable& rows, std::size_t row, const Four* points) {
+Sums sumRow(const StencilTable& rows, std::size_t row, const Float4* points) {
     const std::uint32_t* columns = rows.columns.data();
     const float *weights = rows.weights.data(), *du = rows.duWeights.data(), *dv = rows.dvWeights.data();
     Sums sums;
     const std::size_t end = rows.rowStarts[row + 1];
     for (std::size_t entry = rows.rowStarts[row]; entry < end; ++entry) {
-        const Four point = points[columns[entry]];
+        const Float4 point = points[columns[entry]];
         sums.value += point * weights[entry];
         sums.du += point * du[entry];
         sums.dv += point * dv[entry];
@@ -68,8 +68,8 @@ glm::vec3 scaledToOne(const glm::vec3& v) {
     return largest > 0.0f && std::isfinite(largest) ? v / largest : glm::vec3(0.0f);
 }
 
-/// For tangents of any length, at the cost of divisions.
-glm::vec3 carefulNormal(const glm::vec3& du, const glm::vec3& dv) {
+/// For tangents of any length; slower.
+glm::vec3 robustNormal(const glm::vec3& du, const glm::vec3& dv) {
     const glm::vec3 normal = scaledToOne(glm::cross(scaledToOne(du), scaledToOne(dv)));
     return normal == glm::vec3(0.0f) ? normal : glm::normalize(normal);
 }
@@ -77,8 +77,8 @@ glm::vec3 carefulNormal(const glm::vec3& du, const glm::vec3& dv) {
 glm::vec3 normalOf(const glm::vec3& du, const glm::vec3& dv) {
     const glm::vec3 normal = glm::cross(du, dv);
     const float square = glm::dot(normal, normal);
-    // In between, no product on the way can have overflowed or lost digits that count.
-    if (!(square > 1e-20f && square < 1e30f)) return carefulNormal(du, dv);
+    // Within these limits no intermediate product overflows or loses relevant digits.
+    if (!(square > 1e-20f && square < 1e30f)) return robustNormal(du, dv);
     return normal * (1.0f / std::sqrt(square));
 }
 
@@ -102,7 +102,7 @@ void forRowBlocks(const StencilTable& rows, const Body& body) {
     };
     const std::size_t blockCount = costBefore(rowCount) / blockCost + 1;
     const auto run = [&](std::size_t block, unsigned) { body(firstRow(block), firstRow(block + 1)); };
-    // Too little work for several threads.
+    // Too little work to distribute.
     if (blockCount == 1) return run(0, 0);
     ThreadPool::shared()->run(blockCount, run);
 }
@@ -184,7 +184,7 @@ void evaluateValidatedLimit(const RefinedCage& refined, std::span<const glm::vec
                             const LimitVertices& out) {
     requireOutput(refined, out);
     if (refined.vertexCount() == 0) return;
-    const std::vector<Four> points = paddedPoints(cagePoints);
+    const std::vector<Float4> points = paddedPoints(cagePoints);
     forRowBlocks(refined.positions, [&](std::size_t first, std::size_t end) {
         for (std::size_t row = first; row < end; ++row) {
             const Sums sums = sumRow(refined.positions, row, points.data());
@@ -205,7 +205,7 @@ LimitUvs evaluateLimitUvs(const RefinedCage& refined, std::span<const glm::vec2>
     result.uvs.resize(rowCount);
     result.du.resize(rowCount);
     result.dv.resize(rowCount);
-    const std::vector<Four> points = paddedPoints(cageUvs);
+    const std::vector<Float4> points = paddedPoints(cageUvs);
     forRowBlocks(refined.uvs, [&](std::size_t first, std::size_t end) {
         for (std::size_t row = first; row < end; ++row) {
             const Sums sums = sumRow(refined.uvs, row, points.data());

@@ -29,7 +29,7 @@ template <typename Value>
 void copyToCorners(std::vector<Value>& values, const Mesh& mesh, std::size_t vertices,
                    const ErrorContext& element) {
     if (values.empty()) return;
-    element.require(values.size() == vertices, "an array has neither no element nor one a vertex");
+    element.require(values.size() == vertices, "an array has neither no element nor one per vertex");
     std::vector<Value> corners;
     corners.reserve(mesh.indices.size());
     for (const std::uint32_t index : mesh.indices) corners.push_back(values[index]);
@@ -38,7 +38,7 @@ void copyToCorners(std::vector<Value>& values, const Mesh& mesh, std::size_t ver
 
 }  // namespace
 
-void makeFlatNormals(Mesh& mesh) {
+void generateFlatNormals(Mesh& mesh) {
     const ErrorContext element("mesh", {}, mesh.name);
     requireTriangles(mesh, element);
     const std::size_t vertices = mesh.positions.size();
@@ -61,7 +61,7 @@ void makeFlatNormals(Mesh& mesh) {
 std::uint32_t replaceZeroNormals(Mesh& mesh) {
     const ErrorContext element("mesh", {}, mesh.name);
     requireTriangles(mesh, element);
-    element.require(mesh.normals.size() == mesh.positions.size(), "there must be one normal a vertex");
+    element.require(mesh.normals.size() == mesh.positions.size(), "there must be one normal per vertex");
     std::vector<bool> missing(mesh.normals.size());
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {

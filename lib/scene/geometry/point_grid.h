@@ -9,13 +9,13 @@
 
 namespace candela {
 
-/// Points in a rectangle of cells that just holds them, about one point a cell.
+/// A uniform grid over the bounding rectangle of points, about one point per cell.
 class PointGrid {
   public:
     /// Holds `members` of `points`, which lie in the unit square.
     PointGrid(const std::vector<glm::dvec2>& points, const std::vector<std::uint32_t>& members);
 
-    /// What becomes of the point that `visit` was called with.
+    /// What to do with the visited point.
     enum class Verdict { keep, drop, stop };
     /// Calls `visit(number)` for the points in all cells that the triangle meets, until it says `stop`.
     template <typename Visit>
@@ -41,7 +41,7 @@ class PointGrid {
 
     glm::dvec2 origin_{0.0}, scale_{1.0};
     std::size_t side_;                  // Cells along a side.
-    std::vector<std::uint32_t> first_;  // A list a cell.
+    std::vector<std::uint32_t> first_;  // One list per cell.
     std::vector<std::uint32_t> next_;   // One a point.
 };
 

@@ -45,7 +45,7 @@ struct VertexKey {
     std::uint32_t vertex;
 };
 
-// Bits compare in a strict order whatever the numbers are, NaN included. Adding 0 turns -0 into 0.
+// Bits compare in a strict order whatever the numbers are, NaN included. Adding 0 maps -0 to 0.
 std::uint32_t bitsOf(float value) {
     return std::bit_cast<std::uint32_t>(value + 0.0f);
 }
@@ -70,7 +70,8 @@ std::vector<std::uint32_t> weldVertices(const Mesh& mesh, const std::vector<glm:
     return first;
 }
 
-// Twice the area of the triangle's texture coordinates; positive when they turn as the front face does.
+// Twice the area of the triangle's texture coordinates; positive when their winding is that of the front
+// face.
 double uvArea(const Mesh& mesh, const std::vector<glm::vec2>& uv, std::size_t triangle) {
     const std::uint32_t* corner = mesh.indices.data() + triangle * 3;
     const glm::dvec2 a(uv[corner[0]]), b(uv[corner[1]]), c(uv[corner[2]]);
@@ -117,7 +118,7 @@ std::vector<Edge> sortedEdges(const TangentGroups& groups) {
     return edges;
 }
 
-// For each corner the corner whose edge runs back along its own, or noCorner. Where more than two triangles
+// For each corner the corner whose edge is its own in reverse, or noCorner. Where more than two triangles
 // meet at an edge, the first of each direction are paired, then the second ones, and so on.
 std::vector<std::uint32_t> pairEdges(const TangentGroups& groups) {
     const std::vector<Edge> edges = sortedEdges(groups);
@@ -168,13 +169,13 @@ class GroupGrowth {
     void tryToAdd(std::uint32_t corner, std::uint32_t group) {
         if (groups_.groupOfCorner[corner] != noCorner) return;
         const std::uint32_t triangle = corner / 3;
-        if (groups_.kinds[triangle] == TriangleKind::withoutUvArea && isUntouched(triangle)) {
+        if (groups_.kinds[triangle] == TriangleKind::withoutUvArea && isUngrouped(triangle)) {
             groups_.mirrored[triangle] = mirrored_;
         }
         if (groups_.mirrored[triangle] == mirrored_) add(corner, group);
     }
 
-    bool isUntouched(std::uint32_t triangle) const {
+    bool isUngrouped(std::uint32_t triangle) const {
         const std::uint32_t* group = groups_.groupOfCorner.data() + std::size_t{triangle} * 3;
         return group[0] == noCorner && group[1] == noCorner && group[2] == noCorner;
     }

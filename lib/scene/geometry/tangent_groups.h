@@ -14,16 +14,16 @@ constexpr std::uint32_t noCorner = 0xffffffffu;
 /// What a triangle adds to tangents.
 enum class TriangleKind : std::uint8_t {
     whole,
-    withoutUvArea,  ///< Has no direction of its own, and takes the orientation of a group that reaches it.
+    withoutUvArea,  ///< Has no tangent of its own, and takes the orientation of the group that reaches it.
     degenerate,     ///< Two of its positions coincide: no part of the surface.
 };
 
 /// Which triangle corners share a tangent. A corner is a place in `Mesh::indices`.
 struct TangentGroups {
     std::vector<std::uint32_t> vertexOfCorner;  ///< Equal for vertices of equal position, normal and uv.
-    std::vector<std::uint32_t> groupOfCorner;   ///< A corner that stands for the group.
-    std::vector<TriangleKind> kinds;            ///< One a triangle.
-    std::vector<bool> mirrored;                 ///< One a triangle: u × v points away from the front.
+    std::vector<std::uint32_t> groupOfCorner;   ///< The corner that identifies the group.
+    std::vector<TriangleKind> kinds;            ///< One per triangle.
+    std::vector<bool> mirrored;                 ///< One per triangle: u × v points away from the front.
 };
 
 /// Sorts the corners of `mesh` into groups by the rules of scene/geometry/tangents.h; `uv` has one element a

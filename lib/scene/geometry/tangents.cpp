@@ -30,8 +30,9 @@ glm::dvec3 inPlane(const glm::dvec3& vector, const glm::dvec3& normal) {
     return unitOrZero(vector - normal * glm::dot(normal, vector));
 }
 
-// The direction of growing u on a triangle, of any length.
-glm::dvec3 growingU(const Mesh& mesh, const std::vector<glm::vec2>& uv, std::size_t triangle, bool mirrored) {
+// The direction of increasing u on a triangle, of any length.
+glm::dvec3 uDirection(const Mesh& mesh, const std::vector<glm::vec2>& uv, std::size_t triangle,
+                      bool mirrored) {
     const std::uint32_t* index = mesh.indices.data() + triangle * 3;
     const glm::dvec3 origin(mesh.positions[index[0]]);
     const glm::dvec3 edge1 = glm::dvec3(mesh.positions[index[1]]) - origin;
@@ -46,7 +47,7 @@ using TriangleTerms = std::array<glm::vec3, 3>;
 // What the corners of a whole triangle add to the sums of their groups.
 TriangleTerms termsOf(const Mesh& mesh, const std::vector<glm::vec2>& uv, std::size_t triangle,
                       bool mirrored) {
-    const glm::dvec3 direction = growingU(mesh, uv, triangle, mirrored);
+    const glm::dvec3 direction = uDirection(mesh, uv, triangle, mirrored);
     const std::uint32_t* index = mesh.indices.data() + triangle * 3;
     TriangleTerms terms;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -60,7 +61,7 @@ TriangleTerms termsOf(const Mesh& mesh, const std::vector<glm::vec2>& uv, std::s
     return terms;
 }
 
-// The sum of each group, by the corner that stands for it. Terms are computed in parallel, a block of
+// The sum of each group, by the corner that identifies it. Terms are computed in parallel, a block of
 // triangles at a time to bound the memory, and added in the order of triangles: the sums do not depend on the
 // number of threads.
 std::vector<glm::vec3> sumTerms(const Mesh& mesh, const std::vector<glm::vec2>& uv,
@@ -121,21 +122,21 @@ struct Split {
 };
 
 template <typename Value>
-void repeat(std::vector<Value>& values, std::uint32_t vertex) {
+void duplicate(std::vector<Value>& values, std::uint32_t vertex) {
     if (!values.empty()) values.push_back(Value(values[vertex]));
 }
 
-void repeatVertex(Mesh& mesh, std::vector<std::uint32_t>& groupOfVertex, const Split& split) {
+void duplicateVertex(Mesh& mesh, std::vector<std::uint32_t>& groupOfVertex, const Split& split) {
     if (mesh.positions.size() >= std::numeric_limits<std::uint32_t>::max()) {
         throw Error(ErrorKind::limit, {},
                     ErrorContext("mesh", {}, mesh.name).label() +
                         ": has more vertices than 32 bits can count once tangents have split them");
     }
-    repeat(mesh.positions, split.vertex);
-    repeat(mesh.normals, split.vertex);
-    repeat(mesh.uv0, split.vertex);
-    repeat(mesh.uv1, split.vertex);
-    repeat(mesh.colors, split.vertex);
+    duplicate(mesh.positions, split.vertex);
+    duplicate(mesh.normals, split.vertex);
+    duplicate(mesh.uv0, split.vertex);
+    duplicate(mesh.uv1, split.vertex);
+    duplicate(mesh.colors, split.vertex);
     groupOfVertex.push_back(split.group);
 }
 
@@ -157,7 +158,7 @@ std::vector<std::uint32_t> splitVertices(Mesh& mesh, const std::vector<std::uint
         return std::tie(a.vertex, a.group, a.corner) < std::tie(b.vertex, b.group, b.corner);
     });
     for (std::size_t i = 0; i < splits.size(); ++i) {
-        if (i == 0 || !splits[i].sameVertexAs(splits[i - 1])) repeatVertex(mesh, groupOfVertex, splits[i]);
+        if (i == 0 || !splits[i].sameVertexAs(splits[i - 1])) duplicateVertex(mesh, groupOfVertex, splits[i]);
         mesh.indices[splits[i].corner] = static_cast<std::uint32_t>(mesh.positions.size() - 1);
     }
     return groupOfVertex;
@@ -173,17 +174,17 @@ void requireArrays(const Mesh& mesh, std::uint32_t uvSet) {
     requireTriangles(mesh, element);
     const std::size_t vertices = mesh.positions.size();
     element.require(uvSet <= 1, "tangents need set 0 or 1 of texture coordinates");
-    element.require(mesh.normals.size() == vertices, "tangents need one normal a vertex");
+    element.require(mesh.normals.size() == vertices, "tangents need one normal per vertex");
     element.require((uvSet == 0 ? mesh.uv0 : mesh.uv1).size() == vertices,
-                    "tangents need one texture coordinate a vertex");
+                    "tangents need one texture coordinate per vertex");
     for (const std::size_t size : {mesh.uv0.size(), mesh.uv1.size(), mesh.colors.size()}) {
-        element.require(size == 0 || size == vertices, "an array has neither no element nor one a vertex");
+        element.require(size == 0 || size == vertices, "an array has neither no element nor one per vertex");
     }
 }
 
 }  // namespace
 
-void makeTangents(Mesh& mesh, std::uint32_t uvSet) {
+void generateTangents(Mesh& mesh, std::uint32_t uvSet) {
     requireArrays(mesh, uvSet);
     const std::vector<glm::vec2>& uv = uvSet == 0 ? mesh.uv0 : mesh.uv1;
     const TangentGroups groups = tangentGroups(mesh, uv);
@@ -197,7 +198,7 @@ void makeTangents(Mesh& mesh, std::uint32_t uvSet) {
             mesh.tangents.push_back(anyTangent(mesh.normals[vertex]));
             continue;
         }
-        // v grows down the image, bitangents point up: an unmirrored triangle has w = -1.
+        // v increases down the image, bitangents point up: an unmirrored triangle has w = -1.
         const float side = groups.mirrored[group / 3] ? 1.0f : -1.0f;
         mesh.tangents.emplace_back(glm::normalize(sums[group]), side);
     }

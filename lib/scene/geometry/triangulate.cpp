@@ -16,21 +16,21 @@ namespace candela {
 
 namespace {
 
-/// Which way a, b, c turn: 1 counter-clockwise, -1 clockwise, 0 for less than rounding can tell of points in
-/// the unit square.
-int turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+/// The orientation of a, b, c: 1 counter-clockwise, -1 clockwise, 0 for less than rounding can tell of points
+/// in the unit square.
+int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     const glm::dvec2 u = b - a, v = c - a;
     const double area = u.x * v.y - u.y * v.x;
     const double bound = 1e-14 * (std::abs(u.x) + std::abs(u.y) + std::abs(v.x) + std::abs(v.y));
     return area > bound ? 1 : area < -bound ? -1 : 0;
 }
 
-/// A first-in, first-out queue of corners. An entry counts only as long as the corner still has the ticket
-/// that it was queued with.
+/// A first-in, first-out queue of corners. An entry is valid while the corner has the version
+/// with which it was queued.
 class CornerQueue {
   public:
     struct Entry {
-        std::uint32_t corner, ticket;
+        std::uint32_t corner, version;
     };
     bool empty() const { return head_ == entries_.size(); }
     void push(Entry entry) { entries_.push_back(entry); }
@@ -43,9 +43,9 @@ class CornerQueue {
 
 /// Cuts ears off a polygon in the unit square until a triangle is left. An ear is a convex corner whose
 /// triangle holds no other corner; only a corner that is not convex can be the first one inside. Cutting an
-/// ear off changes what its two neighbours are, but never makes an ear of another corner: what keeps that
-/// from being one lies outside the polygon, or on its border, and stays there. So a corner is looked at only
-/// when it has new neighbours.
+/// ear off may change the kind of its two neighbours, but never turns another corner into an ear: the corner
+/// that prevents this lies outside the remaining polygon or on its border, and stays there. So a corner is
+/// tested again only when its neighbours change.
 class EarClipper {
   public:
     EarClipper(std::vector<glm::dvec2> points, std::vector<std::uint32_t>& triangles);
@@ -56,15 +56,15 @@ class EarClipper {
     enum Kind { flat, blocked, reflex, ear };
     struct Corner {
         std::uint32_t previous, next;
-        std::uint32_t ticket = 0;
+        std::uint32_t version = 0;
         bool convex = false, cut = false;
     };
 
     static std::vector<std::uint32_t> findConvex(const std::vector<glm::dvec2>& points,
                                                  std::vector<Corner>& corners);
-    int turnAt(std::uint32_t corner) const;
+    int orientationAt(std::uint32_t corner) const;
     Kind kindOf(std::uint32_t corner);
-    bool holdsAnother(std::uint32_t corner);
+    bool containsAnother(std::uint32_t corner);
     bool current(CornerQueue::Entry entry) const;
     std::uint32_t chooseCorner();
     void changeNeighbours(std::uint32_t corner, std::uint32_t previous, std::uint32_t next);
@@ -92,7 +92,7 @@ std::vector<std::uint32_t> EarClipper::findConvex(const std::vector<glm::dvec2>&
     corners.resize(count);
     for (std::uint32_t corner = 0; corner < count; ++corner) {
         const std::uint32_t previous = (corner + count - 1) % count, next = (corner + 1) % count;
-        const bool convex = turn(points[previous], points[corner], points[next]) > 0;
+        const bool convex = orientation(points[previous], points[corner], points[next]) > 0;
         corners[corner] = {previous, next, 0, convex, false};
         if (!convex) notConvex.push_back(corner);
     }
@@ -124,23 +124,23 @@ std::uint32_t EarClipper::chooseCorner() {
 
 bool EarClipper::current(CornerQueue::Entry entry) const {
     const Corner& corner = corners_[entry.corner];
-    return !corner.cut && corner.ticket == entry.ticket;
+    return !corner.cut && corner.version == entry.version;
 }
 
-int EarClipper::turnAt(std::uint32_t corner) const {
-    return turn(points_[corners_[corner].previous], points_[corner], points_[corners_[corner].next]);
+int EarClipper::orientationAt(std::uint32_t corner) const {
+    return orientation(points_[corners_[corner].previous], points_[corner], points_[corners_[corner].next]);
 }
 
 EarClipper::Kind EarClipper::kindOf(std::uint32_t corner) {
-    const int turned = turnAt(corner);
-    if (turned < 0) return reflex;
-    if (turned == 0) return flat;
-    return holdsAnother(corner) ? blocked : ear;
+    const int sign = orientationAt(corner);
+    if (sign < 0) return reflex;
+    if (sign == 0) return flat;
+    return containsAnother(corner) ? blocked : ear;
 }
 
 /// Whether another corner lies in the triangle of this one or on its border. Corners where the triangle's own
 /// are do not count: there two parts of the border meet that do not cross.
-bool EarClipper::holdsAnother(std::uint32_t corner) {
+bool EarClipper::containsAnother(std::uint32_t corner) {
     const glm::dvec2 triangle[3] = {points_[corners_[corner].previous], points_[corner],
                                     points_[corners_[corner].next]};
     const auto& [a, b, c] = triangle;
@@ -148,7 +148,8 @@ bool EarClipper::holdsAnother(std::uint32_t corner) {
     notConvex_.visitTriangle(triangle, [&](std::uint32_t other) {
         if (corners_[other].cut || corners_[other].convex) return PointGrid::Verdict::drop;
         const glm::dvec2& p = points_[other];
-        if (turn(a, b, p) < 0 || turn(b, c, p) < 0 || turn(c, a, p) < 0 || p == a || p == b || p == c)
+        if (orientation(a, b, p) < 0 || orientation(b, c, p) < 0 || orientation(c, a, p) < 0 || p == a ||
+            p == b || p == c)
             return PointGrid::Verdict::keep;
         found = true;
         return PointGrid::Verdict::stop;
@@ -167,8 +168,8 @@ void EarClipper::cut(std::uint32_t corner) {
 void EarClipper::changeNeighbours(std::uint32_t corner, std::uint32_t previous, std::uint32_t next) {
     corners_[corner].previous = previous;
     corners_[corner].next = next;
-    corners_[corner].convex = turnAt(corner) > 0;
-    unknown_.push({corner, ++corners_[corner].ticket});
+    corners_[corner].convex = orientationAt(corner) > 0;
+    unknown_.push({corner, ++corners_[corner].version});
 }
 
 void EarClipper::append(std::uint32_t corner) {
@@ -193,13 +194,13 @@ void appendFan(std::uint32_t count, std::vector<std::uint32_t>& triangles) {
 
 void cutQuad(std::span<const glm::vec3> corners, const PolygonPlane& plane,
              std::vector<std::uint32_t>& triangles) {
-    const auto rightWayRound = [&](int a, int b, int c) {
+    const auto keepsWinding = [&](int a, int b, int c) {
         const glm::dvec3 from(corners[a]);
         const glm::dvec3 normal = glm::cross(glm::dvec3(corners[b]) - from, glm::dvec3(corners[c]) - from);
         return glm::dot(normal, plane.normal) > 0.0;
     };
-    const bool from0 = rightWayRound(0, 1, 2) && rightWayRound(0, 2, 3);
-    if (from0 || !(rightWayRound(1, 2, 3) && rightWayRound(1, 3, 0))) return appendFan(4, triangles);
+    const bool from0 = keepsWinding(0, 1, 2) && keepsWinding(0, 2, 3);
+    if (from0 || !(keepsWinding(1, 2, 3) && keepsWinding(1, 3, 0))) return appendFan(4, triangles);
     triangles.insert(triangles.end(), {1u, 2u, 3u, 1u, 3u, 0u});
 }
 

@@ -16,13 +16,13 @@ namespace {
 // Which of a key's values; a cubic spline holds three, the others one.
 enum class Part { inTangent, value, outTangent };
 
-// How many numbers make a value, if the channel has as many as its keys ask for.
+// The number of components of a value; the channel has as many as its keys require.
 std::size_t numbersPerValue(const AnimationChannel& channel) {
     const std::size_t parts = channel.interpolation == Interpolation::cubicSpline ? 3 : 1;
     return channel.values.size() / (channel.times.size() * parts);
 }
 
-// Number `index` of a key's value.
+// Component `index` of a key's value.
 double keyNumber(const AnimationChannel& channel, std::size_t index, std::size_t key,
                  Part part = Part::value) {
     const bool cubic = channel.interpolation == Interpolation::cubicSpline;
@@ -58,7 +58,7 @@ double cubicSpline(const AnimationChannel& channel, std::size_t index, const Mom
            keyNumber(channel, index, moment.key + 1, Part::inTangent) * moment.duration * (t3 - t2);
 }
 
-// Number `index` of the channel's value, each number for itself.
+// Component `index` of the channel's value, interpolated per component.
 double numberAt(const AnimationChannel& channel, std::size_t index, const Moment& moment) {
     if (moment.duration == 0.0) return keyNumber(channel, index, moment.key);
     if (channel.interpolation == Interpolation::cubicSpline) return cubicSpline(channel, index, moment);
@@ -95,7 +95,7 @@ glm::dvec4 rotationAt(const AnimationChannel& channel, const Moment& moment) {
     } else {
         for (int i = 0; i < 4; ++i) value[i] = numberAt(channel, static_cast<std::size_t>(i), moment);
     }
-    // A spline may pass through zero, which has no direction; then the key before holds.
+    // A spline may pass through zero, which has no direction; then the previous key applies.
     return unitOr(value, unitOr(from, glm::dvec4(0.0, 0.0, 0.0, 1.0)));
 }
 

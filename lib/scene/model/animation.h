@@ -15,7 +15,7 @@ namespace candela {
 /// weights.
 glm::dvec4 sampleChannel(const AnimationChannel& channel, double time);
 
-/// The same for a channel of morph weights: one a morph target.
+/// The same for a channel of morph weights: one per morph target.
 std::vector<float> sampleMorphWeights(const AnimationChannel& channel, double time);
 
 /// A node as animations pose it.
@@ -25,14 +25,14 @@ struct PosedNode {
 };
 
 /// The nodes whose transforms are animated, at `time`, in ascending order of node; where two animations move
-/// the same property, the later one in the scene holds. Throws `Error` (badInput) when a channel does not fit
-/// its node.
+/// the same property, the later one in the scene applies. Throws `Error` (badInput) when a channel does not
+/// fit its node.
 std::vector<PosedNode> poseAnimatedNodes(const Scene& scene, double time);
 
 /// The local matrix of a node's transform.
 glm::mat4 localMatrix(const std::variant<Transform, glm::mat4>& transform);
 
-/// One of `worldLights`. The light has passed `validate`, and `world` has one matrix a node.
+/// One of `worldLights`. The light has passed `validate`, and `world` has one matrix per node.
 WorldLight worldLight(const Light& light, const std::vector<glm::mat4>& world);
 
 /// The weights at `time` of the morph targets of the cage that `node` shows: those of the last channel that

@@ -53,7 +53,7 @@ glm::vec3 saturatedColor(float hue) {
     }
 }
 
-// Between the two by weights, so that the result never leaves them and their difference can not overflow.
+// Interpolates by weights: the result stays within the limits, and their difference can not overflow.
 float between(float low, float high, float u) {
     const float value = low * (1.0f - u) + high * u;
     return value < low ? low : value > high ? high : value;

@@ -53,7 +53,7 @@ std::vector<glm::mat4> worldTransforms(const Scene& scene, double time) {
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
         ErrorContext("node", i, node.name)
-            .require(!node.parent || *node.parent < i, "its parent must stand before it");
+            .require(!node.parent || *node.parent < i, "its parent must precede it");
         const bool animated = pose != posed.end() && pose->node == i;
         const glm::mat4 local = animated ? matrixOf((pose++)->transform) : localMatrix(node.transform);
         world[i] = node.parent ? world[*node.parent] * local : local;

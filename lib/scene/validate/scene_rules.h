@@ -8,8 +8,8 @@ namespace candela {
 
 // The limits of scenes, and the parts of `validate`.
 
-/// How far from the world's origin, in metres along each axis, meshes, lights and cameras may stand. Squared
-/// distances then fit a float with much to spare.
+/// How far from the world's origin, in metres along each axis, meshes, lights and cameras may be. Squared
+/// distances are then well within the range of a float.
 constexpr float maxCoordinate = 1e9f;
 
 /// The largest intensity of a light (candela or lux, times colour) and the largest emission.
@@ -49,7 +49,7 @@ void validateAnimation(const Animation& animation, const Scene& scene, const Err
 
 /// That the cages of all nodes exist and fit their skins and morph weights. Cages and skins have passed.
 void validateCageInstances(const Scene& scene);
-/// Where the nodes stand at time 0. All else has passed.
+/// The world positions at time 0. All else has passed.
 void validatePlaces(const Scene& scene);
 
 /// That the indices of a mesh are whole triangles and name vertices of the mesh, at most 2^32 - 1 of each.
@@ -59,14 +59,14 @@ void requireTriangles(const Mesh& mesh, const ErrorContext& element);
 void requireFaces(const Cage& cage, const ErrorContext& element);
 
 /// That a channel of an animation names a node which has what it animates, and has as many values as its
-/// keys ask for. The values are not read.
+/// keys require. The values are not read.
 void requireChannel(const AnimationChannel& channel, std::size_t index, const Scene& scene,
                     const ErrorContext& animation);
 
 /// That a time, in seconds, is finite.
 void requireTime(double time);
 
-/// That `world` has one matrix a node.
+/// That `world` has one matrix per node.
 void requireWorldMatrices(const Scene& scene, const std::vector<glm::mat4>& world);
 
 /// Which sets of texture coordinates an element has.

@@ -30,7 +30,7 @@ void validateMatrix(const glm::mat4& matrix, const ErrorContext& element) {
 
 void validateNode(const Node& node, std::size_t index, const Scene& scene, const ErrorContext& element) {
     element.requireIndex("node", node.parent, scene.nodes.size());
-    element.require(!node.parent || *node.parent < index, "its parent must stand before it");
+    element.require(!node.parent || *node.parent < index, "its parent must precede it");
     element.requireIndex("mesh", node.mesh, scene.meshes.size());
     if (const auto* transform = std::get_if<Transform>(&node.transform)) {
         validateTransform(*transform, element);

@@ -44,7 +44,7 @@ void validateTimes(const AnimationChannel& channel, const ChannelContext& elemen
     for (std::size_t i = 0; i < channel.times.size(); ++i) {
         element.require(std::isfinite(channel.times[i]), "its times must be finite numbers");
         element.require(i == 0 || channel.times[i] > channel.times[i - 1],
-                        "its times must be strictly growing");
+                        "its times must be strictly increasing");
     }
 }
 

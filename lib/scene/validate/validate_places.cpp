@@ -36,7 +36,7 @@ bool areNear(const std::vector<glm::vec3>& points, const glm::mat4& world) {
     return true;
 }
 
-// Points that many nodes may place, and their own box, which mostly spares a look at each.
+// Points that several nodes may instance, and their box, which usually replaces a test of each point.
 class BoxedPoints {
   public:
     explicit BoxedPoints(const std::vector<glm::vec3>& points) : points_(points), box_(ownBounds(points)) {}

@@ -113,7 +113,7 @@ TEST(LimitEvaluation, IsTheTableTimesThePoints) {
     }
 }
 
-TEST(LimitEvaluation, PutsTwinsWhereTheirPointIs) {
+TEST(LimitEvaluation, PlacesSeamVerticesAtTheirPoint) {
     std::mt19937 random(2);
     const RefinedCage refined = randomTable(random, 4000, 4000, 100);
     Vertices vertices(refined);

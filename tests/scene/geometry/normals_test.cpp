@@ -29,7 +29,7 @@ Mesh roof() {
 TEST(FlatNormals, EachTriangleHasItsOwn) {
     Mesh mesh = roof();
     const Mesh before = mesh;
-    makeFlatNormals(mesh);
+    generateFlatNormals(mesh);
     ASSERT_EQ(mesh.positions.size(), 6u);
     ASSERT_EQ(mesh.normals.size(), 6u);
     ASSERT_EQ(mesh.indices.size(), 6u);
@@ -50,7 +50,7 @@ TEST(FlatNormals, OfTrianglesWithoutAreaAreUp) {
     Mesh mesh;
     mesh.positions = {{1, 1, 1}, {2, 2, 2}, {3, 3, 3}};
     mesh.indices = {0, 1, 2, 0, 0, 0};
-    makeFlatNormals(mesh);
+    generateFlatNormals(mesh);
     for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, glm::vec3(0, 1, 0));
 }
 
@@ -59,7 +59,7 @@ TEST(FlatNormals, HaveUnitLengthAtEverySize) {
         Mesh mesh;
         mesh.positions = {{0, 0, 0}, {size, 0, 0}, {0, size, size}};
         mesh.indices = {0, 1, 2};
-        makeFlatNormals(mesh);
+        generateFlatNormals(mesh);
         // A rounding of each component.
         EXPECT_NEAR(glm::length(mesh.normals[0]), 1.0f, 2e-7f) << size;
         EXPECT_NEAR(mesh.normals[0].z, std::sqrt(0.5f), 2e-7f) << size;
@@ -68,7 +68,7 @@ TEST(FlatNormals, HaveUnitLengthAtEverySize) {
 
 TEST(FlatNormals, OfNothing) {
     Mesh mesh;
-    makeFlatNormals(mesh);
+    generateFlatNormals(mesh);
     EXPECT_TRUE(mesh.normals.empty());
 }
 
@@ -76,7 +76,7 @@ TEST(FlatNormals, RefuseIndicesOutOfRange) {
     Mesh mesh = roof();
     mesh.indices[4] = 4;
     try {
-        makeFlatNormals(mesh);
+        generateFlatNormals(mesh);
         FAIL() << "nothing was thrown";
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(), "mesh 'roof': index 4 names vertex 4, but there are 4");

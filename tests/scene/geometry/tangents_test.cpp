@@ -39,7 +39,7 @@ Mesh square() {
 }
 
 // Every tangent is what `validate` asks for, and perpendicular to its normal.
-void expectSound(const Mesh& mesh) {
+void expectValidTangents(const Mesh& mesh) {
     ASSERT_EQ(mesh.tangents.size(), mesh.positions.size());
     for (std::size_t i = 0; i < mesh.tangents.size(); ++i) {
         const glm::vec4& tangent = mesh.tangents[i];
@@ -51,7 +51,7 @@ void expectSound(const Mesh& mesh) {
 
 TEST(Tangents, OfAnUprightImage) {
     Mesh mesh = square();
-    makeTangents(mesh, 0);
+    generateTangents(mesh, 0);
     ASSERT_EQ(mesh.positions.size(), 4u) << "nothing is to be split";
     // u grows along +X, and cross(+Z, +X) × 1 = +Y is up in the image.
     for (const glm::vec4& tangent : mesh.tangents) expectNear(tangent, {1, 0, 0, 1});
@@ -59,15 +59,15 @@ TEST(Tangents, OfAnUprightImage) {
 
 TEST(Tangents, OfAnImageOnItsSide) {
     Mesh mesh = square();
-    for (glm::vec2& uv : mesh.uv0) uv = {uv.y, 1.0f - uv.x};  // Turned by a quarter: u grows down.
-    makeTangents(mesh, 0);
+    for (glm::vec2& uv : mesh.uv0) uv = {uv.y, 1.0f - uv.x};  // Rotated by 90 degrees: u increases downwards.
+    generateTangents(mesh, 0);
     for (const glm::vec4& tangent : mesh.tangents) expectNear(tangent, {0, -1, 0, 1});
 }
 
 TEST(Tangents, OfAMirroredImage) {
     Mesh mesh = square();
     for (glm::vec2& uv : mesh.uv0) uv.x = 1.0f - uv.x;
-    makeTangents(mesh, 0);
+    generateTangents(mesh, 0);
     // u grows along -X; the bitangent is still up: cross(+Z, -X) × -1 = +Y.
     for (const glm::vec4& tangent : mesh.tangents) expectNear(tangent, {-1, 0, 0, -1});
 }
@@ -76,14 +76,14 @@ TEST(Tangents, FromTheSecondSet) {
     Mesh mesh = square();
     mesh.uv1 = mesh.uv0;
     for (glm::vec2& uv : mesh.uv0) uv = glm::vec2(0.0f);
-    makeTangents(mesh, 1);
+    generateTangents(mesh, 1);
     expectNear(mesh.tangents[0], {1, 0, 0, 1});
 }
 
 TEST(Tangents, ScaleAndOffsetOfTheImageDoNotMatter) {
     Mesh mesh = square();
     for (glm::vec2& uv : mesh.uv0) uv = uv * glm::vec2(1e-6f, 300.0f) + glm::vec2(5e-6f, -20.0f);
-    makeTangents(mesh, 0);
+    generateTangents(mesh, 0);
     // The coordinates themselves are rounded: 5e-6 has steps of 5e-13, of 1e-6.
     for (const glm::vec4& tangent : mesh.tangents) expectNear(tangent, {1, 0, 0, 1}, 1e-5f);
 }
@@ -102,8 +102,8 @@ Mesh mirroredPair() {
 TEST(Tangents, MirroredHalvesSplitAtTheSeam) {
     Mesh mesh = mirroredPair();
     const Mesh before = mesh;
-    makeTangents(mesh, 0);
-    expectSound(mesh);
+    generateTangents(mesh, 0);
+    expectValidTangents(mesh);
     EXPECT_EQ(mesh.positions.size(), 8u) << "the two vertices of the seam are split";
     EXPECT_EQ(mesh.colors.size(), 8u);
     for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
@@ -130,8 +130,8 @@ TEST(Tangents, WeldEqualVertices) {
     for (const std::uint32_t index : shared.indices) single.uv0.push_back(shared.uv0[index]);
     single.colors.clear();
     for (std::uint32_t i = 0; i < single.indices.size(); ++i) single.indices[i] = i;
-    makeTangents(shared, 0);
-    makeTangents(single, 0);
+    generateTangents(shared, 0);
+    generateTangents(single, 0);
     EXPECT_EQ(single.positions.size(), single.indices.size()) << "nothing is to be split";
     for (std::size_t corner = 0; corner < shared.indices.size(); ++corner) {
         expectNear(single.tangents[single.indices[corner]], shared.tangents[shared.indices[corner]]);
@@ -146,7 +146,7 @@ TEST(Tangents, WeightByTheAngleOfTheCorner) {
     mesh.normals.assign(4, {0, 0, 1});
     mesh.indices = {0, 1, 2, 0, 2, 3};
     mesh.uv0 = {{0, 0}, {1, 0}, {0, -1}, {-1, -0.5f}};
-    makeTangents(mesh, 0);
+    generateTangents(mesh, 0);
     ASSERT_EQ(mesh.positions.size(), 4u);
     const float pi = std::numbers::pi_v<float>;
     const glm::vec3 first(1, 0, 0), second = glm::normalize(glm::vec3(1, -0.5f, 0));
@@ -158,7 +158,7 @@ TEST(Tangents, WeightByTheAngleOfTheCorner) {
 TEST(Tangents, LieInThePlaneOfTheVertexNormal) {
     Mesh mesh = square();
     mesh.normals.assign(4, glm::normalize(glm::vec3(1, 0, 1)));
-    makeTangents(mesh, 0);
+    generateTangents(mesh, 0);
     const float root = std::sqrt(0.5f);
     for (const glm::vec4& tangent : mesh.tangents) expectNear(tangent, {root, 0, -root, 1});
 }
@@ -191,11 +191,12 @@ Mesh sphere(int rings, int segments) {
 TEST(Tangents, OfASpherePointEast) {
     constexpr int rings = 32, segments = 64;
     Mesh mesh = sphere(rings, segments);
-    makeTangents(mesh, 0);
-    expectSound(mesh);
+    generateTangents(mesh, 0);
+    expectValidTangents(mesh);
     EXPECT_EQ(mesh.positions.size(), std::size_t{rings + 1} * (segments + 1)) << "nothing is to be split";
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        if (mesh.uv0[i].y < 0.1f || mesh.uv0[i].y > 0.9f) continue;  // Near the poles east turns quickly.
+        if (mesh.uv0[i].y < 0.1f || mesh.uv0[i].y > 0.9f)
+            continue;  // Near the poles the direction of east changes quickly.
         const float phi = 2.0f * std::numbers::pi_v<float> * mesh.uv0[i].x;
         // At the seam only the triangles of one side count, whose edge is half a segment off: 2 pi / 128.
         expectNear(mesh.tangents[i], {std::cos(phi), 0, -std::sin(phi), 1}, 0.05f);
@@ -208,18 +209,18 @@ TEST(Tangents, OfASpherePointEast) {
 TEST(Tangents, TrianglesWithoutUvAreaTakeTheirNeighbours) {
     Mesh mesh = square();
     mesh.uv0[3] = {0.5f, 0.5f};  // On the diagonal between 0 and 2: the second triangle has no area.
-    makeTangents(mesh, 0);
+    generateTangents(mesh, 0);
     ASSERT_EQ(mesh.positions.size(), 4u);
     for (const int i : {0, 1, 2}) expectNear(mesh.tangents[i], {1, 0, 0, 1});
     // Nothing but that triangle is at this corner: any perpendicular does.
-    expectSound(mesh);
+    expectValidTangents(mesh);
 }
 
 TEST(Tangents, TrianglesWithoutUvAreaTakeTheOrientationOfTheirNeighbours) {
     Mesh mesh = square();
     for (glm::vec2& uv : mesh.uv0) uv.x = 1.0f - uv.x;
     mesh.uv0[3] = {0.5f, 0.5f};
-    makeTangents(mesh, 0);
+    generateTangents(mesh, 0);
     for (const int i : {0, 1, 2}) expectNear(mesh.tangents[i], {-1, 0, 0, -1});
     ASSERT_EQ(mesh.positions.size(), 4u) << "the corners join those of the mirrored neighbour";
 }
@@ -227,15 +228,15 @@ TEST(Tangents, TrianglesWithoutUvAreaTakeTheOrientationOfTheirNeighbours) {
 TEST(Tangents, WithoutAnyUvAreaAreAnyPerpendicular) {
     Mesh mesh = square();
     for (glm::vec2& uv : mesh.uv0) uv = {0.3f, 0.3f};
-    makeTangents(mesh, 0);
-    expectSound(mesh);
+    generateTangents(mesh, 0);
+    expectValidTangents(mesh);
     EXPECT_EQ(mesh.positions.size(), 4u);
 }
 
 TEST(Tangents, DegenerateTrianglesTakeThoseAtTheirVertices) {
     Mesh mesh = square();
     mesh.indices.insert(mesh.indices.begin(), {0, 0, 1, 2, 2, 2});
-    makeTangents(mesh, 0);
+    generateTangents(mesh, 0);
     ASSERT_EQ(mesh.positions.size(), 4u);
     for (const glm::vec4& tangent : mesh.tangents) expectNear(tangent, {1, 0, 0, 1});
 }
@@ -245,18 +246,18 @@ TEST(Tangents, UnusedVerticesGetAnyPerpendicular) {
     mesh.positions.push_back(glm::vec3(7));
     mesh.normals.push_back({0, 1, 0});
     mesh.uv0.push_back(glm::vec2(0));
-    makeTangents(mesh, 0);
-    expectSound(mesh);
+    generateTangents(mesh, 0);
+    expectValidTangents(mesh);
 }
 
 TEST(Tangents, BarelyTouchingTrianglesDoNotMix) {
-    // Two triangles that share one vertex and no edge, with images turned by a quarter.
+    // Two triangles that share one vertex and no edge, with images rotated by 90 degrees.
     Mesh mesh;
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
     mesh.normals.assign(5, {0, 0, 1});
     mesh.uv0 = {{0, 0}, {1, 0}, {0, -1}, {0, -1}, {-1, 0}};
     mesh.indices = {0, 1, 2, 0, 3, 4};
-    makeTangents(mesh, 0);
+    generateTangents(mesh, 0);
     ASSERT_EQ(mesh.positions.size(), 6u);
     expectNear(mesh.tangents[mesh.indices[0]], {1, 0, 0, 1});
     expectNear(mesh.tangents[mesh.indices[3]], {0, 1, 0, 1});
@@ -279,19 +280,19 @@ TEST(Tangents, ManyTrianglesAtOneEdgeAndOneVertex) {
         }
     }
     mesh.normals.assign(mesh.positions.size(), {0, 0, 1});
-    makeTangents(mesh, 0);
-    expectSound(mesh);
+    generateTangents(mesh, 0);
+    expectValidTangents(mesh);
 }
 
-TEST(Tangents, BearNumbersThatAreNone) {
+TEST(Tangents, AcceptNonFiniteNumbers) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     for (const float bad : {nan, INFINITY, 3e38f, 1e-45f}) {
         Mesh mesh = square();
         mesh.positions[0].x = bad;
         mesh.uv0[1].y = bad;
         mesh.uv0[2].x = -bad;
-        makeTangents(mesh, 0);
-        expectSound(mesh);
+        generateTangents(mesh, 0);
+        expectValidTangents(mesh);
     }
 }
 
@@ -314,39 +315,39 @@ TEST(Tangents, DoNotDependOnTheNumberOfThreads) {
     }
     setThreadCount(1);
     Mesh serial = grid;
-    makeTangents(serial, 0);
+    generateTangents(serial, 0);
     for (const unsigned threads : {2u, 3u, 8u}) {
         setThreadCount(threads);
         Mesh parallel = grid;
-        makeTangents(parallel, 0);
+        generateTangents(parallel, 0);
         EXPECT_EQ(parallel.tangents, serial.tangents) << threads;
         EXPECT_EQ(parallel.indices, serial.indices) << threads;
     }
     setThreadCount(0);
 }
 
-TEST(Tangents, RefuseWhatTheyCanNotBeMadeFrom) {
+TEST(Tangents, RefuseInvalidMeshes) {
     const auto expectRefused = [](const Mesh& mesh, std::uint32_t set, const std::string& reason) {
         Mesh copy = mesh;
         try {
-            makeTangents(copy, set);
+            generateTangents(copy, set);
             ADD_FAILURE() << "nothing was thrown";
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::badInput);
             EXPECT_EQ(std::string(error.what()), "mesh 'square': " + reason);
         }
     };
-    expectRefused(square(), 1, "tangents need one texture coordinate a vertex");
+    expectRefused(square(), 1, "tangents need one texture coordinate per vertex");
     expectRefused(square(), 2, "tangents need set 0 or 1 of texture coordinates");
     Mesh mesh = square();
     mesh.normals.clear();
-    expectRefused(mesh, 0, "tangents need one normal a vertex");
+    expectRefused(mesh, 0, "tangents need one normal per vertex");
     mesh = square();
     mesh.indices[0] = 9;
     expectRefused(mesh, 0, "index 0 names vertex 9, but there are 4");
     mesh = square();
     mesh.colors.resize(1);
-    expectRefused(mesh, 0, "an array has neither no element nor one a vertex");
+    expectRefused(mesh, 0, "an array has neither no element nor one per vertex");
 }
 
 }  // namespace

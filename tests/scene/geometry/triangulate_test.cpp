@@ -19,7 +19,7 @@ using Corners = std::vector<std::uint32_t>;
 
 constexpr double pi = std::numbers::pi;
 
-Corners cutUp(const Polygon& polygon) {
+Corners triangulated(const Polygon& polygon) {
     Corners triangles;
     triangulate(polygon, triangles);
     return triangles;
@@ -48,16 +48,16 @@ void expectNumberOfTriangles(const Polygon& polygon, const Corners& triangles) {
     EXPECT_EQ(std::find(used.begin(), used.end(), false), used.end()) << "a corner is in no triangle";
 }
 
-// That the triangles cover a simple polygon once. Each lies the right way round, and together they have the
+// That the triangles cover a simple polygon once. Each has the polygon's winding, and together they have the
 // border of the polygon: so every point is covered as often as the border goes around it.
 void expectCovered(const Polygon& polygon) {
-    const Corners triangles = cutUp(polygon);
+    const Corners triangles = triangulated(polygon);
     expectNumberOfTriangles(polygon, triangles);
     const glm::dvec3 whole = area(polygon), normal = glm::normalize(whole);
     double sum = 0.0;
     for (std::size_t i = 0; i < triangles.size(); i += 3) {
         const double part = glm::dot(area(polygon, triangles[i], triangles[i + 1], triangles[i + 2]), normal);
-        // Slivers may be turned over by the rounding of a corner to a float, here on a length of up to 2.
+        // Slivers may be flipped by the rounding of a corner to a float, here on a length of up to 2.
         EXPECT_GE(part, -4e-7) << "triangle " << i / 3 << " of " << polygon.size() - 2;
         sum += part;
     }
@@ -79,7 +79,8 @@ Polygon randomStar(std::mt19937& random, std::uint32_t size) {
 }
 
 TEST(Triangulate, NothingBelowThreeCorners) {
-    for (std::size_t size = 0; size < 3; ++size) EXPECT_TRUE(cutUp(Polygon(size, glm::vec3(1))).empty());
+    for (std::size_t size = 0; size < 3; ++size)
+        EXPECT_TRUE(triangulated(Polygon(size, glm::vec3(1))).empty());
 }
 
 TEST(Triangulate, AppendsToWhatIsThere) {
@@ -90,24 +91,24 @@ TEST(Triangulate, AppendsToWhatIsThere) {
 
 TEST(Triangulate, CutsQuadsFromTheFirstCorner) {
     const Polygon square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    EXPECT_EQ(cutUp(square), (Corners{0, 1, 2, 0, 2, 3}));
+    EXPECT_EQ(triangulated(square), (Corners{0, 1, 2, 0, 2, 3}));
     const Polygon saddle = {{0, 0, 1}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}};
-    EXPECT_EQ(cutUp(saddle), (Corners{0, 1, 2, 0, 2, 3}));
+    EXPECT_EQ(triangulated(saddle), (Corners{0, 1, 2, 0, 2, 3}));
     const Polygon concaveAt2 = {{0, 0, 0}, {1, 0, 0}, {0.2f, 0.2f, 0}, {0, 1, 0}};
-    EXPECT_EQ(cutUp(concaveAt2), (Corners{0, 1, 2, 0, 2, 3}));
+    EXPECT_EQ(triangulated(concaveAt2), (Corners{0, 1, 2, 0, 2, 3}));
 }
 
-TEST(Triangulate, CutsQuadsTheOtherWayWhereTheyNeedIt) {
+TEST(Triangulate, CutsConcaveQuadsAlongTheOtherDiagonal) {
     const Polygon concaveAt1 = {{0, 0, 0}, {0.4f, 0.4f, 0}, {1, 0, 0}, {0.4f, 1, 0}};
-    EXPECT_EQ(cutUp(concaveAt1), (Corners{1, 2, 3, 1, 3, 0}));
+    EXPECT_EQ(triangulated(concaveAt1), (Corners{1, 2, 3, 1, 3, 0}));
     const Polygon flatAt3 = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.5f, 0.5f, 0}};
-    EXPECT_EQ(cutUp(flatAt3), (Corners{1, 2, 3, 1, 3, 0}));
+    EXPECT_EQ(triangulated(flatAt3), (Corners{1, 2, 3, 1, 3, 0}));
 }
 
 TEST(Triangulate, KeepsTheWindingOfAPolygonSeenFromBehind) {
     Polygon polygon = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 0.5f, 0}, {0, 2, 0}};
     std::reverse(polygon.begin(), polygon.end());
-    const Corners triangles = cutUp(polygon);
+    const Corners triangles = triangulated(polygon);
     expectNumberOfTriangles(polygon, triangles);
     for (std::size_t i = 0; i < triangles.size(); i += 3)
         EXPECT_LT(area(polygon, triangles[i], triangles[i + 1], triangles[i + 2]).z, 0.0);
@@ -124,12 +125,12 @@ TEST(Triangulate, CoversRandomStars) {
 TEST(Triangulate, CoversAtEverySize) {
     std::mt19937 random(2);
     const Polygon polygon = randomStar(random, 40);
-    const Corners expected = cutUp(polygon);
+    const Corners expected = triangulated(polygon);
     // Powers of two change no digit.
     for (const float size : {0x1p-100f, 0x1p-60f, 0x1p60f, 0x1p100f}) {
         Polygon scaled = polygon;
         for (glm::vec3& corner : scaled) corner *= size;
-        EXPECT_EQ(cutUp(scaled), expected) << size;
+        EXPECT_EQ(triangulated(scaled), expected) << size;
     }
 }
 
@@ -155,7 +156,7 @@ TEST(Triangulate, UsesCollinearCornersWithoutSlivers) {
     for (float t = 1.0f; t > 0.0f; t -= 0.125f) square.emplace_back(t, 1, 0);
     for (float t = 1.0f; t > 0.0f; t -= 0.125f) square.emplace_back(0, t, 0);
     expectCovered(square);
-    const Corners triangles = cutUp(square);
+    const Corners triangles = triangulated(square);
     for (std::size_t i = 0; i < triangles.size(); i += 3)
         EXPECT_GT(area(square, triangles[i], triangles[i + 1], triangles[i + 2]).z, 0.0);
 }
@@ -166,7 +167,7 @@ TEST(Triangulate, CoversASpiral) {
         const double angle = i * 0.1, radius = 0.02 + i * 0.002 + width;
         polygon.emplace_back(radius * std::cos(angle), 0, -radius * std::sin(angle));
     };
-    // A turn is 63 steps: the walls are 0.126 apart, and the corridor between them is 0.06 wide.
+    // A revolution is 63 steps: the walls are 0.126 apart, and the corridor between them is 0.06 wide.
     for (int i = 0; i < 400; ++i) turnOf(i, 0.06);
     for (int i = 399; i >= 0; --i) turnOf(i, 0.0);
     expectCovered(polygon);
@@ -189,7 +190,7 @@ TEST(Triangulate, SeesANonPlanarPolygonAlongItsNormal) {
         const double angle = 2.0 * pi * corner / 50, radius = corner % 2 == 0 ? 1.0 : 0.6;
         polygon.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height(random));
     }
-    const Corners triangles = cutUp(polygon);
+    const Corners triangles = triangulated(polygon);
     expectNumberOfTriangles(polygon, triangles);
     const glm::dvec3 normal = glm::normalize(area(polygon));
     EXPECT_GT(normal.z, 0.9) << "the test's own polygon";
@@ -197,7 +198,7 @@ TEST(Triangulate, SeesANonPlanarPolygonAlongItsNormal) {
         EXPECT_GT(glm::dot(area(polygon, triangles[i], triangles[i + 1], triangles[i + 2]), normal), 0.0);
 }
 
-TEST(Triangulate, KeepsTheNumberForPolygonsWithoutArea) {
+TEST(Triangulate, KeepsTheTriangleCountForPolygonsWithoutArea) {
     for (const std::size_t size : {3, 4, 5, 9, 100}) {
         SCOPED_TRACE(size);
         Polygon point(size, glm::vec3(1, 2, 3)), line, backAndForth;
@@ -206,11 +207,11 @@ TEST(Triangulate, KeepsTheNumberForPolygonsWithoutArea) {
             backAndForth.emplace_back(i % 2 == 0 ? 0 : 1, 0, 0);
         }
         for (const Polygon& polygon : {point, line, backAndForth})
-            expectNumberOfTriangles(polygon, cutUp(polygon));
+            expectNumberOfTriangles(polygon, triangulated(polygon));
     }
 }
 
-TEST(Triangulate, KeepsTheNumberForPolygonsThatAreNotSimple) {
+TEST(Triangulate, KeepsTheTriangleCountForPolygonsThatAreNotSimple) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
     for (int round = 0; round < 2000; ++round) {
@@ -224,11 +225,11 @@ TEST(Triangulate, KeepsTheNumberForPolygonsThatAreNotSimple) {
                               : round % 3 == 1 ? glm::round(any * 1.4f)
                                                : glm::vec3(any.x, any.y, any.x));
         }
-        expectNumberOfTriangles(polygon, cutUp(polygon));
+        expectNumberOfTriangles(polygon, triangulated(polygon));
     }
 }
 
-TEST(Triangulate, TakesRepeatedCorners) {
+TEST(Triangulate, AcceptsRepeatedCorners) {
     std::mt19937 random(6);
     Polygon polygon;
     for (const glm::vec3& corner : randomStar(random, 30))
@@ -236,11 +237,11 @@ TEST(Triangulate, TakesRepeatedCorners) {
     expectCovered(polygon);
 }
 
-TEST(Triangulate, TakesTheRangeOfFloats) {
+TEST(Triangulate, AcceptsTheRangeOfFloats) {
     const float huge = 3e38f, tiny = 1e-45f;
     for (const float size : {huge, tiny}) {
         const Polygon polygon = {{-size, 0, 0}, {0, -size, 0}, {size, 0, 0}, {0, size, 0}, {-size, size, 0}};
-        expectNumberOfTriangles(polygon, cutUp(polygon));
+        expectNumberOfTriangles(polygon, triangulated(polygon));
     }
 }
 

@@ -91,7 +91,7 @@ TEST(SampleChannel, RotatesAlongTheArcAtEvenSpeed) {
         expectNear(sampleChannel(channel, 1.0 + 2.0 * t), aroundZ(2.0 * t));
 }
 
-TEST(SampleChannel, RotatesTheShorterWay) {
+TEST(SampleChannel, RotatesAlongTheShorterArc) {
     std::vector<float> values;
     append(values, aroundZ(0.2));
     append(values, -aroundZ(1.2));
@@ -108,7 +108,7 @@ TEST(SampleChannel, EqualAndNearlyEqualRotations) {
 }
 
 TEST(SampleChannel, RightAngleBetweenQuaternions) {
-    // Half a turn: the cosine between the quaternions is 0, and either way is the shorter one.
+    // A rotation by 180 degrees: the cosine between the quaternions is 0, and both arcs are equally long.
     const AnimationChannel channel = rotations(Interpolation::linear, {0, 0, 0, 1, 0, 0, 1, 0});
     expectNear(sampleChannel(channel, 2.0), aroundZ(std::numbers::pi / 2.0));
 }
@@ -122,7 +122,7 @@ TEST(SampleChannel, RotationsAreUnitQuaternions) {
     expectNear(sampleChannel(cubic, 2.0), {0, 0, std::sqrt(0.5), std::sqrt(0.5)});
 }
 
-TEST(SampleChannel, SplineThroughNothingKeepsTheKeyBefore) {
+TEST(SampleChannel, SplineThroughZeroKeepsThePreviousKey) {
     const AnimationChannel cubic =
         rotations(Interpolation::cubicSpline,
                   {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0});
@@ -147,7 +147,7 @@ Animation moving(std::uint32_t node, AnimationPath path, std::vector<float> from
     return {{}, {channel}};
 }
 
-TEST(WorldTransforms, EveryAnimationPlaysAndMovesWhatHangsOnItsNodes) {
+TEST(WorldTransforms, EveryAnimationPlaysAndMovesChildNodes) {
     Scene scene;
     scene.nodes.resize(4);
     Transform still;
@@ -163,7 +163,7 @@ TEST(WorldTransforms, EveryAnimationPlaysAndMovesWhatHangsOnItsNodes) {
     EXPECT_EQ(glm::vec3(world[3][3]), glm::vec3(0, 5, 0));
 }
 
-TEST(WorldTransforms, TheLaterAnimationOfAPropertyHolds) {
+TEST(WorldTransforms, TheLaterAnimationOfAPropertyApplies) {
     Scene scene;
     scene.nodes.resize(1);
     scene.animations.push_back(moving(0, AnimationPath::translation, {0, 0, 0}, {2, 0, 0}));

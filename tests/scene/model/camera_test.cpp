@@ -59,7 +59,7 @@ TEST(LookAt, HasZUpWhenLookingAlongY) {
     }
 }
 
-TEST(LookAt, RefusesWhatIsNoView) {
+TEST(LookAt, RefusesInvalidViews) {
     const glm::vec3 eye(1.0f), target(2.0f);
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_THROW(lookAt(eye, eye, 1.0f), Error);
@@ -70,7 +70,7 @@ TEST(LookAt, RefusesWhatIsNoView) {
     EXPECT_THROW(lookAt(eye, target, nan), Error);
 }
 
-TEST(LookAt, BearsTheLargestAndSmallestDistances) {
+TEST(LookAt, AcceptsMinAndMaxDistances) {
     expectRigid(lookAt(glm::vec3(3e38f, 0.0f, 0.0f), glm::vec3(-3e38f, 0.0f, 1.0f), 1.0f).worldFromCamera);
     expectRigid(lookAt(glm::vec3(0.0f), glm::vec3(1e-40f, 0.0f, 0.0f), 1.0f).worldFromCamera);
 }
@@ -172,7 +172,7 @@ TEST(FrameBounds, LooksFromTheFrontTheRightAndAbove) {
     EXPECT_GT(view.eye().y, 0.0f);
 }
 
-TEST(FrameBounds, OfAPointStandsOffIt) {
+TEST(FrameBounds, OfAPointKeepsADistance) {
     for (const float where : {0.0f, 1.0f, 1e9f}) {
         const CameraView view = frameBounds({glm::vec3(where), glm::vec3(where)}, 1.0f);
         expectRigid(view.worldFromCamera);

@@ -65,7 +65,7 @@ Light spotAt(std::optional<std::uint32_t> node) {
     return light;
 }
 
-TEST(PlaceLights, NodeMovesAndTurnsButScalesNeitherRangeNorIntensity) {
+TEST(PlaceLights, NodeMovesAndRotatesButScalesNeitherRangeNorIntensity) {
     Transform trs;
     trs.translation = {10.0f, 0.0f, 0.0f};
     trs.rotation = glm::angleAxis(-pi / 2.0f, glm::vec3(1.0f, 0.0f, 0.0f));  // -Z to -Y, Y to -Z.
@@ -83,7 +83,7 @@ TEST(PlaceLights, NodeMovesAndTurnsButScalesNeitherRangeNorIntensity) {
     EXPECT_EQ(placed[0].outerConeAngle, 0.5f);
 }
 
-TEST(PlaceLights, ScaleDoesNotTurnADirection) {
+TEST(PlaceLights, ScaleDoesNotRotateADirection) {
     Transform trs;
     trs.rotation = glm::angleAxis(0.7f, glm::normalize(glm::vec3(1.0f, 2.0f, 3.0f)));
     trs.scale = {9.0f, 1.0f, 0.1f};
@@ -95,7 +95,7 @@ TEST(PlaceLights, ScaleDoesNotTurnADirection) {
     expectNear(worldLights(scene, worldTransforms(scene))[0].direction, trs.rotation * light.direction);
 }
 
-TEST(PlaceLights, MirrorTurnsADirectionRound) {
+TEST(PlaceLights, MirrorReversesADirection) {
     Scene scene = sceneWithNode(glm::scale(glm::mat4(1.0f), glm::vec3(-2.0f, 1.0f, 1.0f)));
     Light light = spotAt(0);
     light.direction = {1.0f, 0.0f, 0.0f};
@@ -123,7 +123,7 @@ TEST(PlaceLights, SingularNodeStillGivesADirection) {
 
 const Bounds hall{{-10.0f, 0.0f, 5.0f}, {10.0f, 3.0f, 6.0f}};
 
-TEST(ScatterLights, StayInTheBoxAndKeepWhatIsAsked) {
+TEST(ScatterLights, StayInTheBoxWithTheGivenParameters) {
     std::vector<Light> lights(1);
     scatterLights(lights, hall, 1000, 2.5f, 8.0f);
     ASSERT_EQ(lights.size(), 1001u);
@@ -173,13 +173,13 @@ TEST(ScatterLights, FillTheBoxEvenly) {
         ++cells[cell(at.x)][cell(at.y)][cell(at.z)];
         color += glm::dvec3(light.color);
     }
-    // 1000 a cell; a fair draw deviates by more than 5 sigma (158) in one cell of 64 once in 27,000 seeds.
+    // 1000 per cell; a fair draw deviates by more than 5 sigma (158) in one cell of 64 once in 27,000 seeds.
     for (const auto& plane : cells) {
         for (const auto& row : plane) {
             for (const int n : row) EXPECT_NEAR(n, 1000, 158);
         }
     }
-    // The mean over a full turn of hue is 1/2 a channel; sigma is below 0.5 / sqrt(64000) = 0.002.
+    // The mean over all hues is 1/2 per channel; sigma is below 0.5 / sqrt(64000) = 0.002.
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(color[i] / count, 0.5, 0.01);
 }
 
@@ -200,7 +200,7 @@ TEST(ScatterLights, AreFrozen) {
     EXPECT_EQ(digest, 17640061409630307592u);
 }
 
-TEST(ScatterLights, RefuseWhatIsNoLight) {
+TEST(ScatterLights, RefuseInvalidParameters) {
     std::vector<Light> lights;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_THROW(scatterLights(lights, {}, 1, 1.0f, 1.0f), Error);

@@ -58,7 +58,7 @@ Animation weightsOverTime(Interpolation interpolation, std::vector<float> values
     return {{}, {channel}};
 }
 
-TEST(PoseCage, AtRestIsTheCageWhereItsNodeStands) {
+TEST(PoseCage, AtRestIsTheCageAtItsNode) {
     for (const std::vector<float>& weights : {std::vector<float>{}, std::vector<float>{0.0f, 0.0f}}) {
         const Scene scene = morphed(weights);
         const PosedCage posed = posedAt(scene, 0.0);
@@ -87,7 +87,7 @@ TEST(PoseCage, AnimatedWeightsReplaceThoseOfTheNode) {
     expectPoints(posedAt(scene, 2.0), {{3, 0, 0}, {2, 0, 0}, {0, 4, 24}});
 }
 
-TEST(PoseCage, AnimationsOfOtherNodesDoNotTouchIt) {
+TEST(PoseCage, AnimationsOfOtherNodesDoNotAffectIt) {
     Scene scene = morphed({0.0f, 0.0f});
     scene.nodes.push_back(scene.nodes[0]);
     scene.animations.push_back(weightsOverTime(Interpolation::step, {1, 1, 1, 1}));
@@ -164,7 +164,7 @@ TEST(PoseCage, ASkinAtRestLeavesTheCageAndIgnoresItsNode) {
     EXPECT_EQ(posed.worldFromPoints, glm::mat4(1.0f));
 }
 
-TEST(PoseCage, JointsCarryVerticesByTheirWeights) {
+TEST(PoseCage, JointsMoveVerticesByTheirWeights) {
     Scene scene = arm();
     bendElbow(scene);
     // Around (2, 0, 0): x = 4 comes to (2, 2, 0), x = 3 to (2, 1, 0), which counts by half.
@@ -185,24 +185,24 @@ TEST(PoseCage, MorphTargetsComeBeforeTheSkin) {
     bendElbow(scene);
     scene.cages[0].morphTargets.push_back({{{0, 0, 1}, {0, 0, 1}, {2, 0, 0}}});
     scene.nodes[0].cage->morphWeights = {0.5f};
-    // The last vertex moves to x = 5 before it turns.
+    // The last vertex moves to x = 5 before it is rotated.
     expectPoints(posedAt(scene, 0.0), {{1, 0, 0.5}, {2.5, 0.5, 0.5}, {2, 3, 0}});
 }
 
 TEST(PoseCage, JointsFollowTheirAnimation) {
     Scene scene = arm();
-    AnimationChannel turns;
-    turns.node = 2;
-    turns.path = AnimationPath::rotation;
-    turns.times = {0.0f, 1.0f};
-    turns.values = {0, 0, 0, 1, 0, 0, 1, 0};  // By 180 degrees around z.
-    scene.animations.push_back({{}, {turns}});
+    AnimationChannel rotation;
+    rotation.node = 2;
+    rotation.path = AnimationPath::rotation;
+    rotation.times = {0.0f, 1.0f};
+    rotation.values = {0, 0, 0, 1, 0, 0, 1, 0};  // By 180 degrees around z.
+    scene.animations.push_back({{}, {rotation}});
     expectPoints(posedAt(scene, 0.0), scene.cages[0].positions);
     expectPoints(posedAt(scene, 0.5), {{1, 0, 0}, {2.5, 0.5, 0}, {2, 2, 0}});
     expectPoints(posedAt(scene, 1.0), {{1, 0, 0}, {2, 0, 0}, {0, 0, 0}});
 }
 
-TEST(WorldBounds, HoldCagesAsTheyArePosed) {
+TEST(WorldBounds, EnclosePosedCages) {
     Scene scene = morphed({});
     scene.animations.push_back(weightsOverTime(Interpolation::step, {0, 0, 1, 0}));
     const Bounds before = worldBounds(scene, worldTransforms(scene, 0.0), 0.0);

@@ -49,7 +49,7 @@ TEST(WorldTransforms, ComposeTranslationRotationScaleDownTheHierarchy) {
     ASSERT_EQ(world.size(), 3u);
     expectNear(world[0] * glm::vec4(1.0f, 0.0f, 0.0f, 1.0f), {1.0f, 4.0f, 3.0f});
     expectNear(world[1][3], {1.0f, 4.0f, 3.0f});
-    // (1, 1, 1) in the root: scaled (2, 3, 4), turned (-3, 2, 4), moved.
+    // (1, 1, 1) in the root: scaled (2, 3, 4), rotated (-3, 2, 4), moved.
     expectNear(world[2][3], {-2.0f, 4.0f, 7.0f});
 }
 
@@ -64,19 +64,19 @@ TEST(WorldTransforms, RoundedQuaternionsDoNotScale) {
     }
 }
 
-TEST(WorldTransforms, DeepChainsAreNoProblem) {
+TEST(WorldTransforms, SupportDeepHierarchies) {
     Scene scene;
     scene.nodes.resize(200'000);
     for (std::uint32_t i = 1; i < scene.nodes.size(); ++i) scene.nodes[i].parent = i - 1;
     EXPECT_EQ(worldTransforms(scene).back(), glm::mat4(1.0f));
 }
 
-TEST(WorldTransforms, RefuseATimeThatIsNone) {
+TEST(WorldTransforms, RefuseANonFiniteTime) {
     EXPECT_THROW(worldTransforms({}, std::nan("")), Error);
     EXPECT_THROW(worldTransforms({}, INFINITY), Error);
 }
 
-TEST(WorldBounds, HoldWhatTheNodesShow) {
+TEST(WorldBounds, EncloseMeshesOfNodes) {
     Scene scene;
     scene.meshes.push_back(triangle());
     scene.nodes.resize(3);
@@ -88,7 +88,7 @@ TEST(WorldBounds, HoldWhatTheNodesShow) {
     scene.nodes[1].transform = turned;
     scene.nodes[2].transform = glm::translate(glm::mat4(1.0f), glm::vec3(1000.0f));  // Shows nothing.
     const Bounds bounds = worldBounds(scene, worldTransforms(scene));
-    // Turned by 45 degrees, (2, 0) comes to (√2, √2): the box is that of the vertices, not of a turned box.
+    // Rotated by 45 degrees, (2, 0) comes to (√2, √2): the box is that of the vertices, not of a rotated box.
     const float root = std::sqrt(2.0f);
     expectNear(bounds.min, {0.0f, 0.0f, -1.0f});
     expectNear(bounds.max, {10.0f + root, root, 0.0f});

@@ -2,9 +2,9 @@
 #include <candela/refined_cage.h>
 #include <candela/scene.h>
 
-#include "dice.h"
-#include "sample_cage_scene.h"
 #include "base/error_context.h"
+#include "fuzz_input.h"
+#include "sample_cage_scene.h"
 #include "support/fuzz_iterations.h"
 
 #include <gtest/gtest.h>
@@ -14,149 +14,149 @@
 namespace candela {
 namespace {
 
-void spoilTopology(Cage& cage, Dice& dice) {
-    switch (dice.below(7)) {
+void corruptTopology(Cage& cage, FuzzInput& fuzz) {
+    switch (fuzz.below(7)) {
         case 0:
-            dice.pick(cage.faceSizes) = dice.index();
+            fuzz.pick(cage.faceSizes) = fuzz.index();
             break;
         case 1:
-            dice.pick(cage.faceVertices) = dice.index();
+            fuzz.pick(cage.faceVertices) = fuzz.index();
             break;
         case 2:
-            std::swap(dice.pick(cage.faceVertices), dice.pick(cage.faceVertices));
+            std::swap(fuzz.pick(cage.faceVertices), fuzz.pick(cage.faceVertices));
             break;
         case 3:
-            cage.faceVertices.resize(dice.below(30));
+            cage.faceVertices.resize(fuzz.below(30));
             break;
         case 4:
-            cage.faceUvs.assign(dice.once(2) ? cage.faceVertices.size() : dice.below(30), dice.index());
+            cage.faceUvs.assign(fuzz.once(2) ? cage.faceVertices.size() : fuzz.below(30), fuzz.index());
             break;
         case 5:
-            cage.positions.resize(dice.below(12));
+            cage.positions.resize(fuzz.below(12));
             break;
         default:
-            cage.scheme = static_cast<SubdivisionScheme>(dice.below(4));
+            cage.scheme = static_cast<SubdivisionScheme>(fuzz.below(4));
             break;
     }
 }
 
-void spoilTags(Cage& cage, Dice& dice) {
-    switch (dice.below(6)) {
+void corruptTags(Cage& cage, FuzzInput& fuzz) {
+    switch (fuzz.below(6)) {
         case 0:
-            cage.creases.push_back({dice.index(), dice.index(), dice.number()});
+            cage.creases.push_back({fuzz.index(), fuzz.index(), fuzz.number()});
             break;
         case 1:
-            cage.corners.push_back({dice.index(), dice.number()});
+            cage.corners.push_back({fuzz.index(), fuzz.number()});
             break;
         case 2:
-            cage.holes.assign(dice.below(8), dice.index());
+            cage.holes.assign(fuzz.below(8), fuzz.index());
             break;
         case 3:
-            cage.faceMaterials.assign(dice.once(2) ? cage.faceSizes.size() : dice.below(8), dice.index());
+            cage.faceMaterials.assign(fuzz.once(2) ? cage.faceSizes.size() : fuzz.below(8), fuzz.index());
             break;
         case 4:
-            cage.level = dice.index();
+            cage.level = fuzz.index();
             break;
         default:
-            cage.faceVaryingInterpolation = static_cast<FaceVaryingInterpolation>(dice.below(8));
+            cage.faceVaryingInterpolation = static_cast<FaceVaryingInterpolation>(fuzz.below(8));
             break;
     }
 }
 
-void spoilMotion(Cage& cage, Dice& dice) {
-    switch (dice.below(6)) {
+void corruptMotion(Cage& cage, FuzzInput& fuzz) {
+    switch (fuzz.below(6)) {
         case 0:
-            cage.influenceCount = dice.index();
+            cage.influenceCount = fuzz.index();
             break;
         case 1:
-            if (!cage.joints.empty()) dice.pick(cage.joints) = dice.index();
+            if (!cage.joints.empty()) fuzz.pick(cage.joints) = fuzz.index();
             break;
         case 2:
-            if (!cage.jointWeights.empty()) dice.pick(cage.jointWeights) = dice.number();
+            if (!cage.jointWeights.empty()) fuzz.pick(cage.jointWeights) = fuzz.number();
             break;
         case 3:
-            cage.morphTargets.resize(dice.below(4));
+            cage.morphTargets.resize(fuzz.below(4));
             break;
         case 4:
-            if (!cage.morphTargets.empty()) cage.morphTargets[0].offsets.resize(dice.below(12));
+            if (!cage.morphTargets.empty()) cage.morphTargets[0].offsets.resize(fuzz.below(12));
             break;
         default:
-            if (!cage.positions.empty()) dice.spoil(dice.pick(cage.positions));
+            if (!cage.positions.empty()) fuzz.corrupt(fuzz.pick(cage.positions));
             break;
     }
 }
 
-void spoilShown(Node& node, Dice& dice) {
+void corruptShown(Node& node, FuzzInput& fuzz) {
     if (!node.cage) node.cage.emplace();
-    switch (dice.below(3)) {
+    switch (fuzz.below(3)) {
         case 0:
-            node.cage->cage = dice.index();
+            node.cage->cage = fuzz.index();
             break;
         case 1:
-            node.cage->skin = dice.index();
+            node.cage->skin = fuzz.index();
             break;
         default:
-            node.cage->morphWeights.assign(dice.below(4), dice.number());
+            node.cage->morphWeights.assign(fuzz.below(4), fuzz.number());
             break;
     }
 }
 
-void spoilSkin(Skin& skin, Dice& dice) {
-    switch (dice.below(4)) {
+void corruptSkin(Skin& skin, FuzzInput& fuzz) {
+    switch (fuzz.below(4)) {
         case 0:
-            dice.pick(skin.joints) = dice.index();
+            fuzz.pick(skin.joints) = fuzz.index();
             break;
         case 1:
-            skin.joints.resize(1 + dice.below(3));
+            skin.joints.resize(1 + fuzz.below(3));
             break;
         case 2:
-            skin.inverseBindMatrices.resize(1 + dice.below(3), glm::mat4(1.0f));
+            skin.inverseBindMatrices.resize(1 + fuzz.below(3), glm::mat4(1.0f));
             break;
         default:
-            dice.spoil(dice.pick(skin.inverseBindMatrices)[static_cast<int>(dice.below(4))]);
+            fuzz.corrupt(fuzz.pick(skin.inverseBindMatrices)[static_cast<int>(fuzz.below(4))]);
             break;
     }
 }
 
-void spoilChannel(AnimationChannel& channel, Dice& dice) {
-    switch (dice.below(4)) {
+void corruptChannel(AnimationChannel& channel, FuzzInput& fuzz) {
+    switch (fuzz.below(4)) {
         case 0:
-            channel.node = dice.index();
+            channel.node = fuzz.index();
             break;
         case 1:
-            channel.path = static_cast<AnimationPath>(dice.below(5));
+            channel.path = static_cast<AnimationPath>(fuzz.below(5));
             break;
         case 2:
-            channel.interpolation = static_cast<Interpolation>(dice.below(4));
+            channel.interpolation = static_cast<Interpolation>(fuzz.below(4));
             break;
         default:
-            dice.pick(channel.values) = dice.number();
+            fuzz.pick(channel.values) = fuzz.number();
             break;
     }
 }
 
-Scene oddScene(Dice& dice) {
+Scene randomScene(FuzzInput& fuzz) {
     Scene scene = sampleCageScene();
-    if (dice.once(2)) scene.animations.clear();
-    for (std::uint32_t changes = 1 + dice.below(2); changes > 0; --changes) {
-        switch (dice.below(6)) {
+    if (fuzz.once(2)) scene.animations.clear();
+    for (std::uint32_t changes = 1 + fuzz.below(2); changes > 0; --changes) {
+        switch (fuzz.below(6)) {
             case 0:
-                spoilTopology(dice.pick(scene.cages), dice);
+                corruptTopology(fuzz.pick(scene.cages), fuzz);
                 break;
             case 1:
-                spoilTags(dice.pick(scene.cages), dice);
+                corruptTags(fuzz.pick(scene.cages), fuzz);
                 break;
             case 2:
-                spoilMotion(dice.pick(scene.cages), dice);
+                corruptMotion(fuzz.pick(scene.cages), fuzz);
                 break;
             case 3:
-                spoilShown(dice.pick(scene.nodes), dice);
+                corruptShown(fuzz.pick(scene.nodes), fuzz);
                 break;
             case 4:
-                spoilSkin(scene.skins[0], dice);
+                corruptSkin(scene.skins[0], fuzz);
                 break;
             default:
-                if (!scene.animations.empty()) spoilChannel(dice.pick(scene.animations[0].channels), dice);
+                if (!scene.animations.empty()) corruptChannel(fuzz.pick(scene.animations[0].channels), fuzz);
                 break;
         }
     }
@@ -186,7 +186,7 @@ void expectNearPlaces(const Scene& scene) {
     ASSERT_TRUE(allFinite(frameBounds(worldBounds(scene, world), 1.5f).worldFromCamera));
 }
 
-void expectSoundPolygons(const Cage& cage) {
+void expectValidPolygons(const Cage& cage) {
     const RefinedCage polygons = cagePolygons(cage);
     for (const std::uint32_t vertex : polygons.faceVertices) ASSERT_LT(vertex, polygons.vertexCount());
     for (const std::uint32_t face : polygons.cageFaces) ASSERT_LT(face, cage.faceSizes.size());
@@ -199,12 +199,12 @@ TEST(CageFuzz, ValidCagesAreUsableAndOthersAreRefused) {
     std::uint32_t valid = 0;
     const std::uint32_t rounds = candela_test::fuzzIterations<std::uint32_t>(20'000);
     for (std::uint32_t seed = 0; seed < rounds; ++seed) {
-        Dice dice(seed);
-        const Scene scene = oddScene(dice);
+        FuzzInput fuzz(seed);
+        const Scene scene = randomScene(fuzz);
         if (!isValid(scene)) continue;
         ++valid;
         expectNearPlaces(scene);
-        for (const Cage& cage : scene.cages) expectSoundPolygons(cage);
+        for (const Cage& cage : scene.cages) expectValidPolygons(cage);
         for (const double time : {-1e300, 0.25, 1e300}) {
             worldBounds(scene, worldTransforms(scene, time), time);
         }

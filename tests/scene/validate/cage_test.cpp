@@ -17,7 +17,7 @@ void expectMessages(const std::vector<BrokenRule>& rules) {
     expectMessages(sampleCageScene(), rules);
 }
 
-TEST(ValidateCage, TakesSoundCages) {
+TEST(ValidateCage, AcceptsValidCages) {
     EXPECT_NO_THROW(validate(sampleCageScene()));
     Scene scene = sampleCageScene();
     scene.cages.emplace_back();  // Without a face.
@@ -52,8 +52,7 @@ TEST(ValidateCage, Rules) {
          [](Scene& s) { s.cages[0].creaseMethod = unknown<CreaseMethod>(); }},
         {"cage 0 'hull': its triangle subdivision is unknown",
          [](Scene& s) { s.cages[0].triangleSubdivision = unknown<TriangleSubdivision>(); }},
-        {"cage 0 'hull': its level is 0, but 1 to 8 was expected",
-         [](Scene& s) { s.cages[0].level = 0; }},
+        {"cage 0 'hull': its level is 0, but 1 to 8 was expected", [](Scene& s) { s.cages[0].level = 0; }},
         {"cage 0 'hull': its level is 9, but 1 to 8 was expected",
          [](Scene& s) { s.cages[0].level = maxSubdivisionLevel + 1; }},
     });
@@ -133,7 +132,7 @@ TEST(ValidateCage, Materials) {
     });
 }
 
-TEST(ValidateCage, WhatMovesIt) {
+TEST(ValidateCage, JointsAndMorphTargets) {
     expectMessages({
         {"cage 0 'hull': has 16 joints for 24 influences", [](Scene& s) { s.cages[0].influenceCount = 3; }},
         {"cage 0 'hull': has 16 joints for 0 influences", [](Scene& s) { s.cages[0].influenceCount = 0; }},
@@ -204,7 +203,7 @@ TEST(ValidateCage, AnimatedMorphWeights) {
          [](Scene& s) { s.animations[0].channels[2].interpolation = Interpolation::step; }},
         {"animation 0 'talk': channel 1: its values must be finite numbers of at most 1e9",
          [](Scene& s) { s.animations[0].channels[1].values[3] = 2e9f; }},
-        {"animation 0 'talk': channel 1: its times must be strictly growing",
+        {"animation 0 'talk': channel 1: its times must be strictly increasing",
          [](Scene& s) {
              s.animations[0].channels[1].times = {1.0f, 0.0f};
          }},

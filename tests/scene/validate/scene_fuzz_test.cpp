@@ -1,11 +1,11 @@
 #include <candela/error.h>
 #include <candela/scene.h>
 
-#include "dice.h"
+#include "base/error_context.h"
+#include "fuzz_input.h"
 #include "sample_scene.h"
 #include "scene/geometry/normals.h"
 #include "scene/geometry/tangents.h"
-#include "base/error_context.h"
 #include "support/fuzz_iterations.h"
 
 #include <gtest/gtest.h>
@@ -15,159 +15,159 @@
 namespace candela {
 namespace {
 
-void spoilMesh(Mesh& mesh, Dice& dice) {
-    switch (dice.below(9)) {
+void corruptMesh(Mesh& mesh, FuzzInput& fuzz) {
+    switch (fuzz.below(9)) {
         case 0:
-            dice.spoil(dice.pick(mesh.positions));
+            fuzz.corrupt(fuzz.pick(mesh.positions));
             break;
         case 1:
-            dice.spoil(dice.pick(mesh.normals));
+            fuzz.corrupt(fuzz.pick(mesh.normals));
             break;
         case 2:
-            dice.spoil(dice.pick(mesh.uv0));
+            fuzz.corrupt(fuzz.pick(mesh.uv0));
             break;
         case 3:
-            dice.pick(mesh.indices) = dice.index();
+            fuzz.pick(mesh.indices) = fuzz.index();
             break;
         case 4:
-            dice.pick(mesh.submeshes).firstIndex = dice.index();
+            fuzz.pick(mesh.submeshes).firstIndex = fuzz.index();
             break;
         case 5:
-            dice.pick(mesh.submeshes).indexCount = dice.index();
+            fuzz.pick(mesh.submeshes).indexCount = fuzz.index();
             break;
         case 6:
-            dice.pick(mesh.submeshes).material = dice.index();
+            fuzz.pick(mesh.submeshes).material = fuzz.index();
             break;
         case 7:
-            mesh.uv1.resize(dice.below(6));
+            mesh.uv1.resize(fuzz.below(6));
             break;
         default:
-            dice.spoil(dice.pick(mesh.tangents));
+            fuzz.corrupt(fuzz.pick(mesh.tangents));
             break;
     }
 }
 
-void spoilNode(Node& node, Dice& dice) {
-    switch (dice.below(5)) {
+void corruptNode(Node& node, FuzzInput& fuzz) {
+    switch (fuzz.below(5)) {
         case 0:
-            node.parent = dice.index();
+            node.parent = fuzz.index();
             break;
         case 1:
-            node.mesh = dice.index();
+            node.mesh = fuzz.index();
             break;
         case 2: {
             glm::mat4 matrix(1.0f);
-            dice.spoil(matrix[static_cast<int>(dice.below(4))]);
+            fuzz.corrupt(matrix[static_cast<int>(fuzz.below(4))]);
             node.transform = matrix;
             break;
         }
         default: {
             Transform trs;
-            dice.spoil(trs.translation);
-            if (dice.once(2)) dice.spoil(trs.scale);
-            if (dice.once(2)) trs.rotation = glm::quat(dice.number(), 0.0f, dice.number(), 0.0f);
+            fuzz.corrupt(trs.translation);
+            if (fuzz.once(2)) fuzz.corrupt(trs.scale);
+            if (fuzz.once(2)) trs.rotation = glm::quat(fuzz.number(), 0.0f, fuzz.number(), 0.0f);
             node.transform = trs;
         }
     }
 }
 
-void spoilLight(Light& light, Dice& dice) {
-    switch (dice.below(7)) {
+void corruptLight(Light& light, FuzzInput& fuzz) {
+    switch (fuzz.below(7)) {
         case 0:
-            dice.spoil(light.color);
+            fuzz.corrupt(light.color);
             break;
         case 1:
-            light.intensity = dice.number();
+            light.intensity = fuzz.number();
             break;
         case 2:
-            light.range = dice.number();
+            light.range = fuzz.number();
             break;
         case 3:
-            light.outerConeAngle = dice.number();
+            light.outerConeAngle = fuzz.number();
             break;
         case 4:
-            dice.spoil(light.position);
+            fuzz.corrupt(light.position);
             break;
         case 5:
-            dice.spoil(light.direction);
+            fuzz.corrupt(light.direction);
             break;
         default:
-            light.node = dice.index();
+            light.node = fuzz.index();
             break;
     }
 }
 
-void spoilChannel(AnimationChannel& channel, Dice& dice) {
-    switch (dice.below(6)) {
+void corruptChannel(AnimationChannel& channel, FuzzInput& fuzz) {
+    switch (fuzz.below(6)) {
         case 0:
-            channel.node = dice.index();
+            channel.node = fuzz.index();
             break;
         case 1:
-            channel.path = static_cast<AnimationPath>(dice.below(5));
+            channel.path = static_cast<AnimationPath>(fuzz.below(5));
             break;
         case 2:
-            channel.interpolation = static_cast<Interpolation>(dice.below(4));
+            channel.interpolation = static_cast<Interpolation>(fuzz.below(4));
             break;
         case 3:
-            channel.times.assign(dice.below(3), dice.number());
+            channel.times.assign(fuzz.below(3), fuzz.number());
             break;
         case 4:
-            channel.values.resize(dice.below(20));
+            channel.values.resize(fuzz.below(20));
             break;
         default:
-            dice.pick(channel.values) = dice.number();
+            fuzz.pick(channel.values) = fuzz.number();
             break;
     }
 }
 
-void spoilMaterial(Material& material, Dice& dice) {
-    switch (dice.below(5)) {
+void corruptMaterial(Material& material, FuzzInput& fuzz) {
+    switch (fuzz.below(5)) {
         case 0:
-            dice.spoil(material.baseColor);
+            fuzz.corrupt(material.baseColor);
             break;
         case 1:
-            dice.spoil(material.emission);
+            fuzz.corrupt(material.emission);
             break;
         case 2:
-            material.roughness = dice.number();
+            material.roughness = fuzz.number();
             break;
         case 3:
-            material.baseColorTexture->image = dice.index();
+            material.baseColorTexture->image = fuzz.index();
             break;
         default:
-            material.baseColorTexture->uvSet = dice.index();
+            material.baseColorTexture->uvSet = fuzz.index();
             break;
     }
 }
 
-void spoilCamera(Camera& camera, Dice& dice) {
-    if (dice.once(2)) camera.verticalFov = dice.number();
-    if (dice.once(2)) camera.nearPlane = dice.number();
-    if (dice.once(4)) camera.node = dice.index();
+void corruptCamera(Camera& camera, FuzzInput& fuzz) {
+    if (fuzz.once(2)) camera.verticalFov = fuzz.number();
+    if (fuzz.once(2)) camera.nearPlane = fuzz.number();
+    if (fuzz.once(4)) camera.node = fuzz.index();
 }
 
-Scene oddScene(Dice& dice) {
+Scene randomScene(FuzzInput& fuzz) {
     Scene scene = sampleScene();
-    if (dice.once(2)) scene.animations.clear();
-    for (std::uint32_t changes = 1 + dice.below(2); changes > 0; --changes) {
-        switch (dice.below(7)) {
+    if (fuzz.once(2)) scene.animations.clear();
+    for (std::uint32_t changes = 1 + fuzz.below(2); changes > 0; --changes) {
+        switch (fuzz.below(7)) {
             case 0:
-                spoilMesh(scene.meshes[0], dice);
+                corruptMesh(scene.meshes[0], fuzz);
                 break;
             case 1:
-                spoilMaterial(scene.materials[0], dice);
+                corruptMaterial(scene.materials[0], fuzz);
                 break;
             case 2:
-                spoilLight(dice.pick(scene.lights), dice);
+                corruptLight(fuzz.pick(scene.lights), fuzz);
                 break;
             case 3:
-                spoilCamera(scene.cameras[0], dice);
+                corruptCamera(scene.cameras[0], fuzz);
                 break;
             case 4:
-                if (!scene.animations.empty()) spoilChannel(dice.pick(scene.animations[0].channels), dice);
+                if (!scene.animations.empty()) corruptChannel(fuzz.pick(scene.animations[0].channels), fuzz);
                 break;
             default:
-                spoilNode(dice.pick(scene.nodes), dice);
+                corruptNode(fuzz.pick(scene.nodes), fuzz);
                 break;
         }
     }
@@ -202,8 +202,8 @@ TEST(SceneFuzz, ValidScenesAreUsableAndOthersAreRefused) {
     std::uint32_t valid = 0;
     const std::uint32_t rounds = candela_test::fuzzIterations<std::uint32_t>(20'000);
     for (std::uint32_t seed = 0; seed < rounds; ++seed) {
-        Dice dice(seed);
-        const Scene scene = oddScene(dice);
+        FuzzInput fuzz(seed);
+        const Scene scene = randomScene(fuzz);
         if (!isValid(scene)) continue;
         ++valid;
         expectUsable(scene);
@@ -214,19 +214,19 @@ TEST(SceneFuzz, ValidScenesAreUsableAndOthersAreRefused) {
     EXPECT_LT(valid, rounds * 19 / 20);
 }
 
-TEST(SceneFuzz, NormalsAndTangentsOfOddMeshesAreSoundOrRefused) {
+TEST(SceneFuzz, NormalsAndTangentsOfCorruptMeshesAreValidOrRefused) {
     for (std::uint32_t seed = 0; seed < 20'000; ++seed) {
-        Dice dice(seed);
+        FuzzInput fuzz(seed);
         Mesh mesh = sampleScene().meshes[0];
-        for (std::uint32_t changes = dice.below(6); changes > 0; --changes) spoilMesh(mesh, dice);
+        for (std::uint32_t changes = fuzz.below(6); changes > 0; --changes) corruptMesh(mesh, fuzz);
         try {
-            if (dice.once(2)) {
-                makeFlatNormals(mesh);
+            if (fuzz.once(2)) {
+                generateFlatNormals(mesh);
             } else {
                 replaceZeroNormals(mesh);
             }
             for (const glm::vec3& normal : mesh.normals) ASSERT_TRUE(allFinite(normal)) << "seed " << seed;
-            makeTangents(mesh, dice.below(2));
+            generateTangents(mesh, fuzz.below(2));
         } catch (const Error&) {
             continue;
         }

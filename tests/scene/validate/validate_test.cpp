@@ -22,7 +22,7 @@ void expectMessages(const std::vector<BrokenRule>& rules) {
     expectMessages(sampleScene(), rules);
 }
 
-TEST(Validate, TakesSoundScenes) {
+TEST(Validate, AcceptsValidScenes) {
     EXPECT_NO_THROW(validate({}));
     EXPECT_NO_THROW(validate(sampleScene()));
 }
@@ -155,8 +155,8 @@ TEST(Validate, Nodes) {
     expectMessages({
         {"node 0 'root': refers to node 9, but the scene has 3 (counted from 0)",
          [](Scene& s) { s.nodes[0].parent = 9; }},
-        {"node 1 'arm': its parent must stand before it", [](Scene& s) { s.nodes[1].parent = 2; }},
-        {"node 1 'arm': its parent must stand before it", [](Scene& s) { s.nodes[1].parent = 1; }},
+        {"node 1 'arm': its parent must precede it", [](Scene& s) { s.nodes[1].parent = 2; }},
+        {"node 1 'arm': its parent must precede it", [](Scene& s) { s.nodes[1].parent = 1; }},
         {"node 1 'arm': refers to mesh 1, but the scene has 1 (counted from 0)",
          [](Scene& s) { s.nodes[1].mesh = 1; }},
         {"node 1 'arm': its translation must be finite numbers",
@@ -237,7 +237,7 @@ TEST(Validate, Animations) {
          [](Scene& s) { s.animations[0].channels[1].interpolation = unknown<Interpolation>(); }},
         {"animation 0 'walk': channel 2: it must have at least one key",
          [](Scene& s) { s.animations[0].channels[2].times.clear(); }},
-        {"animation 0 'walk': channel 0: its times must be strictly growing",
+        {"animation 0 'walk': channel 0: its times must be strictly increasing",
          [](Scene& s) {
              s.animations[0].channels[0].times = {1.0f, 1.0f};
          }},
@@ -290,7 +290,7 @@ TEST(Validate, PlacesAreThoseOfTheVertices) {
     EXPECT_NO_THROW(validate(scene));
 }
 
-TEST(Validate, TakesWhatIsUnusualButSound) {
+TEST(Validate, AcceptsUnusualValidScenes) {
     Scene scene = sampleScene();
     scene.nodes[2].transform = glm::scale(glm::mat4(1.0f), glm::vec3(0.0f));  // Singular.
     scene.meshes.emplace_back();                                              // Without a vertex.

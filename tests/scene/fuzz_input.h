@@ -8,27 +8,27 @@
 
 namespace candela {
 
-/// Draws values that are often odd. The engine's numbers are the same everywhere.
-class Dice {
+/// Random values, often edge cases. The sequence is the same on every machine.
+class FuzzInput {
   public:
-    explicit Dice(std::uint32_t seed) : engine_(seed) {}
+    explicit FuzzInput(std::uint32_t seed) : engine_(seed) {}
 
     std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(engine_()) % count; }
     bool once(std::uint32_t in) { return below(in) == 0; }
 
     float number() {
-        constexpr float odd[] = {0.0f,  -0.0f, 1.0f,    -1.0f,    0.5f,       1e-45f,   1e-20f,    1e9f,
-                                 1e10f, 1e20f, 3.4e38f, -3.4e38f, 1.5707964f, INFINITY, -INFINITY, NAN};
-        return odd[below(std::size(odd))];
+        constexpr float edgeCases[] = {0.0f,  -0.0f, 1.0f,    -1.0f,    0.5f,       1e-45f,   1e-20f,    1e9f,
+                                       1e10f, 1e20f, 3.4e38f, -3.4e38f, 1.5707964f, INFINITY, -INFINITY, NAN};
+        return edgeCases[below(std::size(edgeCases))];
     }
 
     std::uint32_t index() {
-        constexpr std::uint32_t odd[] = {0, 1, 2, 3, 4, 6, 9, 0x7fffffffu, 0xfffffffeu, 0xffffffffu};
-        return odd[below(std::size(odd))];
+        constexpr std::uint32_t edgeCases[] = {0, 1, 2, 3, 4, 6, 9, 0x7fffffffu, 0xfffffffeu, 0xffffffffu};
+        return edgeCases[below(std::size(edgeCases))];
     }
 
     template <typename Vector>
-    void spoil(Vector& vector) {
+    void corrupt(Vector& vector) {
         vector[static_cast<int>(below(static_cast<std::uint32_t>(vector.length())))] = number();
     }
 
