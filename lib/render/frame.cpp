@@ -85,15 +85,7 @@ void Frame::display(const DisplayTransform& transform, const FrameTarget& target
     Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
     checkTarget(target);
-    const DrawnFrame& frame = *state.frame;
-    const gl::PassTimer::Scope pass(state.timer, "display");
-    if (frame.settings.debugView == DebugView::none) {
-        state.display.render(
-            {state.targets->radiance, frame.settings.width, frame.settings.height, transform, target});
-    } else {
-        state.debugView->display(*state.targets, target);
-    }
-    if (frame.settings.overlays.wireframe || frame.settings.overlays.cage) state.overlays->display(target);
+    state.displayFrame(transform, target);
 }
 
 std::vector<std::uint8_t> Frame::displayPicture(const DisplayTransform& transform) const {
@@ -101,7 +93,7 @@ std::vector<std::uint8_t> Frame::displayPicture(const DisplayTransform& transfor
     const gl::StateGuard guard(*state.binding, user);
     const int width = state.targets->width, height = state.targets->height;
     if (!state.displayTarget) state.displayTarget.emplace(width, height);
-    display(transform, {.framebuffer = state.displayTarget->framebuffer.name()});
+    state.displayFrame(transform, {.framebuffer = state.displayTarget->framebuffer.name()});
     std::vector<std::uint8_t> pixels = readBytes(state.displayTarget->texture, width, height);
     flipRows(pixels, width, height);
     return pixels;

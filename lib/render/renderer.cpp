@@ -143,6 +143,17 @@ glm::vec3 Renderer::State::emissionAt(const GpuScene::State& scene, int x, int y
     return readColorAt(emissionTargets->radiance, x, y);
 }
 
+void Renderer::State::displayFrame(const DisplayTransform& transform, const FrameTarget& target) {
+    const FrameSettings& settings = frame->settings;
+    const gl::PassTimer::Scope pass(timer, "display");
+    if (settings.debugView == DebugView::none) {
+        display.render({targets->radiance, settings.width, settings.height, transform, target});
+    } else {
+        debugView->display(*targets, target);
+    }
+    if (hasLines(settings.overlays)) overlays->display(target);
+}
+
 void Renderer::State::render(GpuScene::State& scene, const CameraView& view, const FrameSettings& settings) {
     ++frameNumber;
     frame.reset();

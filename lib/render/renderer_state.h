@@ -48,6 +48,8 @@ struct Renderer::State {
     /// Emission at a pixel, y from the bottom. The frame's own radiance target holds light by now, so that the
     /// pixel is drawn again.
     glm::vec3 emissionAt(const GpuScene::State& scene, int x, int y);
+    /// Shows the frame and its overlays in a complete framebuffer.
+    void displayFrame(const DisplayTransform& transform, const FrameTarget& target);
 
     std::shared_ptr<gl::ContextBinding> binding;
     gl::PassTimer timer;
