@@ -33,6 +33,7 @@ class CandelaProgram final : public Program {
     void count(Result& result) override {
         const candela::PairCounts pairs = frame_->countPairs();
         result.technique = candela::toString(frame_->technique());
+        if (const auto backend = frame_->tileBackend()) result.tileBackend = candela::toString(*backend);
         result.pairsLit = pairs.pairsLit;
         result.pairsEvaluated = pairs.pairsEvaluated;
         result.lightsVisible = pairs.lightsVisible;

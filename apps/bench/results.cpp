@@ -80,6 +80,7 @@ Json rowOf(const Result& result) {
              {"pairs_lit", result.pairsLit.value_or(0)},
              {"pairs_evaluated", result.pairsEvaluated.value_or(0)},
              {"frames", result.frames}};
+    put(row, "tile_backend", result.tileBackend);
     put(row, "lights_visible", result.lightsVisible);
     put(row, "lights_dropped", result.lightsDropped);
     put(row, "light_list_bytes", result.lightListBytes);

@@ -27,7 +27,8 @@ struct Result {
     int width = 0, height = 0;
     /// The reason why the program could not draw the scene; all that follows is then unset.
     std::optional<std::string> error;
-    int frames = 0;  ///< Number of frames that the medians are taken over.
+    std::optional<std::string> tileBackend;  ///< What ran `tiles`: "cpu" or "compute".
+    int frames = 0;                          ///< Number of frames that the medians are taken over.
     double frame = 0.0;
     std::optional<double> geometry, lighting, display;
     std::optional<std::uint64_t> pairsLit, pairsEvaluated, lightsVisible, lightsDropped, lightListBytes;

@@ -172,6 +172,8 @@ void renderPictures(const Options& options) {
     stats.width = options.width;
     stats.height = options.height;
     stats.technique = frameWriter.frame().technique();
+    if (const auto backend = frameWriter.frame().tileBackend())
+        stats.tileBackend = candela::toString(*backend);
     stats.brdf = options.brdf;
     stats.threads = candela::threadCount();
     stats.subdivisionEvaluator = gpuScene.cageReport().evaluator;

@@ -62,6 +62,7 @@ std::string statsJson(const Stats& stats) {
           {"pairs_evaluated", stats.pairs.pairsEvaluated},
           {"lights_dropped", stats.pairs.lightsDropped}}},
         {"threads", stats.threads},
+        {"tile_backend", stats.tileBackend},
         {"subdivision_evaluator", stats.subdivisionEvaluator},
     };
     constexpr int indent = 2;

@@ -57,6 +57,9 @@ class CANDELA_API Frame {
     int height() const;
     /// The technique that drew it, never `automatic`.
     Technique technique() const;
+    /// What ran the technique `tiles`, never `automatic`; none where another technique or a debug view drew
+    /// it.
+    std::optional<TileBackend> tileBackend() const;
 
     /// Shows the frame through `transform`, with half a code value of dither, in the host's framebuffer; a
     /// debug view without either. Overlays lie over it. Throws `Error` (badInput) when the framebuffer does

@@ -81,6 +81,14 @@ Technique Frame::technique() const {
     return state().frame->technique;
 }
 
+std::optional<TileBackend> Frame::tileBackend() const {
+    const Renderer::State& state = this->state();
+    const DrawnFrame& frame = *state.frame;
+    if (frame.technique != Technique::tiles || frame.settings.debugView != DebugView::none)
+        return std::nullopt;
+    return state.lighting.tileBackend(frame.settings.tileBackend);
+}
+
 void Frame::display(const DisplayTransform& transform, const FrameTarget& target) const {
     Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
@@ -125,10 +133,7 @@ std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
     state.bindFrame();
     std::vector<float> emission, lightCount;
     if (usesSource(rows, ChannelSource::emission)) {
-        // The frame's own radiance target holds light by now: the emission is drawn again.
-        const GBufferTargets emissionTargets(targets.width, targets.height);
-        state.drawGeometry(*scene(), emissionTargets, LoadOp::clear);
-        emission = readColor(emissionTargets.radiance, targets.width, targets.height);
+        emission = readColor(state.drawEmission(*scene()).radiance, targets.width, targets.height);
     }
     if (usesSource(rows, ChannelSource::lightCount)) {
         const std::shared_ptr<GpuScene::State> scene = this->scene();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/gpu_scene/gpu_lights.h"
 #include "render/layout.h"
 
 #include <candela/camera.h>
@@ -8,10 +9,6 @@
 #include <glm/vec3.hpp>
 
 namespace candela {
-
-struct LightCounts {
-    int points = 0, spots = 0, directionals = 0;
-};
 
 /// The uniform block of a frame of `width` × `height` pixels.
 layout::FrameUniforms frameUniforms(const CameraView& view, int width, int height,

@@ -135,12 +135,16 @@ void Renderer::State::drawOverlays(GpuScene::State& scene) {
     overlays->render({scene, draws, *targets, frame->settings.overlays});
 }
 
+const GBufferTargets& Renderer::State::drawEmission(const GpuScene::State& scene) {
+    if (!emissionTargets) emissionTargets.emplace(targets->width, targets->height);
+    drawGeometry(scene, *emissionTargets, LoadOp::clear);
+    return *emissionTargets;
+}
+
 glm::vec3 Renderer::State::emissionAt(const GpuScene::State& scene, int x, int y) {
     if (!draws.emits()) return glm::vec3(0.0f);
-    if (!emissionTargets) emissionTargets.emplace(targets->width, targets->height);
     const Scissor pixel({x, y, 1, 1});
-    drawGeometry(scene, *emissionTargets, LoadOp::clear);
-    return readColorAt(emissionTargets->radiance, x, y);
+    return readColorAt(drawEmission(scene).radiance, x, y);
 }
 
 void Renderer::State::displayFrame(const DisplayTransform& transform, const FrameTarget& target) {

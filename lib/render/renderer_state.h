@@ -45,8 +45,10 @@ struct Renderer::State {
     LightingInputs lightingInputs(const GpuScene::State& scene) const;
     void bindFrame();
     void drawGeometry(const GpuScene::State& scene, const GBufferTargets& into, LoadOp radianceLoad);
-    /// Emission at a pixel, y from the bottom. The frame's own radiance target holds light by now, so that the
-    /// pixel is drawn again.
+    /// Draws the geometry again into targets whose radiance is the emission alone: that of the frame's own
+    /// targets is lit by now.
+    const GBufferTargets& drawEmission(const GpuScene::State& scene);
+    /// Emission at a pixel, y from the bottom.
     glm::vec3 emissionAt(const GpuScene::State& scene, int x, int y);
     /// Shows the frame and its overlays in a complete framebuffer.
     void displayFrame(const DisplayTransform& transform, const FrameTarget& target);
@@ -65,7 +67,7 @@ struct Renderer::State {
     std::optional<DebugViewPass> debugView;
     std::optional<OverlayPass> overlays;
     std::optional<GBufferTargets> targets;
-    std::optional<GBufferTargets> emissionTargets;  ///< Where `emissionAt` draws.
+    std::optional<GBufferTargets> emissionTargets;  ///< Where `drawEmission` draws.
     std::optional<DisplayTarget> displayTarget;
 
   private:

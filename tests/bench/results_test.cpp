@@ -72,6 +72,12 @@ TEST(BenchResults, NamesTheThreadsUsed) {
     EXPECT_EQ(benchOf({"--lights", "4", "--threads", "3"})["setup"]["threads"], 3);
 }
 
+TEST(BenchResults, NamesTheTileBackendUsed) {
+    const Json bench = benchOf({"--lights", "4", "--technique", "volumes,tiles", "--tiles", "compute"});
+    EXPECT_EQ(resultsOf(bench, "tiles").at(0)["tile_backend"], "compute");
+    EXPECT_FALSE(resultsOf(bench, "volumes").at(0).contains("tile_backend"));
+}
+
 TEST(BenchResults, AutoNamesTheTechniqueUsed) {
     const Json bench = benchOf({"--lights", "16"});
     ASSERT_EQ(bench["results"].size(), 1u);

@@ -31,8 +31,9 @@ Json statsOf(std::vector<std::string> arguments) {
 
 TEST(Stats, KeysAreThoseOfTheContract) {
     const Json stats = statsOf({"plaza:16", "--size", "64x36"});
-    EXPECT_EQ(keys(stats), (Names{"version", "renderer", "width", "height", "technique", "brdf", "scene",
-                                  "passes", "frame_ms", "counters", "threads", "subdivision_evaluator"}));
+    EXPECT_EQ(keys(stats),
+              (Names{"version", "renderer", "width", "height", "technique", "brdf", "scene", "passes",
+                     "frame_ms", "counters", "threads", "tile_backend", "subdivision_evaluator"}));
     EXPECT_EQ(keys(stats["scene"]), (Names{"triangles", "materials", "lights"}));
     EXPECT_EQ(keys(stats["frame_ms"]), (Names{"median", "min", "max", "count"}));
     EXPECT_EQ(keys(stats["counters"]),
@@ -45,6 +46,13 @@ TEST(Stats, KeysAreThoseOfTheContract) {
     }
 }
 
+TEST(Stats, TileBackendIsTheOneThatRan) {
+    for (const char* backend : {"cpu", "compute"}) {
+        const Json stats = statsOf({"plaza:16", "--size", "64x36", "--tiles", backend});
+        EXPECT_EQ(stats["tile_backend"], backend);
+    }
+}
+
 TEST(Stats, ValuesAreThoseOfTheDrawing) {
     const Json stats = statsOf({"plaza:16", "--size", "64x36", "--technique", "volumes", "--brdf", "gltf"});
     EXPECT_EQ(stats["version"], CANDELA_VERSION);
@@ -53,6 +61,7 @@ TEST(Stats, ValuesAreThoseOfTheDrawing) {
     EXPECT_EQ(stats["height"], 36);
     EXPECT_EQ(stats["technique"], "volumes");
     EXPECT_EQ(stats["brdf"], "gltf");
+    EXPECT_EQ(stats["tile_backend"], "") << "not tiles";
     EXPECT_EQ(stats["subdivision_evaluator"], "") << "no cages";
     EXPECT_EQ(stats["scene"]["lights"], 16);
     EXPECT_EQ(stats["counters"]["lights"], 16);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "render/frame_uniforms.h"
 #include "render/gpu_scene/record_buffer.h"
 
 #include <candela/gpu_scene.h>
@@ -13,6 +12,10 @@
 #include <vector>
 
 namespace candela {
+
+struct LightCounts {
+    int points = 0, spots = 0, directionals = 0;
+};
 
 /// Positions and ranges, a column each, for culling many at a time. The columns are `padding` longer than the
 /// lights are many.

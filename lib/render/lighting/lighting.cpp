@@ -17,10 +17,14 @@ std::unique_ptr<LightingTechnique> Lighting::create(Technique technique, TileBac
     return std::make_unique<ComputeTiles>();
 }
 
+TileBackend Lighting::tileBackend(TileBackend backend) const {
+    return backend == TileBackend::automatic ? deviceBackend_ : backend;
+}
+
 LightingTechnique& Lighting::technique(Technique technique, TileBackend backend) {
-    if (backend == TileBackend::automatic || technique != Technique::tiles) backend = deviceBackend_;
-    auto& entry = techniques_[{technique, backend}];
-    if (!entry) entry = create(technique, backend);
+    const TileBackend used = tileBackend(technique == Technique::tiles ? backend : TileBackend::automatic);
+    auto& entry = techniques_[{technique, used}];
+    if (!entry) entry = create(technique, used);
     return *entry;
 }
 

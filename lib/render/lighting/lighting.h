@@ -18,8 +18,11 @@ class Lighting {
   public:
     explicit Lighting(const Context& context);
 
-    /// `technique` is not `automatic`. `backend` matters for `tiles` only; `automatic` is `cpu` on a software
-    /// device and `compute` on a GPU.
+    /// What runs `tiles` where `backend` is asked for: never `automatic`, which is `cpu` on a software device
+    /// and `compute` on a GPU.
+    TileBackend tileBackend(TileBackend backend) const;
+
+    /// `technique` is not `automatic`. `backend` is read for `tiles` only.
     LightingTechnique& technique(Technique technique, TileBackend backend);
     PairCounter& counter();
 

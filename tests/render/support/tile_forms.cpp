@@ -1,6 +1,7 @@
 #include "support/tile_forms.h"
 
 #include "gl/state_guard.h"
+#include "render/frame_uniforms.h"
 #include "render/gbuffer/geometry_pass.h"
 #include "render/gbuffer/readback.h"
 #include "render/lighting/fullscreen/fullscreen_technique.h"
