@@ -16,7 +16,7 @@ std::uint32_t edgePoint(const FaceGrid& grid, std::uint32_t edge, std::uint32_t 
     return grid.firstEdgeSlot(edge) + t - 1;
 }
 
-/// The point of a face of four corners at column i and stencil j of its grid.
+/// The point of a face of four corners at column i and row j of its grid.
 std::uint32_t quadPoint(const FaceGrid& grid, std::uint32_t i, std::uint32_t j) {
     const std::uint32_t n = grid.segments;
     if (j == 0) return edgePoint(grid, 0, i);
@@ -26,7 +26,7 @@ std::uint32_t quadPoint(const FaceGrid& grid, std::uint32_t i, std::uint32_t j) 
     return grid.firstInnerSlot() + (j - 1) * (n - 1) + (i - 1);
 }
 
-/// The point of a Loop triangle at column i and stencil j.
+/// The point of a Loop triangle at column i and row j.
 std::uint32_t trianglePoint(const FaceGrid& grid, std::uint32_t i, std::uint32_t j) {
     const std::uint32_t n = grid.segments;
     if (j == 0) return edgePoint(grid, 0, i);
@@ -37,7 +37,7 @@ std::uint32_t trianglePoint(const FaceGrid& grid, std::uint32_t i, std::uint32_t
     return grid.firstInnerSlot() + before + (i - 1);
 }
 
-/// The point of a sub-face at column i and stencil j: corner (0, 0) is the face's corner of the same number,
+/// The point of a sub-face at column i and row j: corner (0, 0) is the face's corner of the same number,
 /// the columns run along the edge that begins there, and the far corner is the middle of the face. After that
 /// middle come the points on the lines from the middles of the edges to it, then those inside sub-faces.
 std::uint32_t subfacePoint(const FaceGrid& grid, std::uint32_t subface, std::uint32_t i, std::uint32_t j) {
@@ -78,7 +78,7 @@ class SlotBuilder {
     FaceGrid& grid_;
 };
 
-/// Cuts a patch of n × n quads whose slots are given stencil after stencil.
+/// Cuts a patch of n × n quads whose slots are given row by row.
 void addQuads(FaceGrid& grid, const std::vector<std::uint32_t>& slots, std::uint32_t n) {
     for (std::uint32_t j = 0; j < n; ++j) {
         for (std::uint32_t i = 0; i < n; ++i) {

@@ -14,9 +14,9 @@ candela::Mesh meshOf(const GltfFile& file) {
     return load(file).scene.meshes.at(0);
 }
 
-/// A instance triangle whose TEXCOORD_0 is accessor 2.
-void showTextured(GltfFile& file) {
-    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2})");
+/// Adds a node with a triangle whose TEXCOORD_0 is accessor 2.
+void addTexturedNode(GltfFile& file) {
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2})");
 }
 
 template <typename T>
@@ -25,7 +25,7 @@ Vectors2 texcoords(const std::vector<T>& values, const std::string& more) {
     addTriangle(file);
     file.addData<T>("VEC2", values, more);
     file.set("extensionsUsed", R"(["KHR_mesh_quantization"])");
-    showTextured(file);
+    addTexturedNode(file);
     return meshOf(file).uv0;
 }
 
@@ -48,7 +48,7 @@ TEST(Accessor, readsUnsignedBytes) {
 TEST(Accessor, readsSignedBytes) {
     EXPECT_EQ(texcoords<std::int8_t>({0, -1, 2, 127, -127, -128}, ""),
               (Vectors2{{0, -1}, {2, 127}, {-127, -128}}));
-    // -128 is the one integer without a counterpart: it is -1 like -127.
+    // -128 is clamped: both -127 and -128 are -1.
     EXPECT_EQ(texcoords<std::int8_t>({0, 127, -127, -128, 127, 0}, normalized),
               (Vectors2{{0, 1}, {-1, -1}, {1, 0}}));
 }
@@ -74,7 +74,7 @@ std::vector<std::uint32_t> indicesAs() {
     GltfFile file;
     addTriangle(file);
     file.addData<T>("SCALAR", {2, 0, 1});
-    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1},"indices":2)");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1},"indices":2)");
     return meshOf(file).indices;
 }
 
@@ -94,20 +94,20 @@ TEST(Accessor, followsStrideAndOffset) {
     const std::vector<float> normals{0, 0, 1, 0, 0, 1, 0, 0, 1};
     file.addData<float>("VEC3", normals);
     file.addAccessor(view, "VEC2", 5126, 3, R"("byteOffset":12)");
-    showTextured(file);
+    addTexturedNode(file);
     const candela::Mesh mesh = meshOf(file);
     EXPECT_EQ(mesh.positions, (Vectors3{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     EXPECT_EQ(mesh.uv0, (Vectors2{{0.1f, 0.2f}, {0.3f, 0.4f}, {0.5f, 0.6f}}));
 }
 
-TEST(Accessor, takesTheLastElementOfAStrideWithoutPadding) {
+TEST(Accessor, theLastElementOfAStrideNeedsNoPadding) {
     // 3 elements of 2 bytes at a stride of 4: the view ends with the last element, at byte 10.
     GltfFile file;
     addTriangle(file);
     const int view = file.addView({1, 2, 0, 0, 3, 4, 0, 0, 5, 6}, R"("byteStride":4)");
     file.addAccessor(view, "VEC2", 5121, 3);
     file.set("extensionsUsed", R"(["KHR_mesh_quantization"])");
-    showTextured(file);
+    addTexturedNode(file);
     EXPECT_EQ(meshOf(file).uv0, (Vectors2{{1, 2}, {3, 4}, {5, 6}}));
 }
 
@@ -116,7 +116,7 @@ Vectors2 sparseTexcoords(bool withBase) {
     GltfFile file;
     addTriangle(file);
     const int base = withBase ? file.addView(bytesOf<float>({1, 1, 2, 2, 3, 3})) : -1;
-    // Each behind 4 bytes of something else, so that the byteOffsets matter.
+    // 4 other bytes precede each array, so that the byteOffsets matter.
     Bytes indexBytes(4, 0xEE), valueBytes(4, 0xEE);
     for (const std::uint8_t byte : bytesOf<Index>({0, 2})) indexBytes.push_back(byte);
     for (const std::uint8_t byte : bytesOf<float>({7, 8, 9, 10})) valueBytes.push_back(byte);
@@ -126,7 +126,7 @@ Vectors2 sparseTexcoords(bool withBase) {
                      R"("sparse":{"count":2,"indices":{"bufferView":)" + indices +
                          R"(,"byteOffset":4,"componentType":)" + std::to_string(componentTypeOf<Index>()) +
                          R"(},"values":{"bufferView":)" + values + R"(,"byteOffset":4}})");
-    showTextured(file);
+    addTexturedNode(file);
     return meshOf(file).uv0;
 }
 
@@ -141,19 +141,19 @@ TEST(Accessor, appliesSparseValuesToZeros) {
     EXPECT_EQ(sparseTexcoords<std::uint16_t>(false), (Vectors2{{7, 8}, {0, 0}, {9, 10}}));
 }
 
-TEST(Accessor, isZeroWithoutABufferView) {
+TEST(Accessor, withoutABufferViewIsZero) {
     GltfFile file;
     addTriangle(file);
     file.addAccessor(-1, "VEC2", 5126, 3);
-    showTextured(file);
+    addTexturedNode(file);
     EXPECT_EQ(meshOf(file).uv0, Vectors2(3, glm::vec2(0)));
 }
 
-TEST(Accessor, indicesMayLackABufferViewToo) {
+TEST(Accessor, indicesWithoutABufferViewAreZero) {
     GltfFile file;
     addTriangle(file);
     file.addAccessor(-1, "SCALAR", 5123, 3);
-    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1},"indices":2)");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1},"indices":2)");
     EXPECT_EQ(meshOf(file).indices, std::vector<std::uint32_t>(3, 0));
 }
 
@@ -167,7 +167,7 @@ TEST(Accessor, quantizedPositionsNormalsAndTangents) {
         file.addView(bytesOf<std::int8_t>({0, 0, 127, 0, 0, 0, 127, 0, 0, 127, 0, 0}), R"("byteStride":4)");
     file.addAccessor(normals, "VEC3", 5120, 3, normalized);
     file.addData<std::int8_t>("VEC4", {127, 0, 0, 127, 127, 0, 0, -127, 127, 0, 0, -128}, normalized);
-    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2})");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2})");
     const candela::Mesh mesh = meshOf(file);
     EXPECT_EQ(mesh.positions, (Vectors3{{0, 0, -5}, {10, 0, 0}, {0, 20, 300}}));
     EXPECT_EQ(mesh.normals, (Vectors3{{0, 0, 1}, {0, 0, 1}, {0, 1, 0}}));

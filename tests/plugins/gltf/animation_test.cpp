@@ -45,7 +45,7 @@ TEST(Animation, stepScale) {
     EXPECT_EQ(channel.interpolation, candela::Interpolation::step);
 }
 
-TEST(Animation, cubicSplineHoldsThreeValuesAKey) {
+TEST(Animation, cubicSplineHasThreeValuesPerKey) {
     std::vector<float> values(27);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i);
     const candela::AnimationChannel channel =
@@ -98,7 +98,7 @@ TEST(Animation, channelsWithoutANodeAreIgnored) {
     EXPECT_EQ(load(file).scene.animations.at(0).channels.size(), 1u);
 }
 
-TEST(Animation, ofNodesOutsideTheSceneIsLeftOut) {
+TEST(Animation, ofNodesOutsideTheSceneIsOmitted) {
     GltfFile file = animatedFile<float>("scale", "VEC3", {1, 1, 1, 2, 2, 2, 3, 3, 3}, "STEP");
     file.add("scenes", R"({"nodes":[0]})");
     EXPECT_TRUE(load(file).scene.animations.empty());

@@ -7,7 +7,7 @@
 namespace candela_test {
 namespace {
 
-/// A fault of a file, and what the message says of it.
+/// A broken file, and what its error message must contain.
 struct BrokenCage {
     const char* name;
     std::function<void(GltfFile&)> write;
@@ -170,7 +170,7 @@ const BrokenCage brokenCages[] = {
 
 class BrokenCages : public testing::TestWithParam<BrokenCage> {};
 
-TEST_P(BrokenCages, areErrorsThatNameThePart) {
+TEST_P(BrokenCages, giveErrorsThatNameTheElement) {
     GltfFile file;
     GetParam().write(file);
     const std::string error = errorOf(file);

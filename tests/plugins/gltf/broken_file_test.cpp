@@ -8,7 +8,7 @@
 namespace candela_test {
 namespace {
 
-/// A file and what the message of the error must have in it: the element and the reason.
+/// A file and what its error message must contain: the element and the reason.
 struct Case {
     const char* name;
     std::string text;
@@ -19,12 +19,12 @@ std::string document(const std::string& members) {
     return R"({"asset":{"version":"2.0"},)" + members + "}";
 }
 
-/// A instance mesh 'wheel' whose primitive has these members; accessors 0 and 1 are its positions and
+/// A node with a mesh 'wheel' whose primitive has these members; accessors 0 and 1 are its positions and
 /// normals.
 GltfFile wheel(const std::string& primitive) {
     GltfFile file;
     addTriangle(file);
-    file.addShownMesh(primitive, "wheel");
+    file.addMeshNode(primitive, "wheel");
     return file;
 }
 
@@ -54,8 +54,8 @@ std::string wheelWithSparse(const std::vector<std::uint8_t>& indices, const std:
     });
 }
 
-std::string animated(const std::vector<float>& times, std::size_t values, const std::string& path,
-                     const std::string& node = "{}") {
+std::string animationFile(const std::vector<float>& times, std::size_t values, const std::string& path,
+                          const std::string& node = "{}") {
     GltfFile file;
     file.addData<float>("SCALAR", times);
     file.addData<float>("VEC3", std::vector<float>(values * 3, 1.0f));
@@ -130,10 +130,10 @@ std::vector<Case> brokenNodes() {
         {"projection",
          document(R"("nodes":[{"matrix":[1,0,0,0,0,1,0,0,0,0,1,1,0,0,0,0]}])"),
          {"node 0", "not affine"}},
-        {"twofold",
+        {"matrixAndTransform",
          document(R"("nodes":[{"scale":[1,1,1],"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}])"),
          {"node 0", "both a matrix"}},
-        {"wideCamera",
+        {"largeFov",
          document(R"("nodes":[{"camera":0}],"cameras":[{"name":"eye","type":"perspective",
                   "perspective":{"yfov":3.2,"znear":1}}])"),
          {"camera 0 'eye'", "yfov", "3.2"}},
@@ -148,7 +148,9 @@ std::vector<Case> brokenNodes() {
         {"wideCone",
          withLight(R"({"type":"spot","spot":{"outerConeAngle":2}})"),
          {"light 0, spot, outerConeAngle", "is 2"}},
-        {"darkLight", withLight(R"({"type":"point","intensity":-1})"), {"light 0, intensity", "0 or more"}},
+        {"negativeIntensity",
+         withLight(R"({"type":"point","intensity":-1})"),
+         {"light 0, intensity", "0 or more"}},
         {"lightRange", withLight(R"({"type":"point","range":0})"), {"light 0, range", "more than 0"}},
         {"lightIndex",
          document(R"("nodes":[{"extensions":{"KHR_lights_punctual":{"light":3}}}])"),
@@ -201,7 +203,7 @@ std::vector<Case> brokenMeshes() {
          wheelWithTexcoords(
              [](GltfFile& f) { f.addAccessor(0, "VEC2", 5126, 3, R"("byteOffset":9007199254740992)"); }),
          {"attribute TEXCOORD_0", "accessor 2"}},
-        {"hugerOffset",
+        {"maximumOffset",
          wheelWithTexcoords(
              [](GltfFile& f) { f.addAccessor(0, "VEC2", 5126, 3, R"("byteOffset":18446744073709551615)"); }),
          {"accessor 2, byteOffset"}},
@@ -212,7 +214,7 @@ std::vector<Case> brokenMeshes() {
          [] {
              GltfFile file;
              file.addAccessor(-1, "VEC3", 5126, 4000000000u);
-             file.addShownMesh(R"("attributes":{"POSITION":0})");
+             file.addMeshNode(R"("attributes":{"POSITION":0})");
              return file.text();
          }(),
          {"mesh 0, primitive 0, attribute POSITION", "accessor 0 has no bufferView and 4000000000 elements"}},
@@ -297,17 +299,17 @@ std::vector<Case> brokenData() {
         {"minFilter", withSampler(R"({"minFilter":1})"), {"sampler 0", "minFilter 1"}},
         {"magFilter", withSampler(R"({"magFilter":9987})"), {"sampler 0", "magFilter 9987"}},
         {"animationTimes",
-         animated({0, 2, 1}, 3, "scale"),
+         animationFile({0, 2, 1}, 3, "scale"),
          {"animation 0 'walk', channel 0, input", "time 2"}},
         {"animationCount",
-         animated({0, 1, 2}, 2, "scale"),
+         animationFile({0, 1, 2}, 2, "scale"),
          {"animation 0 'walk', channel 0, output", "accessor 1 has 2 elements, expected 3"}},
-        {"animationPath", animated({0}, 1, "colour"), {"animation 0 'walk', channel 0", "colour"}},
+        {"animationPath", animationFile({0}, 1, "colour"), {"animation 0 'walk', channel 0", "colour"}},
         {"animationType",
-         animated({0}, 1, "rotation"),
+         animationFile({0}, 1, "rotation"),
          {"channel 0, output", "VEC3 of FLOAT, expected VEC4"}},
         {"animatedMatrix",
-         animated({0}, 1, "scale", R"({"name":"hub","matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]})"),
+         animationFile({0}, 1, "scale", R"({"name":"hub","matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]})"),
          {"animation 0 'walk', channel 0", "node 0 'hub' has a matrix"}},
         {"animationSampler",
          document(R"("nodes":[{}],"animations":[{"samplers":[],"channels":[{"sampler":0,
@@ -317,14 +319,14 @@ std::vector<Case> brokenData() {
 }
 
 void expectErrors(const std::vector<Case>& cases) {
-    for (const Case& broken : cases) {
-        const std::string error = errorOfText(broken.text);
-        EXPECT_FALSE(error.empty()) << broken.name << " was read";
-        EXPECT_NE(error.find("scene.gltf: "), std::string::npos) << broken.name << ": " << error;
-        EXPECT_EQ(error.find('\n'), std::string::npos) << broken.name << ": " << error;
-        for (const std::string& part : broken.parts) {
+    for (const Case& test : cases) {
+        const std::string error = errorOfText(test.text);
+        EXPECT_FALSE(error.empty()) << test.name << " was accepted";
+        EXPECT_NE(error.find("scene.gltf: "), std::string::npos) << test.name << ": " << error;
+        EXPECT_EQ(error.find('\n'), std::string::npos) << test.name << ": " << error;
+        for (const std::string& part : test.parts) {
             EXPECT_NE(error.find(part), std::string::npos)
-                << broken.name << ": '" << part << "' is not in: " << error;
+                << test.name << ": '" << part << "' is not in: " << error;
         }
     }
 }
@@ -372,7 +374,7 @@ TEST(BrokenFile, glb) {
     }
 }
 
-TEST(BrokenFile, deepNestingIsNoCrash) {
+TEST(BrokenFile, deepNestingDoesNotCrash) {
     const std::string deep(200000, '[');
     EXPECT_NE(errorOfText(R"({"asset":{"version":"2.0"},"extras":)" + deep), "");
     const std::string closed = deep + std::string(deep.size(), ']');

@@ -12,7 +12,7 @@ struct CubeVertices {
     std::vector<std::uint8_t> indices;
 };
 
-/// Face `face` looks along one axis; its corners go counter-clockwise seen from outside.
+/// The normal of face `face` is along one axis; its corners are counter-clockwise seen from outside.
 void addFace(CubeVertices& cube, int face) {
     const int axis = face / 2, first = (axis + 1) % 3, second = (axis + 2) % 3;
     const float side = face % 2 == 0 ? 1.0f : -1.0f;
@@ -20,7 +20,7 @@ void addFace(CubeVertices& cube, int face) {
     for (const auto& [a, b] : around) {
         glm::vec3 position, normal(0.0f);
         position[axis] = normal[axis] = side;
-        position[first] = a * side;  // Mirrored with the side, so that the turn stays outwards.
+        position[first] = a * side;  // Mirrored with the side to keep the winding.
         position[second] = b;
         cube.positions.insert(cube.positions.end(), {position.x, position.y, position.z});
         cube.normals.insert(cube.normals.end(), {normal.x, normal.y, normal.z});

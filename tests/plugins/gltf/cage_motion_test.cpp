@@ -5,12 +5,12 @@
 namespace candela_test {
 namespace {
 
-/// Numbers of a float accessor as JSON attributes: `,"NAME":accessor`.
+/// A JSON attribute: `,"NAME":accessor`.
 std::string attribute(const std::string& name, int accessor) {
     return ",\"" + name + "\":" + std::to_string(accessor);
 }
 
-/// Node 0 shows a square from (0, 0) to (1, 1); its lower edge follows joint 0 and its upper one on joint 1,
+/// Node 0 instances a square from (0, 0) to (1, 1); its lower edge follows joint 0 and its upper one joint 1,
 /// both with weight 1. The joints are nodes 1 and 2.
 template <typename Joint, typename Weight>
 GltfFile skinnedFile(Weight one, const std::string& encoding = "") {
@@ -21,13 +21,12 @@ GltfFile skinnedFile(Weight one, const std::string& encoding = "") {
     return file;
 }
 
-/// A square like that, instance by a further node with a skin of these two joint nodes.
+/// Such a square, also instanced by a node with a skin of these two joints.
 GltfFile poseFile() {
     GltfFile file = skinnedFile<std::uint8_t, float>(1.0f);
     file.addData<float>("MAT4", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,  //
                                  1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1});
-    // Joint 1 stands at (0, 1, 0) in the bind pose. Here it stands at (0, 3, 0), turned by a quarter about
-    // +Z.
+    // Joint 1 is at (0, 1, 0) in the bind pose. Here it is at (0, 3, 0), rotated by 90 degrees about +Z.
     file.add("nodes", R"({"name":"lower","translation":[10,0,0]})");
     file.add("nodes", R"({"name":"upper","translation":[0,3,0],"rotation":[0,0,0.70710678,0.70710678]})");
     file.add("nodes", R"({"name":"body","mesh":0,"skin":0,"translation":[100,100,100]})");
@@ -44,23 +43,24 @@ candela::PosedCage poseOf(const candela::Scene& scene, std::uint32_t node, doubl
     return candela::poseCage(scene, node, candela::worldTransforms(scene, time), time);
 }
 
-TEST(CageMotion, aSkinCarriesTheCage) {
+TEST(CageMotion, aSkinDeformsTheCage) {
     const candela::Scene scene = load(poseFile()).scene;
     ASSERT_EQ(scene.skins.size(), 1u);
     EXPECT_EQ(scene.skins[0].name, "arm");
     EXPECT_EQ(scene.skins[0].joints, (std::vector<std::uint32_t>{1, 2}));
     ASSERT_EQ(scene.nodes.at(3).cage.value().skin, 0u);
     const candela::PosedCage posed = poseOf(scene, 3);
-    EXPECT_EQ(posed.worldFromPoints, glm::mat4(1.0f)) << "the node does not place a skinned cage";
+    EXPECT_EQ(posed.worldFromPoints, glm::mat4(1.0f))
+        << "the node's transform does not apply to a skinned cage";
     const candela::Cage& cage = scene.cages.at(0);
-    // The lower edge moves with joint 0; the bind matrix takes the upper one to y = 0, where it turns.
+    // The lower edge moves with joint 0; the bind matrix moves the upper one to y = 0, where it rotates.
     expectNear(posed.points[vertexAt(cage, {0, 0, 0})], {10, 0, 0});
     expectNear(posed.points[vertexAt(cage, {1, 0, 0})], {11, 0, 0});
     expectNear(posed.points[vertexAt(cage, {0, 1, 0})], {0, 3, 0});
     expectNear(posed.points[vertexAt(cage, {1, 1, 0})], {0, 4, 0});
 }
 
-TEST(CageMotion, aNodeWithoutTheSkinShowsTheBindPose) {
+TEST(CageMotion, aNodeWithoutTheSkinHasTheBindPose) {
     const candela::Scene scene = load(poseFile()).scene;
     EXPECT_FALSE(scene.nodes.at(0).cage.value().skin.has_value());
     EXPECT_EQ(poseOf(scene, 0).points, scene.cages.at(0).positions);
@@ -108,14 +108,14 @@ TEST(CageMotion, furtherSetsOfJoints) {
     EXPECT_EQ(cage.jointWeights.at(4), 0.5f);
 }
 
-TEST(CageMotion, verticesOnDifferentJointsStayApart) {
+TEST(CageMotion, verticesWithDifferentInfluencesAreNotWelded) {
     GltfFile file;
     file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0});
     file.addData<std::uint8_t>("VEC4", {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,  //
                                         1, 0, 0, 0, 0, 9, 0, 0, 0, 0, 0, 0});
     file.addData<float>("VEC4", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
     addCageMesh(file, R"({"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}})", "{}");
-    // (0, 1, 0) follows two joints; at (1, 0, 0) the joint without weight makes no difference.
+    // The vertices at (0, 1, 0) have different joints; those at (1, 0, 0) differ in a joint of weight 0 only.
     EXPECT_EQ(cageOf(file).positions.size(), 5u);
 }
 
@@ -128,11 +128,11 @@ TEST(CageMotion, skinsOfOtherMeshesAreNotAdded) {
     EXPECT_TRUE(hasNote(imported, "skins are not applied: 1 node"));
 }
 
-TEST(CageMotion, thereIsNoNoteOfTheBindPoseForCages) {
+TEST(CageMotion, skinnedCagesGiveNoBindPoseNote) {
     EXPECT_TRUE(load(poseFile()).report.notes.empty());
 }
 
-/// A square with two morph targets: one lifts vertex 2, at (1, 1, 0), by (0, 0, 4), the other moves all by
+/// A square with two morph targets: one moves vertex 2, at (1, 1, 0), by (0, 0, 4), the other all of them by
 /// (1, 0, 0). The first is a sparse accessor without a bufferView.
 GltfFile morphedFile(const std::string& mesh = "", const std::string& targets = "") {
     GltfFile file;
@@ -158,13 +158,13 @@ TEST(CageMotion, morphTargets) {
     EXPECT_EQ(cage.morphTargets[1].offsets, std::vector<glm::vec3>(4, glm::vec3(1, 0, 0)));
 }
 
-TEST(CageMotion, aTargetWithoutPositionsMovesNothing) {
+TEST(CageMotion, aTargetWithoutPositionsHasNoEffect) {
     const candela::Cage cage = cageOf(morphedFile("", R"(,"targets":[{"NORMAL":0}])"));
     ASSERT_EQ(cage.morphTargets.size(), 1u);
     EXPECT_EQ(cage.morphTargets[0].offsets, std::vector<glm::vec3>(4, glm::vec3(0)));
 }
 
-TEST(CageMotion, verticesThatMorphApartStayApart) {
+TEST(CageMotion, verticesWithDifferentMorphOffsetsAreNotWelded) {
     GltfFile file;
     file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0});
     file.addData<float>("VEC3", {0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 0, 0, 0});
@@ -176,7 +176,7 @@ glm::vec3 posedCorner(const candela::Scene& scene, std::uint32_t node, double ti
     return poseOf(scene, node, time).points[vertexAt(scene.cages.at(0), {1, 1, 0})];
 }
 
-TEST(CageMotion, weightsOfTheNodeGoBeforeThoseOfTheMesh) {
+TEST(CageMotion, nodeWeightsOverrideMeshWeights) {
     GltfFile file = morphedFile(R"("weights":[0.5,2])");
     file.add("nodes", R"({"mesh":0,"weights":[0.25,0]})");
     const candela::Scene scene = load(file).scene;
@@ -240,7 +240,7 @@ TEST(CageMotion, weightsOfOtherNodesAreNoted) {
                         "animation 0 'wave': morph weights are not applied"));
 }
 
-TEST(CageMotion, theWeightsOfAnAnimationFitTheTargets) {
+TEST(CageMotion, animatedWeightsMustMatchTheTargets) {
     const std::string error = errorOf(animatedFile("LINEAR", {0, 1}));
     EXPECT_NE(error.find("animation 0 'wave', channel 0, output: accessor"), std::string::npos) << error;
     EXPECT_NE(error.find("has 2 elements, expected 4"), std::string::npos) << error;

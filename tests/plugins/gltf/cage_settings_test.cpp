@@ -5,7 +5,7 @@
 namespace candela_test {
 namespace {
 
-TEST(CageSettings, aMeshThatSaysSoIsACage) {
+TEST(CageSettings, aMeshWithSettingsIsACage) {
     const candela::Scene scene = load(cubeFile()).scene;
     ASSERT_EQ(scene.cages.size(), 1u);
     EXPECT_TRUE(scene.meshes.empty());
@@ -85,14 +85,14 @@ TEST(CageSettings, methodsAndLevels) {
     EXPECT_EQ(cageWith("level", "8.0").level, 8u);
 }
 
-/// A setting at fault, and what the message says of it.
-struct Fault {
+/// An invalid setting, and what its error message must contain.
+struct InvalidSetting {
     std::string settings;
     std::vector<std::string> parts;
 };
 
-TEST(CageSettings, faultsNameMeshAndKey) {
-    const Fault faults[] = {
+TEST(CageSettings, errorsNameTheMeshAndTheKey) {
+    const InvalidSetting invalidSettings[] = {
         {"true", {"is not an object"}},
         {R"({"levels":2})", {"levels", "is not known"}},
         {R"({"scheme":1})", {"scheme", "expected catmullClark, loop or bilinear"}},
@@ -122,22 +122,22 @@ TEST(CageSettings, faultsNameMeshAndKey) {
         {R"({"holes":[0,6]})", {"holes 1", "face 6 does not exist: the mesh has 6"}},
         {R"({"scheme":"loop"})", {"face 0 has 4 corners", "triangles only"}},
     };
-    for (const Fault& fault : faults) {
-        const std::string error = errorOf(cubeFile(fault.settings));
-        EXPECT_NE(error.find("mesh 0 'cage'"), std::string::npos) << fault.settings << ": " << error;
-        for (const std::string& part : fault.parts) {
-            EXPECT_NE(error.find(part), std::string::npos) << fault.settings << ": " << error;
+    for (const InvalidSetting& invalid : invalidSettings) {
+        const std::string error = errorOf(cubeFile(invalid.settings));
+        EXPECT_NE(error.find("mesh 0 'cage'"), std::string::npos) << invalid.settings << ": " << error;
+        for (const std::string& part : invalid.parts) {
+            EXPECT_NE(error.find(part), std::string::npos) << invalid.settings << ": " << error;
         }
     }
 }
 
-/// The ends of a crease as the places of its vertices, in the order of the cage.
+/// The positions of the two vertices of a crease.
 std::pair<glm::vec3, glm::vec3> endsOf(const candela::Cage& cage, std::size_t crease) {
     return {cage.positions.at(cage.creases.at(crease).vertex0),
             cage.positions.at(cage.creases.at(crease).vertex1)};
 }
 
-TEST(CageSettings, creasesNameVerticesOfTheFile) {
+TEST(CageSettings, creasesUseVertexNumbersOfTheFile) {
     // Corners 1 and 2 of face 0, at +X: y is along the first axis, z along the second.
     const candela::Cage cage = cageOf(cubeFile(R"({"creases":[[1,2,2.5],[4,5,10]]})"));
     ASSERT_EQ(cage.creases.size(), 2u);
@@ -148,8 +148,8 @@ TEST(CageSettings, creasesNameVerticesOfTheFile) {
     EXPECT_EQ(cage.creases[1].sharpness, 10.0f);
 }
 
-TEST(CageSettings, anEdgeMayBeNamedFromBothSidesOfASeam) {
-    // Corners 3 and 2 of face 2, at +Y, stand where corners 1 and 2 of face 0, at +X, stand.
+TEST(CageSettings, bothSidesOfASeamMayNameAnEdge) {
+    // Corners 3 and 2 of face 2, at +Y, have the positions of corners 1 and 2 of face 0, at +X.
     const candela::Cage cage =
         cageOf(cubeFile(R"({"creases":[[1,2,3],[11,10,3]],"corners":[[2,1],[10,1]]})"));
     EXPECT_EQ(cage.creases.size(), 1u);
@@ -164,7 +164,7 @@ TEST(CageSettings, cornersAndHoles) {
     EXPECT_EQ(cage.holes, (std::vector<std::uint32_t>{5, 2}));
 }
 
-TEST(CageSettings, settingsOfAMeshThatIsNotShownAreCheckedToo) {
+TEST(CageSettings, settingsOfAnUnusedMeshAreChecked) {
     GltfFile file = triangleFile();
     file.add("meshes", R"({"primitives":[{"attributes":{"POSITION":0}}],
                            "extras":{"candela_subdivision":{"level":-1}}})");

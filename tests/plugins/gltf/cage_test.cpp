@@ -10,7 +10,7 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-TEST(Cage, verticesSplitAlongSeamsAreJoined) {
+TEST(Cage, verticesSplitAlongSeamsAreWelded) {
     const candela::Cage cage = cageOf(cubeFile());
     EXPECT_EQ(cage.positions.size(), 8u);
     EXPECT_EQ(cage.faceSizes, Indices(6, 4));
@@ -20,20 +20,20 @@ TEST(Cage, verticesSplitAlongSeamsAreJoined) {
             const bool isNew =
                 edges.insert({cage.faceVertices[4 * face + i], cage.faceVertices[4 * face + (i + 1) % 4]})
                     .second;
-            EXPECT_TRUE(isNew) << "two faces run the same way along an edge";
+            EXPECT_TRUE(isNew) << "two faces have an edge in the same direction";
         }
     }
-    // A closed surface: each of the 12 edges once either way.
+    // A closed surface: each of the 12 edges once in each direction.
     EXPECT_EQ(edges.size(), 24u);
 }
 
-TEST(Cage, cornersKeepTheirPlaces) {
+TEST(Cage, cornersKeepTheirPositions) {
     const candela::Cage cage = cageOf(cubeFile());
     const glm::vec3 expected[] = {{1, -1, -1}, {1, 1, -1}, {1, 1, 1}, {1, -1, 1}};
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(cage.positions[cage.faceVertices[i]], expected[i]);
 }
 
-TEST(Cage, seamsHaveUvsOfTheirOwn) {
+TEST(Cage, uvsDifferAcrossSeams) {
     const candela::Cage cage = cageOf(cubeFile());
     // Six squares side by side: no corner shares its texture coordinates with that of another face.
     EXPECT_EQ(cage.uvs.size(), 24u);
@@ -57,7 +57,7 @@ GltfFile twoSquares(float u, const std::string& settings = "{}") {
     return file;
 }
 
-TEST(Cage, equalUvsAtAVertexAreNoSeam) {
+TEST(Cage, equalUvsAtAVertexAreNotASeam) {
     const candela::Cage cage = cageOf(twoSquares(1.0f));
     EXPECT_EQ(cage.positions.size(), 6u);
     EXPECT_EQ(cage.uvs.size(), 6u);
@@ -73,7 +73,7 @@ TEST(Cage, differentUvsAtAVertexAreASeam) {
     EXPECT_NE(cage.faceUvs[1], cage.faceUvs[4]);
 }
 
-TEST(Cage, zeroAndMinusZeroAreOnePlace) {
+TEST(Cage, zeroAndMinusZeroAreWelded) {
     GltfFile file;
     file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0, -0.0f, 1, -0.0f, 1, 0, 0, 1, 1, 0});
     addCageMesh(file, R"({"attributes":{"POSITION":0}})", "{}");
@@ -89,10 +89,10 @@ TEST(Cage, withoutUvs) {
     EXPECT_EQ(cage.positions.size(), 4u);
 }
 
-TEST(Cage, degenerateFacesAreLeftOutAndCounted) {
+TEST(Cage, degenerateFacesAreOmittedAndCounted) {
     GltfFile file;
-    // The second triangle passes twice through (1, 0, 0) by two vertices of the file, the third by one; the
-    // fourth is a real one.
+    // The second triangle has (1, 0, 0) twice, as two vertices of the file, the third as one; the fourth is
+    // not degenerate.
     file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0});
     file.addData<std::uint8_t>("SCALAR", {0, 1, 2, 1, 3, 4, 0, 2, 2, 1, 4, 2});
     addCageMesh(file, R"({"attributes":{"POSITION":0},"indices":1})", R"({"holes":[1,3]})");
@@ -103,7 +103,7 @@ TEST(Cage, degenerateFacesAreLeftOutAndCounted) {
     EXPECT_EQ(cage.holes, (Indices{1})) << "holes count the faces of the file";
 }
 
-TEST(Cage, verticesOfNoFaceAreLeftOut) {
+TEST(Cage, unusedVerticesAreOmitted) {
     GltfFile file;
     file.addData<float>("VEC3", {9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0});
     file.addData<std::uint8_t>("SCALAR", {1, 2, 3});
@@ -113,7 +113,7 @@ TEST(Cage, verticesOfNoFaceAreLeftOut) {
     EXPECT_EQ(cage.corners.at(0).vertex, vertexAt(cage, {0, 1, 0}));
 }
 
-TEST(Cage, aSharpVertexOfNoFaceIsAnError) {
+TEST(Cage, aCornerWithoutAFaceIsAnError) {
     GltfFile file;
     file.addData<float>("VEC3", {9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0});
     file.addData<std::uint8_t>("SCALAR", {1, 2, 3});
@@ -122,7 +122,7 @@ TEST(Cage, aSharpVertexOfNoFaceIsAnError) {
         << errorOf(file);
 }
 
-/// Two triangles of one square, each a primitive of its own with a material of its own.
+/// Two triangles of a square, each a primitive with its own material.
 GltfFile twoPrimitives(const std::string& settings = "{}") {
     GltfFile file;
     file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 1, 1, 0});
@@ -136,7 +136,7 @@ GltfFile twoPrimitives(const std::string& settings = "{}") {
     return file;
 }
 
-TEST(Cage, primitivesAreOneCageWithMaterialsAFace) {
+TEST(Cage, primitivesBecomeOneCageWithAMaterialPerFace) {
     const candela::ImportedScene imported = load(twoPrimitives());
     const candela::Cage& cage = imported.scene.cages.at(0);
     EXPECT_EQ(cage.positions.size(), 4u);
@@ -146,7 +146,7 @@ TEST(Cage, primitivesAreOneCageWithMaterialsAFace) {
     EXPECT_TRUE(hasNote(imported, "primitive 2: points and lines are no part of a cage"));
 }
 
-TEST(Cage, verticesAreCountedThroughThePrimitives) {
+TEST(Cage, vertexNumbersContinueAcrossPrimitives) {
     // Vertex 5 is vertex 2 of primitive 1; edge 3-4 of primitive 1 is edge 0-2 of primitive 0.
     const candela::Cage cage =
         cageOf(twoPrimitives(R"({"corners":[[5,2]],"creases":[[3,4,1],[2,0,1]],"holes":[1]})"));
@@ -155,7 +155,7 @@ TEST(Cage, verticesAreCountedThroughThePrimitives) {
     EXPECT_EQ(cage.holes, Indices{1});
 }
 
-TEST(Cage, primitivesThatShareAccessorsCountTheirVerticesEach) {
+TEST(Cage, vertexNumbersContinueAcrossSharedAccessors) {
     GltfFile file;
     file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
     file.addData<std::uint8_t>("SCALAR", {0, 1, 2});
@@ -169,7 +169,7 @@ TEST(Cage, primitivesThatShareAccessorsCountTheirVerticesEach) {
     EXPECT_EQ(cage.corners[1].vertex, vertexAt(cage, {1, 0, 0}));
 }
 
-TEST(Cage, withoutAFaceNothingIsShown) {
+TEST(Cage, withoutFacesIsOmitted) {
     GltfFile file;
     file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 1, 1, 0});
     addCageMesh(file, R"({"attributes":{"POSITION":0},"mode":0})", "{}");
@@ -179,14 +179,14 @@ TEST(Cage, withoutAFaceNothingIsShown) {
     EXPECT_TRUE(hasNote(imported, "mesh 0 'cage': a cage without a face"));
 }
 
-TEST(Cage, ofAMeshThatNoNodeShowsIsNotAdded) {
+TEST(Cage, ofAnUnusedMeshIsNotAdded) {
     GltfFile file = cubeFile();
     file.add("nodes", "{}");
     file.add("scenes", R"({"nodes":[1]})");
     EXPECT_TRUE(load(file).scene.cages.empty());
 }
 
-TEST(Cage, severalNodesShowIt) {
+TEST(Cage, severalNodesMayInstanceIt) {
     GltfFile file = cubeFile();
     file.add("nodes", R"({"mesh":0,"translation":[3,0,0]})");
     const candela::Scene scene = load(file).scene;
@@ -195,9 +195,9 @@ TEST(Cage, severalNodesShowIt) {
     EXPECT_EQ(scene.nodes[1].cage.value().cage, 0u);
 }
 
-TEST(Cage, besideMeshes) {
+TEST(Cage, togetherWithMeshes) {
     GltfFile file = cubeFile();
-    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1},"indices":3)");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1},"indices":3)");
     const candela::Scene scene = load(file).scene;
     EXPECT_EQ(scene.cages.size(), 1u);
     ASSERT_EQ(scene.meshes.size(), 1u);
@@ -205,7 +205,7 @@ TEST(Cage, besideMeshes) {
     EXPECT_EQ(scene.nodes.at(1).mesh, 0u);
 }
 
-TEST(Cage, vertexColoursAreNoted) {
+TEST(Cage, vertexColorsAreNoted) {
     GltfFile file;
     file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 1, 1, 0});
     file.addData<float>("VEC3", {1, 1, 1, 1, 1, 1, 1, 1, 1});
@@ -245,16 +245,16 @@ GltfFile fileWithSets(const std::vector<int>& sets, const std::string& attribute
 
 constexpr const char* bothSets = R"(,"TEXCOORD_0":2,"TEXCOORD_1":3)";
 
-TEST(Cage, takesTheUvsThatItsMaterialsRead) {
+TEST(Cage, usesTheUvSetThatItsMaterialsRead) {
     EXPECT_EQ(cageOf(fileWithSets({}, bothSets)).uvs.at(0), glm::vec2(0, 0));
     EXPECT_EQ(cageOf(fileWithSets({0}, bothSets)).uvs.at(0), glm::vec2(0, 0));
     EXPECT_EQ(cageOf(fileWithSets({1, 1}, bothSets)).uvs.at(0), glm::vec2(4, 0));
 }
 
-TEST(Cage, itsMaterialsReadSetZero) {
+TEST(Cage, itsMaterialsUseUvSetZero) {
     GltfFile file = fileWithSets({1, 1}, bothSets);
-    file.addShownMesh(R"("attributes":{"POSITION":0,"TEXCOORD_1":3},"indices":1,"material":0)");
-    file.addShownMesh(R"("attributes":{"POSITION":0,"TEXCOORD_1":3},"indices":1,"material":0)");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"TEXCOORD_1":3},"indices":1,"material":0)");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"TEXCOORD_1":3},"indices":1,"material":0)");
     const candela::Scene scene = load(file).scene;
     ASSERT_EQ(scene.materials.size(), 2u) << "the file's material, for the meshes, and its copy";
     EXPECT_EQ(scene.materials[0].emissionTexture.value().uvSet, 1u);
@@ -264,7 +264,7 @@ TEST(Cage, itsMaterialsReadSetZero) {
     EXPECT_EQ(scene.materials[1].normalTexture.value().uvSet, 0u);
 }
 
-TEST(Cage, takesTheFirstUvsWhereItsMaterialsReadBoth) {
+TEST(Cage, usesTheFirstUvSetWhenItsMaterialsReadBoth) {
     const candela::ImportedScene imported = load(fileWithSets({0, 1}, bothSets));
     EXPECT_EQ(imported.scene.cages.at(0).uvs.at(0), glm::vec2(0, 0));
     EXPECT_TRUE(hasNote(imported, "mesh 0 'cage': its materials read TEXCOORD_0 and TEXCOORD_1"));

@@ -20,7 +20,7 @@ TEST(Container, glb) {
     expectTriangle(loadGlb(triangleFile().glb()));
 }
 
-TEST(Container, contentDecidesAndNotTheName) {
+TEST(Container, theFormatIsDetectedByContent) {
     const TemporaryFolder folder;
     expectTriangle(loadPath(folder.write("a.gltf", triangleFile().glb())));
     expectTriangle(loadPath(folder.write("b.glb", triangleFile().text())));
@@ -46,7 +46,7 @@ TEST(Container, byteOrderMarkIsSkipped) {
     expectTriangle(loadText("\xEF\xBB\xBF" + triangleFile().text()));
 }
 
-TEST(Container, dataUrisOfEveryForm) {
+TEST(Container, everyDataUriForm) {
     const GltfFile file = triangleFile();
     std::string percent;
     for (const std::uint8_t byte : file.binary()) {
@@ -61,7 +61,7 @@ TEST(Container, dataUrisOfEveryForm) {
     expectTriangle(loadText(file.textWithBufferFile("data:application/gltf-buffer;base64," + unpadded)));
 }
 
-TEST(Container, aFileMayBeLongerThanItsBuffer) {
+TEST(Container, aBufferFileMayBeLongerThanItsBuffer) {
     const TemporaryFolder folder;
     Bytes bytes = triangleFile().binary();
     bytes.resize(bytes.size() + 100);
@@ -69,7 +69,7 @@ TEST(Container, aFileMayBeLongerThanItsBuffer) {
     expectTriangle(loadPath(folder.write("a.gltf", triangleFile().textWithBufferFile("data.bin"))));
 }
 
-TEST(Container, wholeNumbersMayBeWrittenWithAPoint) {
+TEST(Container, integersMayHaveADecimalPoint) {
     GltfFile file = triangleFile();
     file.set("scene", "0.0");
     file.add("scenes", R"({"nodes":[0.0]})");
@@ -88,11 +88,11 @@ TEST(Container, laterMinorVersionsAreRead) {
 
 TEST(FilePolicy, buffersOutsideTheFolderAreRefused) {
     const TemporaryFolder folder;
-    const std::string secret = folder.write("secret.bin", triangleFile().binary());
+    const std::string outside = folder.write("secret.bin", triangleFile().binary());
     std::filesystem::create_directories(folder.path() / "scene");
-    std::filesystem::create_symlink(secret, folder.path() / "scene/link.bin");
+    std::filesystem::create_symlink(outside, folder.path() / "scene/link.bin");
     for (const std::string& uri : {std::string("../secret.bin"), std::string("..%2Fsecret.bin"),
-                                   std::string("x/../../secret.bin"), secret, std::string("link.bin")}) {
+                                   std::string("x/../../secret.bin"), outside, std::string("link.bin")}) {
         const std::string path = folder.write("scene/a.gltf", triangleFile().textWithBufferFile(uri));
         EXPECT_NE(errorOfPath(path), "") << uri;
     }
@@ -108,7 +108,7 @@ TEST(FilePolicy, otherSchemesAreRefused) {
     }
 }
 
-TEST(FilePolicy, aMissingFileIsNamed) {
+TEST(FilePolicy, missingFilesAreNamed) {
     const std::string error = errorOfText(triangleFile().textWithBufferFile("not%20there.bin"));
     EXPECT_NE(error.find("not there.bin"), std::string::npos) << error;
 }

@@ -48,7 +48,7 @@ int GltfFile::addAccessor(int view, const std::string& type, int componentType, 
                                 ",\"count\":" + std::to_string(count) + withComma(more) + "}");
 }
 
-int GltfFile::addShownMesh(const std::string& primitive, const std::string& name) {
+int GltfFile::addMeshNode(const std::string& primitive, const std::string& name) {
     const std::string nameMember = name.empty() ? "" : "\"name\":\"" + name + "\",";
     const int mesh = add("meshes", "{" + nameMember + "\"primitives\":[{" + primitive + "}]}");
     add("nodes", "{\"mesh\":" + std::to_string(mesh) + "}");
@@ -109,7 +109,7 @@ TriangleAccessors addTriangle(GltfFile& file) {
 GltfFile triangleFile(const std::string& members) {
     GltfFile file;
     addTriangle(file);
-    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1})" + withComma(members));
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1})" + withComma(members));
     return file;
 }
 

@@ -46,7 +46,7 @@ constexpr int componentTypeOf<float>() {
     return 5126;
 }
 
-/// A glTF document in the making. Elements are added as JSON text; binary data gathers in buffer 0.
+/// Builds a glTF document. Elements are added as JSON text; binary data is appended to buffer 0.
 class GltfFile {
   public:
     /// Adds an element to an array of the document ("nodes") and returns its index.
@@ -54,7 +54,7 @@ class GltfFile {
     /// Sets a member of the document, as JSON text.
     void set(const std::string& member, const std::string& value) { members_[member] = value; }
 
-    /// Adds a buffer view over `bytes`; `more` are further members, such as "\"byteStride\":16".
+    /// Adds a buffer view of `bytes`; `more` are further JSON members, such as "\"byteStride\":16".
     int addView(const Bytes& bytes, const std::string& more = "");
     /// Adds an accessor; `view` -1 for none.
     int addAccessor(int view, const std::string& type, int componentType, std::size_t count,
@@ -68,8 +68,8 @@ class GltfFile {
         return addAccessor(addView(bytesOf(values)), type, componentTypeOf<T>(), values.size() / components,
                            more);
     }
-    /// Adds a mesh of one primitive, given by its members, and a node that shows it.
-    int addShownMesh(const std::string& primitive, const std::string& name = "");
+    /// Adds a mesh of one primitive, given by its members, and a node that instances it.
+    int addMeshNode(const std::string& primitive, const std::string& name = "");
 
     /// The document with the binary data in a data URI.
     std::string text() const;
@@ -95,8 +95,8 @@ struct TriangleAccessors {
 };
 TriangleAccessors addTriangle(GltfFile& file);
 
-/// A file that shows such a triangle as mesh 0 and node 0. `members` are further members of its primitive,
-/// such as "\"material\":0".
+/// A file with such a triangle as mesh 0, instanced by node 0. `members` are further members of its
+/// primitive, such as "\"material\":0".
 GltfFile triangleFile(const std::string& members = "");
 
 }  // namespace candela_test

@@ -40,7 +40,7 @@ std::vector<int> texels16(const candela::Image& image) {
     return {values.begin(), values.end()};
 }
 
-TEST(Image, pngKeepsRowsFromTheTop) {
+TEST(Image, pngRowsStartAtTheTop) {
     const Bytes samples{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
     const candela::Image image =
         imageOf(fileWithImage(makePng(2, 2, 8, PngColor::rgba, samples), "image/png"));
@@ -59,7 +59,7 @@ TEST(Image, pngWithoutAlphaIsOpaque) {
               (std::vector<int>{9, 9, 9, 255}));
 }
 
-TEST(Image, sixteenBitsAreKept) {
+TEST(Image, sixteenBitPngsStaySixteenBit) {
     const Bytes samples{0x12, 0x34, 0x00, 0x01, 0xFF, 0xFE, 0x80, 0x00};
     const candela::Image image =
         imageOf(fileWithImage(makePng(1, 1, 16, PngColor::rgba, samples), "image/png"));
@@ -72,13 +72,13 @@ TEST(Image, jpeg) {
     EXPECT_EQ(image.width, 8u);
     EXPECT_EQ(image.height, 8u);
     ASSERT_EQ(image.pixels.size(), 256u);
-    // JPEG leaves decoders a freedom of one code value (ITU-T T.83).
+    // JPEG decoders may differ by one code value (ITU-T T.83).
     EXPECT_NEAR(texels8(image)[0], 192, 1);
     EXPECT_NEAR(texels8(image)[254], 192, 1);
     EXPECT_EQ(texels8(image)[3], 255);
 }
 
-TEST(Image, sizesThatTheFileCannotHoldTakeNoMemory) {
+TEST(Image, impossibleSizesAreRejectedBeforeAllocating) {
     const std::string error =
         errorOf(fileWithImage(makePng(32768, 32768, 16, PngColor::rgba, {}), "image/png"));
     EXPECT_NE(error.find("image 0 'picture': the PNG file is broken: it is too short"), std::string::npos)
@@ -122,7 +122,7 @@ GltfFile fileWithImages(std::uint8_t count, const std::vector<std::uint8_t>& bro
     return file;
 }
 
-TEST(Image, manyKeepTheirOrder) {
+TEST(Image, theirOrderIsKept) {
     for (const unsigned threads : {1u, 4u}) {
         candela::setThreadCount(threads);
         const candela::ImportedScene imported = load(fileWithImages(60, {}));
@@ -133,7 +133,7 @@ TEST(Image, manyKeepTheirOrder) {
     candela::setThreadCount(0);
 }
 
-TEST(Image, ofSeveralBrokenOnesTheFirstIsNamed) {
+TEST(Image, theFirstOfSeveralBrokenImagesIsNamed) {
     for (const unsigned threads : {1u, 4u}) {
         candela::setThreadCount(threads);
         for (int run = 0; run < 10; ++run) {
@@ -144,13 +144,13 @@ TEST(Image, ofSeveralBrokenOnesTheFirstIsNamed) {
     candela::setThreadCount(0);
 }
 
-TEST(Image, thatNothingUsesIsNotRead) {
+TEST(Image, unusedImagesAreNotRead) {
     GltfFile file;
     file.add("images", R"({"uri":"absent.png"})");
     EXPECT_TRUE(load(file).scene.images.empty());
 }
 
-TEST(Image, brokenOnesAreNamed) {
+TEST(Image, brokenImagesAreNamed) {
     Bytes cutPng = makePng(4, 4, 1, 2, 3, 4);
     cutPng.resize(cutPng.size() / 2);
     EXPECT_NE(errorOf(fileWithImage(cutPng, "image/png")).find("image 0 'picture': the PNG file is broken"),

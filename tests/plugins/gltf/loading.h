@@ -11,7 +11,7 @@
 
 namespace candela_test {
 
-/// A folder of its own for one test, removed at the end.
+/// A temporary folder, removed by the destructor.
 class TemporaryFolder {
   public:
     TemporaryFolder();
@@ -20,7 +20,7 @@ class TemporaryFolder {
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    /// Writes a file into the folder, making the folders it names, and returns its path.
+    /// Writes a file into the folder, creates the folders of its name, and returns its path.
     std::string write(const std::string& name, const std::string& content) const;
     std::string write(const std::string& name, const Bytes& content) const;
 
@@ -33,12 +33,12 @@ const candela::PluginRegistry& plugins();
 
 /// Imports the file at `path`.
 candela::ImportedScene loadPath(const std::string& path);
-/// Writes `file` as a .gltf of its own and imports it.
+/// Writes `file` as .gltf and imports it.
 candela::ImportedScene load(const GltfFile& file);
 candela::ImportedScene loadText(const std::string& text);
 candela::ImportedScene loadGlb(const Bytes& bytes);
 
-/// The message of the error that loading ends in; "" when it succeeds.
+/// The error message of loading; "" when loading succeeds.
 std::string errorOfText(const std::string& text);
 std::string errorOfGlb(const Bytes& bytes);
 std::string errorOfPath(const std::string& path);
@@ -46,7 +46,7 @@ inline std::string errorOf(const GltfFile& file) {
     return errorOfText(file.text());
 }
 
-/// Whether one of the report's notes has `part` in it.
+/// Whether one of the report's notes contains `part`.
 bool hasNote(const candela::ImportedScene& imported, const std::string& part);
 
 }  // namespace candela_test

@@ -6,7 +6,7 @@
 namespace candela_test {
 namespace {
 
-/// A file with two images, behind textures 0 and 1, and one material.
+/// A file with two images, used by textures 0 and 1, and one material.
 GltfFile fileWithMaterial(const std::string& material) {
     GltfFile file;
     for (const std::uint8_t red : {std::uint8_t(10), std::uint8_t(20)}) {
@@ -28,7 +28,7 @@ candela::Material materialOf(const std::string& material) {
     return loadMaterial(material).scene.materials.at(0);
 }
 
-TEST(Material, defaultsAreThoseOfTheSpecification) {
+TEST(Material, specificationDefaults) {
     const candela::Material material = materialOf("{}");
     EXPECT_EQ(material.baseColor, glm::vec4(1));
     EXPECT_EQ(material.metallic, 1.0f);
@@ -137,14 +137,14 @@ TEST(Material, blendIsMaskedAndNoted) {
     EXPECT_TRUE(hasNote(imported, "material 0 'glass': alphaMode BLEND"));
 }
 
-TEST(Material, thirdTextureCoordinateSetIsNotedAndLeftOut) {
+TEST(Material, thirdTextureCoordinateSetIsNotedAndOmitted) {
     const candela::ImportedScene imported =
         loadMaterial(R"({"name":"far","normalTexture":{"index":0,"texCoord":2}})");
     EXPECT_FALSE(imported.scene.materials.at(0).normalTexture.has_value());
     EXPECT_TRUE(hasNote(imported, "material 0 'far', normalTexture: the texture coordinates TEXCOORD_2"));
 }
 
-TEST(Material, textureWithoutImageIsNotedAndLeftOut) {
+TEST(Material, textureWithoutImageIsNotedAndOmitted) {
     GltfFile file = fileWithMaterial(R"({"normalTexture":{"index":2}})");
     file.add("textures", R"({"extensions":{"EXT_texture_webp":{"source":0}}})");
     file.set("extensionsUsed", R"(["EXT_texture_webp"])");

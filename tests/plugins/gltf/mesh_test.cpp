@@ -8,16 +8,16 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-/// Five corners of a strip or a fan with normals: accessors 0 and 1.
-void addFiveCorners(GltfFile& file) {
+/// Five vertices of a strip or a fan with normals: accessors 0 and 1.
+void addFiveVertices(GltfFile& file) {
     file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0});
     file.addData<float>("VEC3", {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
 }
 
 Indices indicesOfMode(const std::string& mode) {
     GltfFile file;
-    addFiveCorners(file);
-    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1},"mode":)" + mode);
+    addFiveVertices(file);
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1},"mode":)" + mode);
     return load(file).scene.meshes.at(0).indices;
 }
 
@@ -28,26 +28,26 @@ TEST(Mesh, trianglesWithoutIndices) {
     EXPECT_FALSE(mesh.submeshes[0].material.has_value());
 }
 
-TEST(Mesh, everyOtherTriangleOfAStripIsTurned) {
+TEST(Mesh, stripsAlternateTheirWinding) {
     EXPECT_EQ(indicesOfMode("5"), (Indices{0, 1, 2, 1, 3, 2, 2, 3, 4}));
 }
 
-TEST(Mesh, fanTurnsAboutItsFirstCorner) {
+TEST(Mesh, fansShareTheirFirstVertex) {
     EXPECT_EQ(indicesOfMode("6"), (Indices{1, 2, 0, 2, 3, 0, 3, 4, 0}));
 }
 
 TEST(Mesh, indexedStripAndFan) {
     GltfFile file;
-    addFiveCorners(file);
+    addFiveVertices(file);
     file.addData<std::uint8_t>("SCALAR", {4, 3, 2, 1});
-    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1},"indices":2,"mode":5)");
-    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1},"indices":2,"mode":6)");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1},"indices":2,"mode":5)");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1},"indices":2,"mode":6)");
     const candela::Scene scene = load(file).scene;
     EXPECT_EQ(scene.meshes.at(0).indices, (Indices{4, 3, 2, 3, 1, 2}));
     EXPECT_EQ(scene.meshes.at(1).indices, (Indices{3, 2, 4, 2, 1, 4}));
 }
 
-TEST(Mesh, pointsAndLinesAreCountedAndNotDrawn) {
+TEST(Mesh, pointsAndLinesAreNoted) {
     GltfFile file;
     addTriangle(file);
     const std::string attributes = R"({"attributes":{"POSITION":0,"NORMAL":1},"mode":)";
@@ -62,7 +62,7 @@ TEST(Mesh, pointsAndLinesAreCountedAndNotDrawn) {
     EXPECT_TRUE(hasNote(imported, "3 primitives of lines are not drawn"));
 }
 
-TEST(Mesh, ofLinesAloneLeavesANodeWithoutMesh) {
+TEST(Mesh, ofLinesOnlyGivesANodeWithoutMesh) {
     const candela::ImportedScene imported = load(triangleFile(R"("mode":1)"));
     EXPECT_TRUE(imported.scene.meshes.empty());
     ASSERT_EQ(imported.scene.nodes.size(), 1u);
@@ -71,7 +71,7 @@ TEST(Mesh, ofLinesAloneLeavesANodeWithoutMesh) {
 
 TEST(Mesh, primitivesBecomeSubmeshesAndShareVertices) {
     GltfFile file;
-    addFiveCorners(file);
+    addFiveVertices(file);
     file.addData<std::uint16_t>("SCALAR", {0, 1, 2});
     file.addData<std::uint16_t>("SCALAR", {1, 3, 2});
     const auto other = addTriangle(file);
@@ -97,7 +97,7 @@ TEST(Mesh, primitivesBecomeSubmeshesAndShareVertices) {
     EXPECT_FALSE(mesh.submeshes[2].material.has_value());
 }
 
-TEST(Mesh, primitivesOfDifferingAttributesBecomeSeveralMeshes) {
+TEST(Mesh, primitivesWithDifferentAttributesBecomeSeveralMeshes) {
     GltfFile file;
     addTriangle(file);
     file.addData<float>("VEC2", {0, 0, 1, 0, 0, 1});
@@ -119,10 +119,10 @@ TEST(Mesh, primitivesOfDifferingAttributesBecomeSeveralMeshes) {
     EXPECT_EQ(candela::triangleCount(scene), 3u);
 }
 
-TEST(Mesh, missingNormalsBecomeFlat) {
+TEST(Mesh, missingNormalsAreFlat) {
     GltfFile file;
     file.addData<float>("VEC3", {0, 0, 0, 0, 0, 1, 0, 1, 0});
-    file.addShownMesh(R"("attributes":{"POSITION":0})");
+    file.addMeshNode(R"("attributes":{"POSITION":0})");
     const candela::Mesh mesh = load(file).scene.meshes.at(0);
     EXPECT_EQ(mesh.normals, std::vector<glm::vec3>(3, glm::vec3(-1, 0, 0)));
 }
@@ -131,7 +131,7 @@ TEST(Mesh, tangentsWithoutNormalsAreIgnored) {
     GltfFile file;
     file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0});
     file.addData<float>("VEC4", {1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1});
-    file.addShownMesh(R"("attributes":{"POSITION":0,"TANGENT":1})");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"TANGENT":1})");
     EXPECT_TRUE(load(file).scene.meshes.at(0).tangents.empty());
 }
 
@@ -140,7 +140,7 @@ TEST(Mesh, bothTextureCoordinateSets) {
     addTriangle(file);
     file.addData<float>("VEC2", {0, 0, 1, 0, 0, 1});
     file.addData<float>("VEC2", {5, 5, 6, 5, 5, 6});
-    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"TEXCOORD_1":3})");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"TEXCOORD_1":3})");
     const candela::Mesh mesh = load(file).scene.meshes.at(0);
     EXPECT_EQ(mesh.uv0, (std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 1}}));
     EXPECT_EQ(mesh.uv1, (std::vector<glm::vec2>{{5, 5}, {6, 5}, {5, 6}}));
@@ -151,7 +151,7 @@ std::vector<glm::vec4> colors(const std::string& type, const std::vector<T>& val
     GltfFile file;
     addTriangle(file);
     file.addData<T>(type, values, std::is_same_v<T, float> ? "" : R"("normalized":true)");
-    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1,"COLOR_0":2})");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1,"COLOR_0":2})");
     return load(file).scene.meshes.at(0).colors;
 }
 
@@ -170,7 +170,7 @@ TEST(Mesh, threeByteColorsAtAStride) {
     addTriangle(file);
     const int view = file.addView({255, 0, 0, 9, 0, 255, 0, 9, 0, 0, 255}, R"("byteStride":4)");
     file.addAccessor(view, "VEC3", 5121, 3, R"("normalized":true)");
-    file.addShownMesh(R"("attributes":{"POSITION":0,"NORMAL":1,"COLOR_0":2})");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1,"COLOR_0":2})");
     EXPECT_EQ(load(file).scene.meshes.at(0).colors,
               (std::vector<glm::vec4>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}}));
 }
@@ -183,14 +183,14 @@ TEST(Mesh, sharedByTwoNodesIsAddedOnce) {
     EXPECT_EQ(candela::triangleCount(scene), 2u);
 }
 
-TEST(Mesh, withoutPositionsIsNotedAndNotDrawn) {
+TEST(Mesh, withoutPositionsIsNotedAndOmitted) {
     GltfFile file;
     addTriangle(file);
-    file.addShownMesh(R"("attributes":{"NORMAL":1})", "empty");
+    file.addMeshNode(R"("attributes":{"NORMAL":1})", "empty");
     EXPECT_TRUE(hasNote(load(file), "mesh 0 'empty', primitive 0: not drawn, for it has no POSITION"));
 }
 
-TEST(Mesh, missingTextureCoordinatesThatAreReadAreZerosAndNoted) {
+TEST(Mesh, missingTextureCoordinatesAreZeroAndNoted) {
     GltfFile file = triangleFile(R"("material":0)");
     file.add("images", R"({"uri":"data:image/png;base64,)" + base64(makePng(1, 1, 1, 2, 3, 4)) + "\"}");
     file.add("textures", R"({"source":0})");
@@ -201,7 +201,7 @@ TEST(Mesh, missingTextureCoordinatesThatAreReadAreZerosAndNoted) {
     EXPECT_TRUE(hasNote(imported, "mesh 0, primitive 0: has no TEXCOORD_1, which material 0 reads"));
 }
 
-TEST(Mesh, morphTargetsAreNotedAndLeftOut) {
+TEST(Mesh, morphTargetsAreNotedAndOmitted) {
     const candela::ImportedScene imported = load(triangleFile(R"("targets":[{"POSITION":0}])"));
     EXPECT_TRUE(hasNote(imported, "morph targets are not applied: 1 mesh"));
     EXPECT_EQ(candela::triangleCount(imported.scene), 1u);

@@ -9,7 +9,7 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-/// A cage of ten vertices on a circle, all distinct, with these triangles.
+/// A cage of ten distinct vertices on a circle with these triangles.
 GltfFile circleFile(const std::vector<std::uint8_t>& triangles, Faces faces, const std::string& more = "") {
     GltfFile file;
     std::vector<float> positions;
@@ -23,13 +23,13 @@ GltfFile circleFile(const std::vector<std::uint8_t>& triangles, Faces faces, con
     return file;
 }
 
-TEST(Ngon, trianglesAreTheFacesWithoutTheExtension) {
+TEST(Ngon, withoutTheExtensionFacesAreTriangles) {
     const candela::Cage cage = cageOf(circleFile({0, 1, 2, 0, 2, 3}, Faces::triangles));
     EXPECT_EQ(cage.faceSizes, (Indices{3, 3}));
     EXPECT_EQ(cage.faceVertices, (Indices{0, 1, 2, 0, 2, 3}));
 }
 
-TEST(Ngon, fansAreOnePolygonEach) {
+TEST(Ngon, eachFanIsOnePolygon) {
     // A pentagon about 0, a triangle about 4, a quad about 6, and a triangle about 0 again.
     const candela::Cage cage = cageOf(
         circleFile({0, 1, 2, 0, 2, 3, 0, 3, 4, 4, 5, 6, 6, 7, 8, 6, 8, 9, 0, 4, 9}, Faces::ngonEncoding));
@@ -37,13 +37,13 @@ TEST(Ngon, fansAreOnePolygonEach) {
     EXPECT_EQ(cage.faceVertices, (Indices{0, 1, 2, 3, 4, 4, 5, 6, 6, 7, 8, 9, 0, 4, 9}));
 }
 
-TEST(Ngon, aPolygonMayBeginAtAnotherOfItsVertices) {
-    // Both quads have vertex 0. The second one has to begin elsewhere, for the first begins there.
+TEST(Ngon, aPolygonMayStartAtAnyOfItsVertices) {
+    // Both quads have vertex 0. The second one has to start at another vertex, since the first starts there.
     const candela::Cage cage = cageOf(circleFile({0, 1, 2, 0, 2, 3, 3, 4, 5, 3, 5, 0}, Faces::ngonEncoding));
     EXPECT_EQ(cage.faceVertices, (Indices{0, 1, 2, 3, 3, 4, 5, 0}));
 }
 
-TEST(Ngon, aFanThatDoesNotGoOnIsAnError) {
+TEST(Ngon, aDiscontinuousFanIsAnError) {
     const std::string error = errorOf(circleFile({0, 1, 2, 0, 2, 3, 0, 4, 5}, Faces::ngonEncoding));
     EXPECT_NE(error.find("mesh 0 'cage', primitive 0, FB_ngon_encoding: triangle 2"), std::string::npos)
         << error;
@@ -55,7 +55,7 @@ TEST(Ngon, otherModesAreAnError) {
     EXPECT_NE(error.find("FB_ngon_encoding and mode 5"), std::string::npos) << error;
 }
 
-TEST(Ngon, theExtensionIsKnown) {
+TEST(Ngon, theExtensionIsSupported) {
     GltfFile file = circleFile({0, 1, 2, 0, 2, 3}, Faces::ngonEncoding);
     file.set("extensionsUsed", R"(["FB_ngon_encoding"])");
     file.set("extensionsRequired", R"(["FB_ngon_encoding"])");
@@ -64,11 +64,11 @@ TEST(Ngon, theExtensionIsKnown) {
     EXPECT_TRUE(imported.report.notes.empty());
 }
 
-TEST(Ngon, meshesThatAreNoCagesKeepTheirTriangles) {
+TEST(Ngon, meshesThatAreNotCagesKeepTheirTriangles) {
     GltfFile file;
     file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
     file.addData<std::uint8_t>("SCALAR", {0, 1, 2, 0, 3, 1});
-    file.addShownMesh(R"("attributes":{"POSITION":0},"indices":1)" + facesMember(Faces::ngonEncoding));
+    file.addMeshNode(R"("attributes":{"POSITION":0},"indices":1)" + facesMember(Faces::ngonEncoding));
     const candela::Scene scene = load(file).scene;
     EXPECT_EQ(candela::triangleCount(scene), 2u);
 }

@@ -17,7 +17,7 @@ std::vector<std::string> namesOf(const candela::Scene& scene) {
     return names;
 }
 
-TEST(Node, childrenStandInTheirParentsFrame) {
+TEST(Node, childTransformsAreRelativeToTheParent) {
     // The child comes before its parent in the file.
     const candela::Scene scene = load(fileWithNodes({R"({"name":"child","translation":[1,0,0]})",
                                                      R"({"name":"parent","scale":[2,2,2],"children":[0],
@@ -25,10 +25,10 @@ TEST(Node, childrenStandInTheirParentsFrame) {
                                      .scene;
     EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"parent", "child"}));
     EXPECT_EQ(scene.nodes[1].parent, 0u);
-    const glm::vec4 place = candela::worldTransforms(scene)[1][3];
-    // A quarter turn about +Y takes +X to -Z. Tolerance: the quaternion has 8 digits.
-    EXPECT_NEAR(place.x, 0.0f, 1e-6f);
-    EXPECT_NEAR(place.z, -2.0f, 1e-6f);
+    const glm::vec4 position = candela::worldTransforms(scene)[1][3];
+    // A rotation by 90 degrees about +Y maps +X to -Z. Tolerance: the quaternion has 8 digits.
+    EXPECT_NEAR(position.x, 0.0f, 1e-6f);
+    EXPECT_NEAR(position.z, -2.0f, 1e-6f);
 }
 
 TEST(Node, matrix) {
@@ -62,7 +62,7 @@ TEST(Node, allRootsWithoutScenes) {
               (std::vector<std::string>{"a", "b"}));
 }
 
-TEST(Node, aChainOfTenThousandIsRead) {
+TEST(Node, aChainOfTenThousandNodes) {
     GltfFile file;
     constexpr int length = 10000;
     for (int i = 0; i + 1 < length; ++i) {
@@ -94,11 +94,11 @@ TEST(Camera, perspective) {
     EXPECT_EQ(scene.cameras[0].verticalFov, 0.5f);
     EXPECT_EQ(scene.cameras[0].nearPlane, 0.25f);
     EXPECT_EQ(scene.cameras[0].node, 0u);
-    EXPECT_EQ(scene.cameras[1].name, "above") << "a camera without a name takes its node's";
+    EXPECT_EQ(scene.cameras[1].name, "above") << "a camera without a name gets its node's";
     EXPECT_EQ(scene.cameras[1].node, 1u);
 }
 
-TEST(Camera, orthographicIsNotedAndLeftOut) {
+TEST(Camera, orthographicIsNotedAndOmitted) {
     GltfFile file = fileWithNodes({R"({"camera":0})"});
     file.add("cameras", R"({"name":"map","type":"orthographic","orthographic":
                             {"xmag":1,"ymag":1,"zfar":10,"znear":0}})");
@@ -134,7 +134,7 @@ TEST(Light, ofEveryType) {
     EXPECT_EQ(lamp.intensity, 20.0f);
     EXPECT_EQ(lamp.range, 5.0f);
     EXPECT_EQ(lamp.node, 0u);
-    EXPECT_EQ(spot.name, "n1") << "a light without a name takes its node's";
+    EXPECT_EQ(spot.name, "n1") << "a light without a name gets its node's";
     EXPECT_EQ(spot.type, candela::LightType::spot);
     EXPECT_EQ(spot.innerConeAngle, 0.125f);
     EXPECT_EQ(spot.outerConeAngle, 0.5f);
@@ -152,7 +152,7 @@ TEST(Light, spotDefaults) {
     EXPECT_FLOAT_EQ(spot.outerConeAngle, 0.78539816f);
 }
 
-TEST(Light, sharedByTwoNodesShinesTwice) {
+TEST(Light, sharedByTwoNodesIsTwoLights) {
     GltfFile file = fileWithLights(R"({"type":"point"})", 1);
     file.add("nodes", R"({"extensions":{"KHR_lights_punctual":{"light":0}}})");
     const candela::Scene scene = load(file).scene;

@@ -10,32 +10,32 @@
 namespace candela_test {
 namespace {
 
-/// A host of version 1.0, which lends one file and takes everything.
+/// A host of version 1.0 with one file, which accepts all meshes and nodes.
 struct OldHost {
     Bytes file;
-    std::string fault;
-    int source = 0;
+    std::string failure;
+    int nextIndex = 0;
     candela_host functions{};
 
     explicit OldHost(Bytes bytes) : file(std::move(bytes)) {
         functions.struct_size = offsetof(candela_host, add_cage);
         functions.self = this;
         functions.read_file = [](void* self, const char*, candela_bytes* out) {
-            const Bytes& lent = static_cast<OldHost*>(self)->file;
-            *out = {lent.data(), lent.size()};
+            const Bytes& content = static_cast<OldHost*>(self)->file;
+            *out = {content.data(), content.size()};
             return CANDELA_OK;
         };
         functions.fail = [](void* self, const char* element, const char* reason) {
-            static_cast<OldHost*>(self)->fault =
+            static_cast<OldHost*>(self)->failure =
                 std::string(element ? element : "") + ": " + (reason ? reason : "");
         };
         functions.note = [](void*, const char*) {};
         functions.progress = [](void*, double) { return CANDELA_OK; };
         functions.add_mesh = [](void* self, const candela_mesh*) {
-            return static_cast<OldHost*>(self)->source++;
+            return static_cast<OldHost*>(self)->nextIndex++;
         };
         functions.add_node = [](void* self, const candela_node*) {
-            return static_cast<OldHost*>(self)->source++;
+            return static_cast<OldHost*>(self)->nextIndex++;
         };
     }
 };
@@ -55,16 +55,16 @@ candela_status importInto(OldHost& host) {
     return status;
 }
 
-TEST(OldHost, isToldThatItKnowsNoCages) {
+TEST(OldHost, cannotImportCages) {
     OldHost host(cubeFile().glb());
     EXPECT_EQ(importInto(host), CANDELA_FAILED);
-    EXPECT_NE(host.fault.find("older than version 1.1"), std::string::npos) << host.fault;
+    EXPECT_NE(host.failure.find("older than version 1.1"), std::string::npos) << host.failure;
 }
 
-TEST(OldHost, takesFilesWithoutCages) {
+TEST(OldHost, importsFilesWithoutCages) {
     OldHost host(triangleFile().glb());
-    EXPECT_EQ(importInto(host), CANDELA_OK) << host.fault;
-    EXPECT_EQ(host.source, 2);
+    EXPECT_EQ(importInto(host), CANDELA_OK) << host.failure;
+    EXPECT_EQ(host.nextIndex, 2);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace candela_test {
 namespace {
 
-TEST(Progress, growsFromZeroToOne) {
+TEST(Progress, increasesFromZeroToOne) {
     const TemporaryFolder folder;
     std::vector<double> reported;
     candela::importScene(plugins(), folder.write("a.gltf", triangleFile().text()), [&](double fraction) {
@@ -20,7 +20,7 @@ TEST(Progress, growsFromZeroToOne) {
     EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
 }
 
-TEST(Progress, aRefusalCancelsAtEveryStep) {
+TEST(Progress, everyStepCanBeCancelled) {
     const TemporaryFolder folder;
     const std::string path = folder.write("a.gltf", triangleFile().text());
     int steps = 0;
@@ -33,7 +33,7 @@ TEST(Progress, aRefusalCancelsAtEveryStep) {
         } catch (const candela::Error& error) {
             EXPECT_EQ(error.kind(), candela::ErrorKind::cancelled);
         }
-        EXPECT_EQ(calls, last + 1) << "the import went on after being cancelled";
+        EXPECT_EQ(calls, last + 1) << "the import continued after being cancelled";
     }
 }
 

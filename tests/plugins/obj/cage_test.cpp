@@ -19,13 +19,13 @@ candela::Cage tagged(const std::string& tag) {
     return cageOf(cube() + "t " + tag + "\n");
 }
 
-TEST(ObjCage, withoutTagsAFileIsPolygons) {
+TEST(ObjCage, withoutTagsAFileIsAMesh) {
     const candela::Scene scene = loadObj(cube()).scene;
     EXPECT_TRUE(scene.cages.empty());
     EXPECT_EQ(candela::triangleCount(scene), 12u);
 }
 
-TEST(ObjCage, theQueryMakesACage) {
+TEST(ObjCage, theQuerySelectsACage) {
     const candela::Cage cage = cageOf(cube(), "?subdivide");
     EXPECT_EQ(cage.scheme, candela::SubdivisionScheme::catmullClark);
     EXPECT_EQ(cage.positions.size(), 8u);
@@ -38,7 +38,7 @@ TEST(ObjCage, theQueryMakesACage) {
     EXPECT_TRUE(cage.creases.empty());
 }
 
-TEST(ObjCage, schemesAndLevelOfTheQuery) {
+TEST(ObjCage, schemeAndLevelFromTheQuery) {
     const std::string triangles = squareVertices() + "f 1 2 3\nf 1 3 4\n";
     EXPECT_EQ(cageOf(triangles, "?subdivide=loop").scheme, candela::SubdivisionScheme::loop);
     EXPECT_EQ(cageOf(triangles, "?subdivide=bilinear&level=2").scheme, candela::SubdivisionScheme::bilinear);
@@ -47,7 +47,7 @@ TEST(ObjCage, schemesAndLevelOfTheQuery) {
     EXPECT_EQ(cageOf(triangles, "?subdivide=catmullClark").scheme, candela::SubdivisionScheme::catmullClark);
 }
 
-TEST(ObjCage, rulesWithoutTags) {
+TEST(ObjCage, defaultRules) {
     const candela::Cage cage = cageOf(cube(), "?subdivide");
     EXPECT_EQ(cage.boundaryInterpolation, candela::BoundaryInterpolation::edges);
     EXPECT_EQ(cage.faceVaryingInterpolation, candela::FaceVaryingInterpolation::all);
@@ -55,7 +55,7 @@ TEST(ObjCage, rulesWithoutTags) {
     EXPECT_EQ(cage.triangleSubdivision, candela::TriangleSubdivision::catmullClark);
 }
 
-TEST(ObjCage, aNodeShowsIt) {
+TEST(ObjCage, aNodeInstancesTheCage) {
     const candela::Scene scene = loadObj("o thing\n" + cube() + "t hole 1/0/0 0\n").scene;
     ASSERT_EQ(scene.nodes.size(), 1u);
     EXPECT_EQ(scene.nodes[0].name, "thing");
@@ -76,11 +76,11 @@ TEST(ObjCage, aCrease) {
 
 /// The sharpness of the edge between two vertices of the cube, counted from 0; -1 where it is no crease.
 float sharpnessOf(const candela::Cage& cage, std::uint32_t a, std::uint32_t b) {
-    // As the faces of the cube come to them.
-    constexpr std::uint32_t numberOf[] = {3, 2, 1, 0, 4, 5, 6, 7};
+    // Vertices are numbered in the order in which the faces use them.
+    constexpr std::uint32_t indexOf[] = {3, 2, 1, 0, 4, 5, 6, 7};
     for (const candela::Crease& crease : cage.creases) {
-        const bool forward = crease.vertex0 == numberOf[a] && crease.vertex1 == numberOf[b];
-        const bool backward = crease.vertex0 == numberOf[b] && crease.vertex1 == numberOf[a];
+        const bool forward = crease.vertex0 == indexOf[a] && crease.vertex1 == indexOf[b];
+        const bool backward = crease.vertex0 == indexOf[b] && crease.vertex1 == indexOf[a];
         if (forward || backward) return crease.sharpness;
     }
     return -1.0f;
@@ -95,13 +95,13 @@ TEST(ObjCage, severalCreasesInOneTag) {
     const candela::Cage each = tagged("crease 4/2/0 0 1 1 2 3 4");
     EXPECT_EQ(sharpnessOf(each, 0, 1), 3.0f);
     EXPECT_EQ(sharpnessOf(each, 1, 2), 4.0f);
-    // OpenSubdiv's reader takes the number at the place of a pair's first vertex.
+    // OpenSubdiv's reader indexes the sharpnesses by the position of a pair's first vertex.
     const candela::Cage twice = tagged("crease 4/4/0 0 1 1 2 3 30 4 40");
     EXPECT_EQ(sharpnessOf(twice, 0, 1), 3.0f);
     EXPECT_EQ(sharpnessOf(twice, 1, 2), 4.0f);
 }
 
-TEST(ObjCage, theLastCreaseOfAnEdgeCounts) {
+TEST(ObjCage, theLastCreaseOfAnEdgeIsUsed) {
     const candela::Cage cage = cageOf(cube() + "t crease 2/1/0 0 1 1\nt crease 2/1/0 1 0 2\n");
     ASSERT_EQ(cage.creases.size(), 1u);
     EXPECT_EQ(cage.creases[0].sharpness, 2.0f);
@@ -159,7 +159,7 @@ TEST(ObjCage, creaseMethodAndTriangleRule) {
     EXPECT_EQ(tagged("smoothtriangles 1/0/0 1").triangleSubdivision, catmullClark);
 }
 
-TEST(ObjCage, otherTagsAndWordsAreNoted) {
+TEST(ObjCage, unknownTagsAndSurplusValuesAreNoted) {
     const auto imported = loadObj(cube() + "t vertexedit 1/3/3 0 1 2 3 add P value\nt hole 1/0/0 1 2 3\n");
     EXPECT_TRUE(hasNote(imported, "line 15: the tag 'vertexedit' is not used"));
     EXPECT_TRUE(hasNote(imported, "line 16: 2 surplus words of the tag 'hole' are not used"));
@@ -187,7 +187,7 @@ TEST(ObjCage, missingTextureCoordinatesAreZeroAndNoted) {
     EXPECT_TRUE(hasNote(imported, "3 corners have no texture coordinate and take (0, 0)"));
 }
 
-TEST(ObjCage, everyFaceHasItsMaterial) {
+TEST(ObjCage, facesKeepTheirMaterials) {
     const auto imported = loadObj(squareVertices() + "mtllib a.mtl\nf 1 2 3\nusemtl b\nf 1 3 4\n",
                                   {{"a.mtl", "newmtl b\n"}}, "?subdivide");
     const candela::Cage& cage = imported.scene.cages.at(0);
@@ -196,7 +196,7 @@ TEST(ObjCage, everyFaceHasItsMaterial) {
     EXPECT_EQ(cage.faceMaterials[1], 0u);
 }
 
-TEST(ObjCage, everyObjectIsACageOfItsOwn) {
+TEST(ObjCage, eachObjectIsASeparateCage) {
     const std::string second = "v 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\n";
     const auto imported =
         loadObj(squareVertices() + second +
@@ -219,7 +219,7 @@ TEST(ObjCage, everyObjectIsACageOfItsOwn) {
     EXPECT_EQ(b.holes, Numbers{0});
 }
 
-TEST(ObjCage, verticesOfNoFaceAreLeftOut) {
+TEST(ObjCage, unusedVerticesAreOmitted) {
     const candela::Cage cage = cageOf("v 9 9 9\n" + squareVertices() + "f 2 3 4 5\nt crease 2/1/0 1 2 1\n");
     EXPECT_EQ(cage.positions.size(), 4u);
     EXPECT_EQ(cage.faceVertices, (Numbers{0, 1, 2, 3}));
@@ -227,8 +227,8 @@ TEST(ObjCage, verticesOfNoFaceAreLeftOut) {
     EXPECT_EQ(cage.creases[0].vertex0 + cage.creases[0].vertex1, 1u);
 }
 
-TEST(ObjCage, normalsThatAreNotThereDoNotMatter) {
-    // Some of OpenSubdiv's shapes name normals that the file lacks; a cage has no use for them.
+TEST(ObjCage, missingNormalsAreIgnored) {
+    // Some of OpenSubdiv's shapes reference normals that the file lacks; a cage does not use normals.
     EXPECT_EQ(
         cageOf(squareVertices() + "vt 0 0\nf 1/1/1 2/1/2 3/1/3\nt interpolateboundary 1/0/0 2\n").faceSizes,
         Numbers{3});

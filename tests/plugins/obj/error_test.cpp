@@ -11,7 +11,8 @@ struct Case {
 };
 
 void expectErrors(const std::string& head, const std::vector<Case>& cases, const std::string& tail = "") {
-    for (const Case& one : cases) EXPECT_EQ(errorOfObj(head + one.text + "\n" + tail), one.error) << one.text;
+    for (const Case& test : cases)
+        EXPECT_EQ(errorOfObj(head + test.text + "\n" + tail), test.error) << test.text;
 }
 
 TEST(ObjError, vertices) {
@@ -47,11 +48,11 @@ TEST(ObjError, faces) {
                   {"f 1/1 2 3", "line 6: f: all corners of a face must have the same form"}});
 }
 
-TEST(ObjError, aVertexHasToComeBeforeItsFace) {
+TEST(ObjError, aVertexMustPrecedeItsFace) {
     EXPECT_EQ(errorOfObj("v 0 0 0\nv 1 0 0\nf 1 2 3\nv 0 1 0\n"), "line 3: f: vertex 3, but 2 are there");
 }
 
-TEST(ObjError, linesAreCountedThroughContinuations) {
+TEST(ObjError, lineNumbersIncludeContinuations) {
     EXPECT_EQ(errorOfObj("# a\\\nv 0 \\\n 0 \\\n0\nv 1 0 0\r\n\r\nf 1 \\\n 2 9\n"),
               "line 7: f: vertex 9, but 2 are there");
 }
@@ -66,7 +67,7 @@ TEST(ObjError, otherStatements) {
                   {"t hole", "line 5: t: counts such as 2/1/0 was expected, but the line ends"}});
 }
 
-TEST(ObjError, noShapeAtAll) {
+TEST(ObjError, fileWithoutElements) {
     for (const char* text : {"", "hello\nworld\n", "v 0 0 0\n"})
         EXPECT_EQ(errorOfObj(text), "no face, line or point was found, but an OBJ file was expected");
 }
@@ -110,12 +111,12 @@ TEST(ObjError, tags) {
           "line 15: t smoothtriangles: '3', but 'catmark', 'smooth', 1 or 2 was expected"}});
 }
 
-TEST(ObjError, ofSeveralMissingEdgesTheFirstIsNamed) {
+TEST(ObjError, theFirstOfSeveralMissingEdgesIsReported) {
     EXPECT_EQ(errorOfObj(cube() + "t crease 2/1/0 0 6 1\nt crease 2/1/0 1 7 1\n"),
               "line 15: t crease: no face has the edge 0 6");
 }
 
-TEST(ObjError, loopTakesTriangles) {
+TEST(ObjError, loopAcceptsTrianglesOnly) {
     EXPECT_EQ(errorOfObj(squareVertices() + "f 1 2 3\nf 1 2 3 4\n", {}, "?subdivide=loop"),
               "line 6: f: 4 corners, but the Loop scheme takes triangles only");
 }
@@ -131,7 +132,7 @@ TEST(ObjError, queries) {
         {"?level=9", "query: level=9, but 1 to 8 was expected"},
         {"?level=0", "query: level=0, but 1 to 8 was expected"},
         {"?level=", "query: level=, but 1 to 8 was expected"}};
-    for (const Case& one : cases) EXPECT_EQ(errorOfObj(text, {}, one.text), one.error);
+    for (const Case& test : cases) EXPECT_EQ(errorOfObj(text, {}, test.text), test.error);
 }
 
 std::string materialError(const std::string& statements, std::vector<SideFile> files = {}) {
@@ -154,19 +155,19 @@ TEST(ObjError, materials) {
         {"map_Kd -clamp maybe c.png", "a.mtl, line 2: map_Kd: 'maybe', but on or off was expected"},
         {"map_Kd -s c.png", "a.mtl, line 2: map_Kd: 'c.png' is not a number"},
         {"map_Kd -imfchan q c.png", "a.mtl, line 2: map_Kd: -imfchan q, but r, g, b, m or l was expected"}};
-    for (const Case& one : cases)
-        EXPECT_EQ(materialError(std::string("newmtl m\n") + one.text + "\n"), one.error) << one.text;
+    for (const Case& test : cases)
+        EXPECT_EQ(materialError(std::string("newmtl m\n") + test.text + "\n"), test.error) << test.text;
     EXPECT_EQ(materialError("# first\nKd 1 1 1\n"), "a.mtl, line 2: Kd: no newmtl stands before it");
 }
 
-TEST(ObjError, filesThatAreNotThere) {
+TEST(ObjError, missingFiles) {
     EXPECT_NE(errorOfObj("mtllib gone.mtl\n" + squareVertices() + "f 1 2 3\n").find("gone.mtl"),
               std::string::npos);
     EXPECT_NE(materialError("newmtl m\nmap_Kd gone.png\n").find("gone.png"), std::string::npos);
     EXPECT_NE(materialError("newmtl m\nmap_Kd ../../gone.png\n").find("gone.png"), std::string::npos);
 }
 
-TEST(ObjError, brokenPicture) {
+TEST(ObjError, corruptImage) {
     Bytes cut = makePng(4, 4, 1, 2, 3, 4);
     cut.resize(60);
     EXPECT_NE(materialError("newmtl m\nmap_Ke c.png\n", {{"c.png", textOf(cut)}})

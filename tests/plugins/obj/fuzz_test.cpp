@@ -33,55 +33,55 @@ const std::string tags =
     "t facevaryingpropagatecorners 1/0/0 1\nt creasemethod 0/0/1 chaikin\nt smoothtriangles 0/0/1 smooth\n"
     "t smoothtriangles 1/0/0 2\nt vertexedit 2/3/3 0 1 0 0 1 add P value\n";
 
-const std::vector<std::string>& awkwardWords() {
-    static const std::vector<std::string> words{"-1",
-                                                "0",
-                                                "1",
-                                                "2",
-                                                "255",
-                                                "-2147483649",
-                                                "4294967295",
-                                                "4294967296",
-                                                "18446744073709551616",
-                                                "1e39",
-                                                "-1e9",
-                                                "1e-400",
-                                                "nan",
-                                                "inf",
-                                                ".",
-                                                "-",
-                                                "+",
-                                                "/",
-                                                "//",
-                                                "1/",
-                                                "1//1",
-                                                "1/1/1/1",
-                                                "0/0/0",
-                                                "9/9/9",
-                                                "#",
-                                                "\\\n",
-                                                "\n",
-                                                "off",
-                                                "o",
-                                                "g",
-                                                "s",
-                                                "f",
-                                                "v",
-                                                "t",
-                                                "crease",
-                                                "hole",
-                                                "usemtl",
-                                                "newmtl",
-                                                "mtllib a.mtl",
-                                                "map_Kd",
-                                                "-s",
-                                                "-clamp",
-                                                "c.png",
-                                                "a.mtl",
-                                                std::string(1, '\0'),
-                                                "\xFF\xFE",
-                                                std::string(300, '7')};
-    return words;
+const std::vector<std::string>& edgeCaseTokens() {
+    static const std::vector<std::string> tokens{"-1",
+                                                 "0",
+                                                 "1",
+                                                 "2",
+                                                 "255",
+                                                 "-2147483649",
+                                                 "4294967295",
+                                                 "4294967296",
+                                                 "18446744073709551616",
+                                                 "1e39",
+                                                 "-1e9",
+                                                 "1e-400",
+                                                 "nan",
+                                                 "inf",
+                                                 ".",
+                                                 "-",
+                                                 "+",
+                                                 "/",
+                                                 "//",
+                                                 "1/",
+                                                 "1//1",
+                                                 "1/1/1/1",
+                                                 "0/0/0",
+                                                 "9/9/9",
+                                                 "#",
+                                                 "\\\n",
+                                                 "\n",
+                                                 "off",
+                                                 "o",
+                                                 "g",
+                                                 "s",
+                                                 "f",
+                                                 "v",
+                                                 "t",
+                                                 "crease",
+                                                 "hole",
+                                                 "usemtl",
+                                                 "newmtl",
+                                                 "mtllib a.mtl",
+                                                 "map_Kd",
+                                                 "-s",
+                                                 "-clamp",
+                                                 "c.png",
+                                                 "a.mtl",
+                                                 std::string(1, '\0'),
+                                                 "\xFF\xFE",
+                                                 std::string(300, '7')};
+    return tokens;
 }
 
 std::size_t below(Random& random, std::size_t limit) {
@@ -92,13 +92,13 @@ bool isSpace(char c) {
     return c == ' ' || c == '\n';
 }
 
-/// Replaces a word by an awkward one.
-void changeWord(std::string& text, Random& random) {
+/// Replaces a token by one that is likely to be mishandled.
+void replaceToken(std::string& text, Random& random) {
     std::size_t begin = below(random, text.size());
     while (begin > 0 && !isSpace(text[begin - 1])) --begin;
     std::size_t end = begin;
     while (end < text.size() && !isSpace(text[end])) ++end;
-    text.replace(begin, end - begin, awkwardWords()[below(random, awkwardWords().size())]);
+    text.replace(begin, end - begin, edgeCaseTokens()[below(random, edgeCaseTokens().size())]);
 }
 
 void moveLine(std::string& text, Random& random) {
@@ -124,22 +124,21 @@ void mutate(std::string& text, Random& random) {
             moveLine(text, random);
             break;
         default:
-            changeWord(text, random);
+            replaceToken(text, random);
             break;
     }
 }
 
 enum class Target { scene, materials };
 
-/// Loads many mutations, of `obj` or of its material file. Whatever comes of them, it is a scene or an
-/// `Error`, in bounded time.
+/// Loads many mutations, of `obj` or of its material file. Each gives a scene or an `Error`, in bounded time.
 void fuzz(const std::string& obj, Target target, const std::string& query) {
     const int rounds = fuzzIterations<int>(3000);
     const TemporaryFolder folder;
     folder.write("c.png", makePng(2, 2, 1, 2, 3, 4));
     folder.write("a.mtl", mtl);
     const std::string path = folder.write("scene.obj", obj) + query;
-    int read = 0, refused = 0;
+    int accepted = 0, rejected = 0;
     for (int round = 0; round < rounds; ++round) {
         Random random(static_cast<Random::result_type>(round));
         std::string changed = target == Target::materials ? mtl : obj;
@@ -148,20 +147,20 @@ void fuzz(const std::string& obj, Target target, const std::string& query) {
         const auto start = std::chrono::steady_clock::now();
         try {
             loadPath(path);
-            ++read;
+            ++accepted;
         } catch (const candela::Error& error) {
             EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-            ++refused;
+            ++rejected;
         }
         // Such a file takes about a millisecond; a minute is a hang on any machine.
         EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes(1)) << "round " << round;
     }
-    // With fewer of either kind the mutations would be too wild or too tame to test anything.
-    EXPECT_GT(read, rounds / 50);
-    EXPECT_GT(refused, rounds / 50);
+    // The mutations have to exercise both outcomes.
+    EXPECT_GT(accepted, rounds / 50);
+    EXPECT_GT(rejected, rounds / 50);
 }
 
-TEST(ObjFuzz, theOriginalsAreRead) {
+TEST(ObjFuzz, unmodifiedFilesAreAccepted) {
     const std::vector<SideFile> files{{"a.mtl", mtl}, {"c.png", textOf(makePng(2, 2, 1, 2, 3, 4))}};
     EXPECT_EQ(errorOfObj(polygons, files), "");
     EXPECT_EQ(errorOfObj(polygons, files, "?subdivide"), "");

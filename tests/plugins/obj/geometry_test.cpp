@@ -27,7 +27,7 @@ float area(const candela::Mesh& mesh) {
 glm::vec3 normalAt(const candela::Mesh& mesh, glm::vec3 position) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         if (mesh.positions[i] == position) return mesh.normals[i];
-    ADD_FAILURE() << "no vertex there";
+    ADD_FAILURE() << "no vertex at this position";
     return {};
 }
 
@@ -52,7 +52,7 @@ TEST(ObjGeometry, aConcavePolygonKeepsItsArea) {
     EXPECT_EQ(area(onlyMesh(imported)), 0.75f);
 }
 
-TEST(ObjGeometry, negativeIndicesCountBack) {
+TEST(ObjGeometry, negativeIndicesCountFromTheEnd) {
     const auto forward = loadObj(squareVertices() + "vt 0 0\nvt 1 1\nf 1/1 2/2 3/1\n");
     const auto backward = loadObj(squareVertices() + "vt 0 0\nvt 1 1\nf -4/-2 -3/-1 -2/-2\n");
     EXPECT_EQ(onlyMesh(forward).positions, onlyMesh(backward).positions);
@@ -60,26 +60,26 @@ TEST(ObjGeometry, negativeIndicesCountBack) {
     EXPECT_EQ(onlyMesh(forward).indices, onlyMesh(backward).indices);
 }
 
-TEST(ObjGeometry, negativeIndicesMeanTheElementsSoFar) {
+TEST(ObjGeometry, negativeIndicesReferToTheElementsReadSoFar) {
     const auto imported =
         loadObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 0 0 5\nv 1 0 5\nv 0 1 5\nf -3 -2 -1\n");
     EXPECT_EQ(onlyMesh(imported).positions.size(), 6u);
     EXPECT_EQ(onlyMesh(imported).positions[3], glm::vec3(0, 0, 5));
 }
 
-TEST(ObjGeometry, textureCoordinatesGoDown) {
+TEST(ObjGeometry, textureCoordinatesAreFlippedVertically) {
     const auto imported = loadObj(squareVertices() + "vt 0.25 1\nvt 0.5 0 0\nvt 1\nf 1/1 2/2 3/3\n");
     EXPECT_EQ(onlyMesh(imported).uv0, (std::vector<glm::vec2>{{0.25f, 0}, {0.5f, 1}, {1, 1}}));
 }
 
-TEST(ObjGeometry, everyFormOfACorner) {
+TEST(ObjGeometry, everyCornerFormat) {
     const std::string head = squareVertices() + "vt 0 1\nvn 0 0 1\n";
     for (const char* face : {"f 1 2 3", "f 1/1 2/1 3/1", "f 1//1 2//1 3//1", "f 1/1/1 2/1/1 3/1/1"})
         EXPECT_EQ(onlyMesh(loadObj(head + face)).indices, (Indices{0, 1, 2})) << face;
     EXPECT_EQ(onlyMesh(loadObj(head + "f 1/1/1 2/1/1 3/1/1")).uv0, std::vector<glm::vec2>(3, glm::vec2(0)));
 }
 
-TEST(ObjGeometry, verticesAreSharedWhereAllOfACornerIsTheSame) {
+TEST(ObjGeometry, cornersWithEqualAttributesShareAVertex) {
     const std::string head = squareVertices() + "vt 0 0\nvt 1 0\n";
     const auto vertices = [&](const std::string& faces) {
         return onlyMesh(loadObj(head + faces)).positions.size();
@@ -90,7 +90,7 @@ TEST(ObjGeometry, verticesAreSharedWhereAllOfACornerIsTheSame) {
     EXPECT_EQ(vertices("f 1/1 2/1 3/1\nf 1/1 3/1 4/1\n"), 6u);
 }
 
-TEST(ObjGeometry, unusedVerticesAreLeftOut) {
+TEST(ObjGeometry, unusedVerticesAreOmitted) {
     const auto imported = loadObj("v 9 9 9\n" + squareVertices() + "v 8 8 8\nf 2 3 4\n");
     EXPECT_EQ(onlyMesh(imported).positions, (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
 }
@@ -115,14 +115,14 @@ TEST(ObjGeometry, smoothingGroupsShareNormals) {
 
 TEST(ObjGeometry, smoothNormalsAreWeightedByTheAngle) {
     // The right-hand face is cut into two triangles, one of which has 45 degrees at the corner (0, 0, 0) and
-    // the other as much: the mean stays that of two squares.
+    // the other one too: the weighted mean is that of two squares.
     const auto imported = loadObj(corner + "s 1\nf 1 2 3 4\nf 2 5 6\nf 2 6 3\n");
     const float half = std::sqrt(0.5f);
     EXPECT_NEAR(glm::distance(normalAt(onlyMesh(imported), {0, 0, 0}), glm::vec3(half, 0, half)), 0.0f,
                 1e-6f);
 }
 
-TEST(ObjGeometry, differentSmoothingGroupsMakeAnEdge) {
+TEST(ObjGeometry, differentSmoothingGroupsMakeAHardEdge) {
     const auto imported = loadObj(corner + "s 1\nf 1 2 3 4\ns 2\nf 2 5 6 3\n");
     const candela::Mesh& mesh = onlyMesh(imported);
     EXPECT_EQ(mesh.positions.size(), 8u);
@@ -139,7 +139,7 @@ TEST(ObjGeometry, facesAreFlatWithoutSmoothing) {
     }
 }
 
-TEST(ObjGeometry, aFlatFaceHasOneNormalThoughItIsNotPlanar) {
+TEST(ObjGeometry, aNonPlanarFlatFaceHasOneNormal) {
     const auto imported = loadObj("v 0 0 0\nv 1 0 1\nv 1 1 0\nv 0 1 1\nf 1 2 3 4\n");
     EXPECT_EQ(onlyMesh(imported).normals, std::vector<glm::vec3>(4, glm::vec3(0, 0, 1)));
 }
@@ -161,7 +161,7 @@ TEST(ObjGeometry, vertexColorsAreDecodedFromSrgb) {
     EXPECT_EQ(colors[2], glm::vec4(1, 1, 1, 1));
 }
 
-TEST(ObjGeometry, aWeightIsNoColor) {
+TEST(ObjGeometry, aFourthCoordinateIsNotAColor) {
     EXPECT_TRUE(onlyMesh(loadObj("v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n")).colors.empty());
 }
 
@@ -192,21 +192,21 @@ TEST(ObjGeometry, commentsContinuationsAndLineEnds) {
     EXPECT_TRUE(imported.report.notes.empty());
 }
 
-TEST(ObjGeometry, numbersOfEverySpelling) {
+TEST(ObjGeometry, everyNumberFormat) {
     const auto imported = loadObj("v +1. -.5 1e1\nv 1E-400 2.5e+0 0\nv 0 1 0\nf +1 2 3\n");
     EXPECT_EQ(onlyMesh(imported).positions[0], glm::vec3(1.0f, -0.5f, 10.0f));
     EXPECT_EQ(onlyMesh(imported).positions[1], glm::vec3(0.0f, 2.5f, 0.0f));
 }
 
-TEST(ObjGeometry, numbersDoNotFollowTheLocale) {
-    const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+TEST(ObjGeometry, numbersDoNotDependOnTheLocale) {
+    const std::string previous = std::setlocale(LC_NUMERIC, nullptr);
     if (!std::setlocale(LC_NUMERIC, "de_DE.UTF-8")) GTEST_SKIP() << "this machine has no German locale";
     const auto imported = loadObj("v 0.5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    std::setlocale(LC_NUMERIC, before.c_str());
+    std::setlocale(LC_NUMERIC, previous.c_str());
     EXPECT_EQ(onlyMesh(imported).positions[0].x, 0.5f);
 }
 
-TEST(ObjGeometry, whatIsNotDrawnIsCountedOnce) {
+TEST(ObjGeometry, unsupportedStatementsAreCountedInOneNoteEach) {
     const auto imported = loadObj(squareVertices() +
                                   "f 1 2 3\nl 1 2\nl 2 3\np 1\nvp 0.1\ncstype bezier\ndeg 3\n"
                                   "curv 0 1 1 2 3 4\nparm u 0 1\nend\nlod 2\nwhatever 1 2\n");
@@ -218,13 +218,13 @@ TEST(ObjGeometry, whatIsNotDrawnIsCountedOnce) {
     EXPECT_EQ(imported.report.notes.size(), 5u);
 }
 
-TEST(ObjGeometry, linesAloneAreAnEmptyScene) {
+TEST(ObjGeometry, linesOnlyGiveAnEmptyScene) {
     EXPECT_TRUE(loadObj("v 0 0 0\nv 1 0 0\nl 1 2\n").scene.meshes.empty());
 }
 
-TEST(ObjGeometry, aLargeFileIsReadWhole) {
-    // A fan: one vertex has a thousand texture coordinates, so that anything that walks over all seam
-    // vertices of a vertex for each corner would show.
+TEST(ObjGeometry, aLargeFileIsReadInLinearTime) {
+    // A fan whose first vertex has 100,000 texture coordinates: a linear search through them for each corner
+    // would take minutes.
     constexpr int count = 100'000;
     std::string text = "v 0 0 0\n";
     for (int i = 0; i < count; ++i)

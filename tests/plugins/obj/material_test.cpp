@@ -52,7 +52,7 @@ TEST(ObjMaterial, oneNumberIsGrey) {
     EXPECT_EQ(material("Kd 0.5\n").baseColor, glm::vec4(0.5f, 0.5f, 0.5f, 1.0f));
 }
 
-TEST(ObjMaterial, roughnessOfAnExponent) {
+TEST(ObjMaterial, roughnessFromASpecularExponent) {
     // (2 / (n + 2))^(1/4) by hand; two square roots of single precision.
     EXPECT_FLOAT_EQ(material("Ns 30\n").roughness, 0.5f);
     EXPECT_FLOAT_EQ(material("Ns 0\n").roughness, 1.0f);
@@ -60,7 +60,7 @@ TEST(ObjMaterial, roughnessOfAnExponent) {
     EXPECT_FLOAT_EQ(material("Ns 510\n").roughness, 0.25f);
 }
 
-TEST(ObjMaterial, opacityIsAMask) {
+TEST(ObjMaterial, opacityBecomesAMask) {
     for (const char* statement : {"d 0.25\n", "Tr 0.75\n", "Tr 0.1\nd 0.25\n", "d 0.25\nTr 0.1\n"}) {
         const auto imported = loadMaterial(statement);
         const candela::Material& m = imported.scene.materials.at(0);
@@ -86,7 +86,7 @@ TEST(ObjMaterial, mapsMultiplyTheirFactors) {
     EXPECT_EQ(texels(imageOf(imported, m.normalTexture)), (std::vector<int>{128, 128, 255, 255}));
 }
 
-TEST(ObjMaterial, roughnessAndMetalShareAPicture) {
+TEST(ObjMaterial, roughnessAndMetallicMapsBecomeOneImage) {
     const auto imported = loadMaterial("map_Pr r.png\nmap_Pm m.png\nPm 0.5\n",
                                        {{"r.png", greyPng({10, 20})}, {"m.png", greyPng({30, 40, 50, 60})}});
     const candela::Material& m = imported.scene.materials.at(0);
@@ -98,7 +98,7 @@ TEST(ObjMaterial, roughnessAndMetalShareAPicture) {
               (std::vector<int>{255, 10, 30, 255, 255, 10, 40, 255, 255, 20, 50, 255, 255, 20, 60, 255}));
 }
 
-TEST(ObjMaterial, oneOfRoughnessAndMetalLeavesTheOther) {
+TEST(ObjMaterial, aRoughnessOrMetallicMapAloneKeepsTheOtherFactor) {
     const auto imported = loadMaterial("map_Pr -imfchan b r.png\nPm 0.5\n", {{"r.png", png(1, 2, 3)}});
     EXPECT_EQ(imported.scene.materials.at(0).metallic, 0.5f);
     EXPECT_EQ(texels(imported.scene.images.at(0)), (std::vector<int>{255, 3, 255, 255}));
@@ -107,7 +107,7 @@ TEST(ObjMaterial, oneOfRoughnessAndMetalLeavesTheOther) {
     EXPECT_EQ(texels(metal.scene.images.at(0)), (std::vector<int>{255, 255, 7, 255}));
 }
 
-TEST(ObjMaterial, sixteenBitsAreKept) {
+TEST(ObjMaterial, sixteenBitMapsStaySixteenBit) {
     const auto imported = loadMaterial(
         "map_Pr r.png\nmap_Pm m.png\n",
         {{"r.png", textOf(makePng(1, 1, 16, PngColor::grey, {0x12, 0x34}))}, {"m.png", greyPng({0x56})}});
@@ -126,19 +126,19 @@ TEST(ObjMaterial, anOpacityMapBecomesAlpha) {
     EXPECT_EQ(imported.scene.materials.at(0).alphaMode, candela::AlphaMode::mask);
 }
 
-TEST(ObjMaterial, anOpacityMapWithAlphaGivesItsAlpha) {
+TEST(ObjMaterial, anOpacityMapWithAnAlphaChannelUsesIt) {
     const auto same = loadMaterial("map_Kd c.png\nmap_d c.png\n", {{"c.png", png(1, 2, 3, 77)}});
     EXPECT_EQ(texels(same.scene.images.at(0)), (std::vector<int>{1, 2, 3, 77}));
     const auto alone = loadMaterial("map_d c.png\n", {{"c.png", png(1, 2, 3, 77)}});
     EXPECT_EQ(texels(alone.scene.images.at(0)), (std::vector<int>{255, 255, 255, 77}));
 }
 
-TEST(ObjMaterial, alphaOfAColourMapAloneIsIgnored) {
+TEST(ObjMaterial, alphaOfAColorMapAloneIsIgnored) {
     const auto imported = loadMaterial("map_Kd c.png\n", {{"c.png", png(1, 2, 3, 77)}});
     EXPECT_EQ(imported.scene.materials.at(0).alphaMode, candela::AlphaMode::opaque);
 }
 
-TEST(ObjMaterial, optionsPlaceATexture) {
+TEST(ObjMaterial, optionsSetTheTextureTransform) {
     const auto imported =
         loadMaterial("map_Kd -clamp on -s 2 3 1 -o 0.25 0.5 c.png\n", {{"c.png", png(1, 2, 3)}});
     const candela::Texture texture = imported.scene.materials.at(0).baseColorTexture.value();
@@ -172,7 +172,7 @@ TEST(ObjMaterial, optionsThatDifferAreNoted) {
         hasNote(imported, "a.mtl, line 3: map_Pm: its options are not used, but those of a.mtl, line 2"));
 }
 
-TEST(ObjMaterial, aPictureIsAddedOnce) {
+TEST(ObjMaterial, aSharedImageIsAddedOnce) {
     const auto imported =
         loadObj(squareVertices() + "mtllib a.mtl\nusemtl m\nf 1 2 3\nusemtl n\nf 2 3 4\nusemtl m\nf 1 3 4\n",
                 {{"a.mtl",
@@ -190,7 +190,7 @@ TEST(ObjMaterial, aPictureIsAddedOnce) {
     EXPECT_EQ(imported.scene.materials[1].name, "n");
 }
 
-TEST(ObjMaterial, severalLibrariesWithBlanksInTheirNames) {
+TEST(ObjMaterial, severalLibrariesWithSpacesInTheirNames) {
     const auto imported =
         loadObj(squareVertices() + "mtllib my first.mtl sub/b.MTL\nusemtl a 1\nf 1 2 3\nusemtl b\nf 2 3 4\n",
                 {{"my first.mtl", "newmtl a 1\nPm 1\n"},
@@ -202,7 +202,7 @@ TEST(ObjMaterial, severalLibrariesWithBlanksInTheirNames) {
     EXPECT_EQ(imported.scene.images.at(0).name, "sub/c.png");
 }
 
-TEST(ObjMaterial, aTextureWithoutCoordinatesTakesZeros) {
+TEST(ObjMaterial, missingTextureCoordinatesAreZero) {
     const auto imported = loadObj(squareVertices() + "mtllib a.mtl\nusemtl b\nf 1 2 3 4\n",
                                   {{"a.mtl", "newmtl b\nmap_Kd c.png\n"}, {"c.png", png(1, 2, 3)}});
     EXPECT_EQ(imported.scene.meshes.at(0).uv0, std::vector<glm::vec2>(4, glm::vec2(0)));
@@ -215,7 +215,7 @@ TEST(ObjMaterial, anUnknownMaterialIsNoted) {
     EXPECT_FALSE(imported.scene.meshes.at(0).submeshes.at(0).material.has_value());
 }
 
-TEST(ObjMaterial, whatIsNotUsedIsNoted) {
+TEST(ObjMaterial, unsupportedStatementsAreNoted) {
     const auto imported = loadMaterial(
         "Ka 1 1 1\nKs 1 1 1\nillum 2\nPs 1\nPc 1\nPcr 1\naniso 1\n"
         "map_Bump -bm 2 h.png\nKd spectral a.rfl\nwhat 3\n");
@@ -225,14 +225,14 @@ TEST(ObjMaterial, whatIsNotUsedIsNoted) {
     EXPECT_TRUE(hasNote(imported, "a.mtl: not known: what (once, in line 11)"));
 }
 
-TEST(ObjMaterial, anOtherKindOfPictureIsNotedAndLeftOut) {
+TEST(ObjMaterial, anUnsupportedImageFormatIsNotedAndOmitted) {
     const auto imported = loadMaterial("map_Kd c.tga\nmap_d c.tga\n", {{"c.tga", "xxxx"}});
     EXPECT_TRUE(hasNote(imported, "'c.tga' is neither a PNG nor a JPEG file: left out"));
     EXPECT_TRUE(imported.scene.images.empty());
     EXPECT_FALSE(imported.scene.materials.at(0).baseColorTexture.has_value());
 }
 
-TEST(ObjMaterial, theFirstOfTwoDefinitionsCounts) {
+TEST(ObjMaterial, theFirstOfTwoDefinitionsIsUsed) {
     const auto imported = loadMaterial("Pm 1\nnewmtl m\nPm 0\n");
     EXPECT_EQ(imported.scene.materials.at(0).metallic, 1.0f);
     EXPECT_TRUE(hasNote(imported, "a.mtl, line 3: newmtl 'm' is defined before: left out"));

@@ -3,8 +3,8 @@
 namespace candela_test {
 namespace {
 
-std::string writeAll(const TemporaryFolder& folder, const std::string& text,
-                     const std::vector<SideFile>& files) {
+std::string writeFiles(const TemporaryFolder& folder, const std::string& text,
+                       const std::vector<SideFile>& files) {
     for (const SideFile& file : files) folder.write(file.name, file.content);
     return folder.write("scene.obj", text);
 }
@@ -18,13 +18,13 @@ std::string textOf(const Bytes& bytes) {
 candela::ImportedScene loadObj(const std::string& text, const std::vector<SideFile>& files,
                                const std::string& query) {
     const TemporaryFolder folder;
-    return loadPath(writeAll(folder, text, files) + query);
+    return loadPath(writeFiles(folder, text, files) + query);
 }
 
 std::string errorOfObj(const std::string& text, const std::vector<SideFile>& files,
                        const std::string& query) {
     const TemporaryFolder folder;
-    const std::string path = writeAll(folder, text, files) + query;
+    const std::string path = writeFiles(folder, text, files) + query;
     const std::string error = errorOfPath(path), beginning = path + ": ";
     return error.starts_with(beginning) ? error.substr(beginning.size()) : error;
 }

@@ -19,7 +19,7 @@ std::string textOf(const Bytes& bytes);
 candela::ImportedScene loadObj(const std::string& text, const std::vector<SideFile>& files = {},
                                const std::string& query = "");
 
-/// The message of the error that loading ends in, from behind the file's name on; "" when it succeeds.
+/// The error message of loading, without the leading file name; "" when loading succeeds.
 std::string errorOfObj(const std::string& text, const std::vector<SideFile>& files = {},
                        const std::string& query = "");
 

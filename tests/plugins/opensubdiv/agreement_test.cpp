@@ -1,4 +1,4 @@
-#include "agreement.h"
+#include "expect_agreement.h"
 #include "generated_cages.h"
 
 #include <gtest/gtest.h>
@@ -11,16 +11,16 @@ namespace candela {
 namespace {
 
 std::vector<Cage> manifoldCages() {
-    std::vector<Cage> cages{cube(), torus(5, 4), pyramid(3), pyramid(5), sheet(3, 3), strangePolygons()};
+    std::vector<Cage> cages{cube(), torus(5, 4), pyramid(3), pyramid(5), sheet(3, 3), mixedPolygons()};
     for (std::uint32_t valence = 3; valence <= 12; ++valence) cages.push_back(star(valence));
     return cages;
 }
 
-/// The cage itself, or its triangles where the scheme takes nothing else.
-Cage fittedTo(SubdivisionScheme scheme, const Cage& cage) {
-    Cage fitted = scheme == SubdivisionScheme::loop ? triangulated(cage) : cage;
-    fitted.scheme = scheme;
-    return fitted;
+/// The cage itself, or triangulated for the Loop scheme.
+Cage convertedTo(SubdivisionScheme scheme, const Cage& cage) {
+    Cage converted = scheme == SubdivisionScheme::loop ? triangulated(cage) : cage;
+    converted.scheme = scheme;
+    return converted;
 }
 
 struct Rules {
@@ -56,7 +56,7 @@ void set(Cage& cage, const Rules& rules) {
 class Agreement : public testing::TestWithParam<std::tuple<SubdivisionScheme, BoundaryInterpolation>> {
   protected:
     Cage prepared(const Cage& cage) const {
-        Cage result = fittedTo(std::get<0>(GetParam()), cage);
+        Cage result = convertedTo(std::get<0>(GetParam()), cage);
         result.boundaryInterpolation = std::get<1>(GetParam());
         return result;
     }
@@ -64,17 +64,17 @@ class Agreement : public testing::TestWithParam<std::tuple<SubdivisionScheme, Bo
 
 TEST_P(Agreement, ofSmoothCages) {
     Random random(1);
-    for (const Cage& plain : manifoldCages()) {
+    for (const Cage& original : manifoldCages()) {
         for (const std::uint32_t level : {1u, 3u}) {
-            Cage cage = prepared(plain);
-            shake(cage, 0.1f, random);
-            giveTornUvs(cage, random);
+            Cage cage = prepared(original);
+            jitter(cage, 0.1f, random);
+            addUvsWithSeams(cage, random);
             expectAgreement(cage, level);
         }
     }
 }
 
-// Sharp features and seams at random, and all other rules; each with some of the cages.
+// Random creases, corners and seams, with all combinations of the other rules, each for some of the cages.
 TEST_P(Agreement, ofSharpCages) {
     Random random(2);
     const std::vector<Cage> cages = manifoldCages();
@@ -83,9 +83,9 @@ TEST_P(Agreement, ofSharpCages) {
         for (int i = 0; i < 4; ++i) {
             Cage cage = prepared(cages[iteration++ % cages.size()]);
             set(cage, rules);
-            shake(cage, 0.2f, random);
-            giveTornUvs(cage, random);
-            sharpenSome(cage, random);
+            jitter(cage, 0.2f, random);
+            addUvsWithSeams(cage, random);
+            addRandomSharpness(cage, random);
             expectAgreement(cage, 2);
         }
     }
@@ -93,10 +93,10 @@ TEST_P(Agreement, ofSharpCages) {
 
 TEST_P(Agreement, aroundHoles) {
     Random random(3);
-    for (const Cage& plain : {torus(6, 5), sheet(5, 4), star(5)}) {
-        Cage cage = prepared(plain);
-        shake(cage, 0.1f, random);
-        giveTornUvs(cage, random);
+    for (const Cage& original : {torus(6, 5), sheet(5, 4), star(5)}) {
+        Cage cage = prepared(original);
+        jitter(cage, 0.1f, random);
+        addUvsWithSeams(cage, random);
         cage.holes = {3, 4, 9, 13};
         expectAgreement(cage, 2);
     }
@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(BoundaryInterpolation::none, BoundaryInterpolation::edges,
                                      BoundaryInterpolation::edgesAndCorners)));
 
-// Sharpness beyond the level is isolated all the same.
+// Sharpness above the refinement level is isolated too.
 TEST(Agreement, ofHighSharpness) {
     Cage cage = cube();
     cage.creases = {{0, 1, 5.5f}, {1, 3, 5.5f}, {3, 2, 6.25f}, {2, 0, 4.0f}};
@@ -117,11 +117,11 @@ TEST(Agreement, ofHighSharpness) {
     expectAgreement(cage, 1);
 }
 
-TEST(Agreement, ofEdgesOfThreeFaces) {
+TEST(Agreement, ofNonManifoldEdges) {
     Random random(4);
     for (const SubdivisionScheme scheme : {SubdivisionScheme::catmullClark, SubdivisionScheme::loop}) {
-        Cage cage = fittedTo(scheme, book());
-        shake(cage, 0.1f, random);
+        Cage cage = convertedTo(scheme, threeSheets());
+        jitter(cage, 0.1f, random);
         expectAgreement(cage, 2);
     }
 }

@@ -1,5 +1,5 @@
 #include "generated_cages.h"
-#include "refining.h"
+#include "plugin_refinement.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace candela {
 namespace {
 
-/// The vertices that faces name at one point.
+/// The vertices of faces at one point.
 std::set<std::uint32_t> verticesAt(const RefinedCage& refined, std::uint32_t point) {
     std::set<std::uint32_t> vertices;
     for (const std::uint32_t vertex : refined.faceVertices) {
@@ -34,7 +34,7 @@ float angleBetween(const glm::vec3& a, const glm::vec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// A sheet of 6 × 6 faces, folded along its middle column of vertices: its halves rise by `slope`.
+/// A sheet of 6 × 6 faces, folded along its middle column of vertices: both halves rise by `slope`.
 Cage foldedSheet(float slope) {
     Cage cage = sheet(6, 6);
     for (glm::vec3& point : cage.positions) point.y = slope * std::abs(point.x - 3.0f);
@@ -49,17 +49,17 @@ void crease(Cage& cage, std::uint32_t first, std::uint32_t last, float sharpness
 }
 
 // The faces 20 and 21 lie left and right of the fold.
-TEST(Crease, thatIsInfiniteHasTheNormalsOfBothSides) {
+TEST(Crease, thatIsInfinitelySharpSeparatesNormals) {
     Cage cage = foldedSheet(1.0f);
     crease(cage, 0, 6, infiniteSharpness);
     const RefinedCage refined = refineWithPlugin(cage, 2);
-    const EvaluatedLimit limit = evaluated(refined, cage.positions);
+    const EvaluatedLimit limit = evaluateCage(refined, cage.positions);
     for (const double t : {0.0, 0.25, 0.5, 1.0}) {
         const std::uint32_t left = vertexAt(cage, refined, 20, 1.0, t);
         const std::uint32_t right = vertexAt(cage, refined, 21, 0.0, t);
         EXPECT_NE(left, right);
         EXPECT_EQ(refined.pointOf(left), refined.pointOf(right));
-        // Both sides are planes, which rise by 45 degrees; a crease takes nothing of the other side.
+        // Both sides are planes at 45 degrees; across the crease they do not affect each other.
         EXPECT_NEAR(angleBetween(limit.normals[left], limit.normals[right]), std::numbers::pi / 2, 1e-5);
         EXPECT_NEAR(angleBetween(limit.normals[left], glm::vec3(1.0f, 1.0f, 0.0f)), 0.0, 1e-5);
     }
@@ -73,7 +73,7 @@ TEST(Crease, thatIsSemiSharpIsSmooth) {
             crease(cage, 0, 6, sharpness);
             const RefinedCage refined = refineWithPlugin(cage, 2);
             EXPECT_TRUE(refined.seamPoints.empty());
-            const EvaluatedLimit limit = evaluated(refined, cage.positions);
+            const EvaluatedLimit limit = evaluateCage(refined, cage.positions);
             for (const double t : {0.0, 0.25, 0.5, 1.0}) {
                 const std::uint32_t left = vertexAt(cage, refined, 20, 1.0, t);
                 EXPECT_EQ(left, vertexAt(cage, refined, 21, 0.0, t));
@@ -88,19 +88,19 @@ TEST(Crease, thatEndsInASmoothVertexIsADart) {
     Cage cage = foldedSheet(0.7f);
     crease(cage, 0, 3, infiniteSharpness);
     const RefinedCage refined = refineWithPlugin(cage, 2);
-    const EvaluatedLimit limit = evaluated(refined, cage.positions);
+    const EvaluatedLimit limit = evaluateCage(refined, cage.positions);
     // The dart's vertex is the far right corner of face 14 and the far left one of face 15.
     const std::uint32_t dart = vertexAt(cage, refined, 14, 1.0, 1.0);
     EXPECT_EQ(dart, vertexAt(cage, refined, 15, 0.0, 1.0));
     EXPECT_EQ(dart, vertexAt(cage, refined, 20, 1.0, 0.0));
     EXPECT_EQ(verticesAt(refined, dart).size(), 1u);
     EXPECT_NEAR(limit.normals[dart].x, 0.0f, 1e-5f);
-    // Before it the crease separates, beyond it nothing does.
+    // The normals differ along the crease, and not beyond the dart.
     EXPECT_NE(vertexAt(cage, refined, 14, 1.0, 0.75), vertexAt(cage, refined, 15, 0.0, 0.75));
     EXPECT_EQ(vertexAt(cage, refined, 20, 1.0, 0.25), vertexAt(cage, refined, 21, 0.0, 0.25));
 }
 
-TEST(Crease, aroundOneFaceOfACubeMakesOneSeamVertexPerPoint) {
+TEST(Crease, aroundOneFaceOfACubeAddsOneSeamVertexPerPoint) {
     Cage cage = cube();
     cage.creases = {{0, 2, 10.0f}, {2, 3, 10.0f}, {3, 1, 10.0f}, {1, 0, 10.0f}};
     const RefinedCage refined = refineWithPlugin(cage, 2);
@@ -115,14 +115,14 @@ TEST(Crease, onAllEdgesOfACubeKeepsItACube) {
     const RefinedCage refined = refineWithPlugin(cage, 2);
     // Six faces of 5 × 5 vertices each.
     EXPECT_EQ(refined.vertexCount(), 6u * 25u);
-    const EvaluatedLimit limit = evaluated(refined, cage.positions);
+    const EvaluatedLimit limit = evaluateCage(refined, cage.positions);
     for (std::size_t i = 0; i < limit.normals.size(); ++i) {
         const glm::vec3 size = glm::abs(limit.normals[i]);
         EXPECT_NEAR(std::max({size.x, size.y, size.z}), 1.0f, 1e-5f);
     }
 }
 
-TEST(Corner, thatIsInfiniteSeparatesItsFaces) {
+TEST(Corner, thatIsInfinitelySharpSeparatesItsFaces) {
     Cage cage = cube();
     cage.corners = {{7, infiniteSharpness}};
     RefinedCage refined = refineWithPlugin(cage, 2);
@@ -132,12 +132,12 @@ TEST(Corner, thatIsInfiniteSeparatesItsFaces) {
     EXPECT_TRUE(refined.seamPoints.empty());
 }
 
-TEST(Bilinear, facesShareNoNormals) {
+TEST(Bilinear, facesDoNotShareNormals) {
     Cage cage = pyramid(5);
     cage.scheme = SubdivisionScheme::bilinear;
     const RefinedCage refined = refineWithPlugin(cage, 2);
-    // All faces are cut into sub-faces, of 2 × 2 quads with 9 vertices each: 5 × 3 of the triangles, 5 of the
-    // base.
+    // All faces are split into sub-faces of 2 × 2 quads with 9 vertices each: 5 × 3 of the triangles, 5 of
+    // the base.
     EXPECT_EQ(refined.vertexCount(), 20u * 9u);
 }
 
@@ -150,7 +150,7 @@ TEST(Seam, hasSeamVerticesWithTheTextureCoordinatesOfBothSides) {
     // The seam has three points: both ends and the middle.
     EXPECT_EQ(refined.seamPoints.size(), 3u);
     const LimitUvs uvs = evaluateLimitUvs(refined, cage.uvs);
-    const EvaluatedLimit limit = evaluated(refined, cage.positions);
+    const EvaluatedLimit limit = evaluateCage(refined, cage.positions);
     const std::uint32_t left = vertexAt(cage, refined, 0, 1.0, 0.5);
     const std::uint32_t right = vertexAt(cage, refined, 1, 0.0, 0.5);
     EXPECT_EQ(refined.pointOf(left), refined.pointOf(right));
@@ -159,16 +159,16 @@ TEST(Seam, hasSeamVerticesWithTheTextureCoordinatesOfBothSides) {
     EXPECT_LT(angleBetween(limit.normals[left], limit.normals[right]), 1e-5f);
 }
 
-// A seam that ends inside: its last vertex has one texture coordinate.
-TEST(Seam, thatEndsLeavesItsLastPointWhole) {
+// A seam that ends inside the surface: its last vertex has one texture coordinate.
+TEST(Seam, endsInASharedVertex) {
     Cage cage = sheet(4, 4);
-    giveSmoothUvs(cage);
-    // Vertices 2 and 7 on the right side of the line between columns 1 and 2 get their own.
-    const auto own = static_cast<std::uint32_t>(cage.uvs.size());
+    addSmoothUvs(cage);
+    // Vertices 2 and 7 get separate coordinates on the right side of the line between columns 1 and 2.
+    const auto first = static_cast<std::uint32_t>(cage.uvs.size());
     cage.uvs.insert(cage.uvs.end(), {{9.0f, 0.0f}, {9.0f, 1.0f}});
-    cage.faceUvs[4 * 2] = own;
-    cage.faceUvs[4 * 2 + 3] = own + 1;
-    cage.faceUvs[4 * 6] = own + 1;
+    cage.faceUvs[4 * 2] = first;
+    cage.faceUvs[4 * 2 + 3] = first + 1;
+    cage.faceUvs[4 * 6] = first + 1;
     const RefinedCage refined = refineWithPlugin(cage, 2);
     // Two edges of four points each; their common end is shared with all faces around it.
     EXPECT_EQ(refined.seamPoints.size(), 8u);

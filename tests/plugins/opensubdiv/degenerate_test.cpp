@@ -1,5 +1,5 @@
 #include "generated_cages.h"
-#include "refining.h"
+#include "plugin_refinement.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 namespace candela {
 namespace {
 
-/// A hemisphere of quads whose last ring of vertices lies in the pole: its faces there are collapsed to
-/// triangles, and the surface has a boundary of no length.
+/// A hemisphere of quads whose last ring of vertices lies at the pole: the faces there are degenerate
+/// triangles, and the surface has a boundary of length 0.
 Cage collapsedPole(std::uint32_t around, std::uint32_t rings) {
     std::vector<glm::vec3> points;
     std::vector<std::vector<std::uint32_t>> faces;
@@ -33,11 +33,11 @@ Cage collapsedPole(std::uint32_t around, std::uint32_t rings) {
     return makeCage("hemisphere", points, faces);
 }
 
-TEST(Degenerate, poleHasTheNormalFromInside) {
+TEST(Degenerate, poleUsesANormalNearIt) {
     const Cage cage = collapsedPole(8, 4);
     for (const std::uint32_t level : {1u, 3u, 6u}) {
         const RefinedCage refined = refineWithPlugin(cage, level);
-        const EvaluatedLimit limit = evaluated(refined, cage.positions);
+        const EvaluatedLimit limit = evaluateCage(refined, cage.positions);
         int atPole = 0;
         for (const GridVertex& at : gridVertices(cage, refined)) {
             const glm::vec3 normal = limit.normals[at.vertex];
@@ -45,8 +45,7 @@ TEST(Degenerate, poleHasTheNormalFromInside) {
             EXPECT_GT(normal.y, -0.5f);
             if (at.face / 8 != 3 || at.t != 1.0) continue;
             ++atPole;
-            // du has no length there. The faces at the pole rise by a fifth towards it at most, each its own
-            // way.
+            // du is 0 there. The slope of the faces at the pole is at most 0.2, in different directions.
             EXPECT_GT(normal.y, 0.9f) << level;
             EXPECT_GT(glm::length(limit.dv[at.vertex]), 0.1f);
         }
@@ -54,14 +53,14 @@ TEST(Degenerate, poleHasTheNormalFromInside) {
     }
 }
 
-// Where the boundary is a smooth curve through the corner of a single face, du and dv lie on the same line.
-TEST(Degenerate, roundedCornerHasTheNormalFromInside) {
+// Where the boundary is a smooth curve through the corner of a single face, du and dv are parallel.
+TEST(Degenerate, roundedCornerUsesANormalNearIt) {
     Cage cage = sheet(3, 3);
     cage.boundaryInterpolation = BoundaryInterpolation::edges;
     for (glm::vec3& point : cage.positions) point.y = 0.2f * point.x;
     const glm::vec3 flat = glm::normalize(glm::vec3(-0.2f, 1.0f, 0.0f));
     for (const std::uint32_t level : {1u, 4u, 8u}) {
-        const EvaluatedLimit limit = evaluated(refineWithPlugin(cage, level), cage.positions);
+        const EvaluatedLimit limit = evaluateCage(refineWithPlugin(cage, level), cage.positions);
         for (const glm::vec3& normal : limit.normals) {
             // du × dv is 1e-3 of their lengths at level 8, and they are rounded by some 1e-7.
             EXPECT_LT(glm::length(normal - flat), 1e-3f) << level;
@@ -73,10 +72,10 @@ TEST(Degenerate, collapsedQuadHasNormals) {
     for (const SubdivisionScheme scheme : {SubdivisionScheme::catmullClark, SubdivisionScheme::bilinear}) {
         Cage cage = sheet(3, 3);
         cage.scheme = scheme;
-        // Face 4 in the middle becomes a triangle: two of its corners lie in one point.
+        // Face 4 in the middle becomes a triangle: two of its corners coincide.
         cage.positions[9] = cage.positions[5];
         for (const std::uint32_t level : {1u, 3u}) {
-            const EvaluatedLimit limit = evaluated(refineWithPlugin(cage, level), cage.positions);
+            const EvaluatedLimit limit = evaluateCage(refineWithPlugin(cage, level), cage.positions);
             for (const glm::vec3& normal : limit.normals) {
                 EXPECT_LT(glm::length(normal - glm::vec3(0.0f, 1.0f, 0.0f)), 1e-3f);
             }
@@ -84,11 +83,11 @@ TEST(Degenerate, collapsedQuadHasNormals) {
     }
 }
 
-// All vertices in one point: there is no normal, but nothing fails.
-TEST(Degenerate, cageWithoutExtentIsRefined) {
+// All vertices coincide: normals are undefined, but refinement succeeds.
+TEST(Degenerate, cageOfZeroExtentIsRefined) {
     Cage cage = cube();
     for (glm::vec3& point : cage.positions) point = glm::vec3(1.0f, 2.0f, 3.0f);
-    const EvaluatedLimit limit = evaluated(refineWithPlugin(cage, 2), cage.positions);
+    const EvaluatedLimit limit = evaluateCage(refineWithPlugin(cage, 2), cage.positions);
     for (const glm::vec3& position : limit.positions) {
         EXPECT_LT(glm::length(position - glm::vec3(1.0f, 2.0f, 3.0f)), 1e-5f);
     }

@@ -13,7 +13,7 @@
 namespace candela {
 namespace {
 
-/// A cage of small random numbers, most of them nearly right.
+/// A cage of small random numbers, most of which are valid.
 class RandomCage {
   public:
     explicit RandomCage(Random& random) : random_(random) {
@@ -65,7 +65,7 @@ class RandomCage {
         sizes_.resize(cage_.face_count);
         for (std::uint32_t& size : sizes_) {
             size = 3 + (below(3) == 0 ? below(4) : 0) - rarely() * rarely();
-            // Most faces name each vertex once, or none would get past the first test.
+            // Most faces use each vertex once, or all cages would be rejected by the first check.
             std::vector<std::uint32_t> vertices(cage_.vertex_count);
             for (std::uint32_t i = 0; i < cage_.vertex_count; ++i) vertices[i] = i;
             std::shuffle(vertices.begin(), vertices.end(), random_);
@@ -88,7 +88,7 @@ class RandomCage {
     }
 
     void setSharpness() {
-        // Creases name edges of faces, most of the time.
+        // Most creases are edges of faces.
         for (std::uint32_t i = below(5); i > 0; --i) {
             const std::size_t corner = below(static_cast<std::uint32_t>(vertices_.size()) - 1);
             creases_.push_back(vertices_[corner]);
@@ -111,8 +111,8 @@ class RandomCage {
     std::vector<std::uint32_t> sizes_, vertices_, faceUvs_, creases_, corners_, holes_;
 };
 
-/// How many of some random cages are refined. All calls end with a result or with one reason.
-int refinedOf(std::uint32_t seed, int count) {
+/// The number of random cages that are refined. Each call ends with a result or with one error.
+int countRefined(std::uint32_t seed, int count) {
     Random random(seed);
     int refined = 0;
     for (int i = 0; i < count; ++i) {
@@ -125,29 +125,29 @@ int refinedOf(std::uint32_t seed, int count) {
     return refined;
 }
 
-TEST(Fuzz, randomCagesEndInResultsOrReasons) {
+TEST(Fuzz, randomCagesGiveResultsOrErrors) {
     const int count = candela_test::fuzzIterations<int>(4000);
-    const int refined = refinedOf(31, count);
-    // Otherwise the test would prove little.
+    const int refined = countRefined(31, count);
+    // The cages have to exercise both outcomes.
     EXPECT_GT(refined, count / 10);
     EXPECT_LT(refined, count);
 }
 
-TEST(Fuzz, threadsDoNotDisturbEachOther) {
-    std::vector<int> together(4);
+TEST(Fuzz, concurrentCallsAreIndependent) {
+    std::vector<int> concurrent(4);
     std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < together.size(); ++i) {
+    for (std::size_t i = 0; i < concurrent.size(); ++i) {
         threads.emplace_back(
-            [&together, i] { together[i] = refinedOf(40 + static_cast<std::uint32_t>(i), 300); });
+            [&concurrent, i] { concurrent[i] = countRefined(40 + static_cast<std::uint32_t>(i), 300); });
     }
     threads.clear();
-    for (std::size_t i = 0; i < together.size(); ++i) {
-        EXPECT_EQ(together[i], refinedOf(40 + static_cast<std::uint32_t>(i), 300));
+    for (std::size_t i = 0; i < concurrent.size(); ++i) {
+        EXPECT_EQ(concurrent[i], countRefined(40 + static_cast<std::uint32_t>(i), 300));
     }
 }
 
-// Random bytes instead of the arrays' sizes and rules; the arrays are as large as the sizes allow.
-TEST(Fuzz, randomBytesEndInResultsOrReasons) {
+// Random bytes in the arrays, and random counts and rules; the arrays are long enough for all counts.
+TEST(Fuzz, randomBytesGiveResultsOrErrors) {
     Random random(51);
     std::vector<std::uint32_t> bytes(4096);
     for (int i = 0; i < candela_test::fuzzIterations(20000); ++i) {

@@ -20,21 +20,21 @@ float uniform(Random& random) {
     return std::uniform_real_distribution<float>(0.0f, 1.0f)(random);
 }
 
-/// Groups the corners of a cage that lie in one fan of faces around a vertex, joined across edges whose
-/// texture coordinates agree.
+/// Groups the corners of a cage into fans of faces around a vertex, connected across edges with equal texture
+/// coordinates.
 class UvFans {
   public:
     explicit UvFans(const Cage& cage) : cage_(cage), parents_(cage.faceVertices.size()) {
         std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-        // Of each edge, the corners of the face before at the smaller and the greater vertex.
-        std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, std::size_t>> before;
+        // The corners at the lower and the higher vertex of each edge, in the first face that has it.
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, std::size_t>> edgeCorners;
         std::size_t first = 0;
         for (const std::uint32_t size : cage.faceSizes) {
             for (std::uint32_t i = 0; i < size; ++i) {
                 std::pair ends{first + i, first + (i + 1) % size};
                 if (vertex(ends.first) > vertex(ends.second)) std::swap(ends.first, ends.second);
                 const auto [known, isNew] =
-                    before.try_emplace({vertex(ends.first), vertex(ends.second)}, ends);
+                    edgeCorners.try_emplace({vertex(ends.first), vertex(ends.second)}, ends);
                 if (!isNew) join(known->second, ends);
             }
             first += size;
@@ -60,17 +60,17 @@ class UvFans {
     std::vector<std::size_t> parents_;
 };
 
-/// Gives each fan its own texture coordinate. Far and Bfr do not agree on one that two fans of a vertex
-/// share: Bfr keeps it where it is, Far moves it with each of the fans.
+/// Gives each fan a separate texture coordinate. Far and Bfr differ for one that two fans of a vertex share:
+/// Bfr does not move it, Far moves it with each of the fans.
 void separateFans(Cage& cage) {
     const UvFans fans(cage);
     std::map<std::uint32_t, std::size_t> owner;
-    std::map<std::size_t, std::uint32_t> own;
+    std::map<std::size_t, std::uint32_t> added;
     for (std::size_t corner = 0; corner < cage.faceUvs.size(); ++corner) {
         const std::size_t fan = fans.of(corner);
         const std::uint32_t uv = cage.faceUvs[corner];
         if (owner.try_emplace(uv, fan).first->second == fan) continue;
-        const auto [place, isNew] = own.try_emplace(fan, static_cast<std::uint32_t>(cage.uvs.size()));
+        const auto [place, isNew] = added.try_emplace(fan, static_cast<std::uint32_t>(cage.uvs.size()));
         if (isNew) cage.uvs.push_back(cage.uvs[uv]);
         cage.faceUvs[corner] = place->second;
     }
@@ -141,7 +141,7 @@ Cage sheet(std::uint32_t columns, std::uint32_t rows) {
 }
 
 Cage star(std::uint32_t valence) {
-    // Around the middle: a ring of vertices at the ends of its edges and between them, and one outside.
+    // Two rings of vertices around the center: the inner one at the ends of its edges and between them.
     std::vector<glm::vec3> points{{0.0f, 0.3f, 0.0f}};
     std::vector<std::vector<std::uint32_t>> faces;
     const std::uint32_t ring = 2 * valence;
@@ -159,14 +159,14 @@ Cage star(std::uint32_t valence) {
     return makeCage("star of " + std::to_string(valence), points, faces);
 }
 
-Cage strangePolygons() {
+Cage mixedPolygons() {
     // A strip of polygons between two lines of vertices; 0 to 12 below, 13 to 25 above.
     std::vector<glm::vec3> points;
     for (std::uint32_t i = 0; i < 26; ++i) {
         points.emplace_back(static_cast<float>(i % 13), 0.3f * static_cast<float>(i * 7 % 5),
                             i < 13 ? 0.0f : -2.0f);
     }
-    return makeCage("strange polygons", points,
+    return makeCage("mixed polygons", points,
                     {{0, 1, 13},
                      {1, 2, 14, 13},
                      {2, 3, 4, 15, 14},
@@ -177,26 +177,26 @@ Cage strangePolygons() {
                      {11, 12, 22, 21, 20}});
 }
 
-Cage book() {
+Cage threeSheets() {
     std::vector<glm::vec3> points;
     std::vector<std::vector<std::uint32_t>> faces;
     for (std::uint32_t j = 0; j < 4; ++j) {
         points.emplace_back(0.0f, 0.0f, -static_cast<float>(j));
-        for (std::uint32_t page = 0; page < 3; ++page) {
-            const float angle = static_cast<float>(page) / 3.0f + 0.1f;
+        for (std::uint32_t side = 0; side < 3; ++side) {
+            const float angle = static_cast<float>(side) / 3.0f + 0.1f;
             points.emplace_back(std::cos(2.0f * pi * angle), std::sin(2.0f * pi * angle),
                                 -static_cast<float>(j));
             if (j == 3) continue;
-            const std::uint32_t line = 4 * j, outer = line + 1 + page;
+            const std::uint32_t line = 4 * j, outer = line + 1 + side;
             faces.push_back({line, outer, outer + 4, line + 4});
         }
     }
-    return makeCage("book", points, faces);
+    return makeCage("three sheets", points, faces);
 }
 
 Cage triangulated(const Cage& cage) {
     Cage result = cage;
-    result.name += " in triangles";
+    result.name += ", triangulated";
     result.faceSizes.clear();
     result.faceVertices.clear();
     result.faceUvs.clear();
@@ -215,14 +215,14 @@ Cage triangulated(const Cage& cage) {
     return result;
 }
 
-void shake(Cage& cage, float amount, Random& random) {
+void jitter(Cage& cage, float amount, Random& random) {
     for (glm::vec3& point : cage.positions) {
         const float x = uniform(random), y = uniform(random), z = uniform(random);
         point += (glm::vec3(x, y, z) - 0.5f) * 2.0f * amount;
     }
 }
 
-void giveSmoothUvs(Cage& cage) {
+void addSmoothUvs(Cage& cage) {
     cage.uvs.clear();
     for (const glm::vec3& point : cage.positions) {
         cage.uvs.emplace_back(point.x + 0.3f * point.y, point.z - 0.2f * point.y);
@@ -230,8 +230,8 @@ void giveSmoothUvs(Cage& cage) {
     cage.faceUvs = cage.faceVertices;
 }
 
-void giveTornUvs(Cage& cage, Random& random) {
-    giveSmoothUvs(cage);
+void addUvsWithSeams(Cage& cage, Random& random) {
+    addSmoothUvs(cage);
     const auto vertexCount = static_cast<std::uint32_t>(cage.positions.size());
     for (std::uint32_t i = 0; i < vertexCount; ++i) cage.uvs.push_back(cage.uvs[i] * 0.7f + 5.0f);
     std::size_t corner = 0;
@@ -247,15 +247,17 @@ void giveTornUvs(Cage& cage, Random& random) {
     separateFans(cage);
 }
 
-void sharpenSome(Cage& cage, Random& random) {
+void addRandomSharpness(Cage& cage, Random& random) {
     constexpr float sharpnesses[] = {0.4f, 1.0f, 1.7f, 2.6f, infiniteSharpness, infiniteSharpness};
-    const auto choose = [&] { return sharpnesses[std::uniform_int_distribution<std::size_t>(0, 5)(random)]; };
+    const auto randomSharpness = [&] {
+        return sharpnesses[std::uniform_int_distribution<std::size_t>(0, 5)(random)];
+    };
     for (const auto& [vertex0, vertex1] : edgesOf(cage)) {
-        if (uniform(random) < 0.25f) cage.creases.push_back({vertex0, vertex1, choose()});
+        if (uniform(random) < 0.25f) cage.creases.push_back({vertex0, vertex1, randomSharpness()});
     }
-    // Vertices of no face have no sharpness that could matter.
+    // The sharpness of unused vertices has no effect.
     for (std::uint32_t vertex = 0; vertex < cage.positions.size(); ++vertex) {
-        if (uniform(random) < 0.1f) cage.corners.push_back({vertex, choose()});
+        if (uniform(random) < 0.1f) cage.corners.push_back({vertex, randomSharpness()});
     }
 }
 

@@ -8,7 +8,7 @@
 
 namespace candela {
 
-/// A cage as OpenSubdiv holds it, made by this test alone: not by the plugin's code. Not refined.
+/// The topology of a cage for OpenSubdiv, built without the plugin's code. Not refined.
 std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> osdTopology(const Cage& cage);
 
 }  // namespace candela

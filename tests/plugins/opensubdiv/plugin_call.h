@@ -7,11 +7,11 @@
 
 namespace candela {
 
-/// What became of a call of the plugin's own function, without the library in between.
+/// The result of a direct call of the plugin, without the library.
 struct CallResult {
     candela_status status = CANDELA_FAILED;
     bool hasResult = false;
-    int failures = 0;  ///< How often the plugin called `fail`.
+    int failures = 0;  ///< The number of calls of `fail`.
     std::string element, reason;
 };
 CallResult callPlugin(const candela_cage& cage, std::uint32_t level);

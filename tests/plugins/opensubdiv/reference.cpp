@@ -25,12 +25,12 @@ using StencilFactory = Far::StencilTableFactoryReal<double>;
 using LimitStencils = Far::LimitStencilTableReal<double>;
 using LimitFactory = Far::LimitStencilTableFactoryReal<double>;
 
-std::size_t columnsOf(const Cage& cage, Primvar primvar) {
+std::size_t controlCount(const Cage& cage, Primvar primvar) {
     return primvar == Primvar::position ? cage.positions.size() : cage.uvs.size();
 }
 
-ReferenceRow emptyRow(std::size_t columns) {
-    const std::vector<double> zeros(columns, 0.0);
+ReferenceStencil zeroStencil(std::size_t controls) {
+    const std::vector<double> zeros(controls, 0.0);
     return {zeros, zeros, zeros};
 }
 
@@ -39,7 +39,7 @@ bool isOnSubface(const Cage& cage, const GridVertex& vertex) {
     return cage.scheme != SubdivisionScheme::loop && cage.faceSizes[vertex.face] != 4;
 }
 
-/// The patches of a refined topology, and the stencils of all points that they are made of.
+/// The patches of a refined topology, and the stencils of all their points.
 struct Patches {
     std::unique_ptr<const Far::PatchTable> table;
     std::unique_ptr<const Stencils> points;
@@ -76,7 +76,7 @@ Patches patchesOf(const Far::TopologyRefiner& refined, Primvar primvar) {
     return patches;
 }
 
-/// Runs of vertices of one patch.
+/// The locations of vertices, in one array per patch.
 struct Locations {
     std::vector<double> s, t;
     LimitFactory::LocationArrayVec arrays;
@@ -115,8 +115,8 @@ int semiSharpLevels(const Cage& cage) {
     return static_cast<int>(std::ceil(maximum));
 }
 
-ReferenceRows farReference(const Cage& cage, std::uint32_t level, const std::vector<GridVertex>& vertices,
-                           Primvar primvar) {
+ReferenceStencils farReference(const Cage& cage, std::uint32_t level, const std::vector<GridVertex>& vertices,
+                               Primvar primvar) {
     const auto topology = osdTopology(cage);
     Far::TopologyRefiner::AdaptiveOptions adaptive(std::max(static_cast<int>(level), semiSharpLevels(cage)));
     adaptive.useInfSharpPatch = true;
@@ -134,23 +134,23 @@ ReferenceRows farReference(const Cage& cage, std::uint32_t level, const std::vec
     if (limits == nullptr) return {};
     EXPECT_EQ(static_cast<std::size_t>(limits->GetNumStencils()), vertices.size());
 
-    ReferenceRows rows;
+    ReferenceStencils stencils;
     std::size_t entry = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        ReferenceRow row = emptyRow(columnsOf(cage, primvar));
+        ReferenceStencil stencil = zeroStencil(controlCount(cage, primvar));
         for (int k = 0; k < limits->GetSizes()[i]; ++k, ++entry) {
-            const auto column = static_cast<std::size_t>(limits->GetControlIndices()[entry]);
-            row.value[column] += limits->GetWeights()[entry];
-            row.du[column] += limits->GetDuWeights()[entry];
-            row.dv[column] += limits->GetDvWeights()[entry];
+            const auto control = static_cast<std::size_t>(limits->GetControlIndices()[entry]);
+            stencil.value[control] += limits->GetWeights()[entry];
+            stencil.du[control] += limits->GetDuWeights()[entry];
+            stencil.dv[control] += limits->GetDvWeights()[entry];
         }
-        rows.push_back(std::move(row));
+        stencils.push_back(std::move(stencil));
     }
-    return rows;
+    return stencils;
 }
 
-ReferenceRows bfrReference(const Cage& cage, std::uint32_t level, const std::vector<GridVertex>& vertices,
-                           Primvar primvar) {
+ReferenceStencils bfrReference(const Cage& cage, std::uint32_t level, const std::vector<GridVertex>& vertices,
+                               Primvar primvar) {
     const auto topology = osdTopology(cage);
     Bfr::SurfaceFactory::Options options;
     const int isolation = std::max(static_cast<int>(level), semiSharpLevels(cage));
@@ -158,7 +158,7 @@ ReferenceRows bfrReference(const Cage& cage, std::uint32_t level, const std::vec
     options.SetApproxLevelSharp(isolation);
     options.SetDefaultFVarID(0);
     const Bfr::RefinerSurfaceFactory<> factory(*topology, options);
-    ReferenceRows rows;
+    ReferenceStencils stencils;
     for (const GridVertex& vertex : vertices) {
         Bfr::Surface<double> surface;
         const int face = static_cast<int>(vertex.face);
@@ -171,19 +171,19 @@ ReferenceRows bfrReference(const Cage& cage, std::uint32_t level, const std::vec
                                                                 uv);
         }
         const auto count = static_cast<std::size_t>(surface.GetNumControlPoints());
-        std::vector<int> columns(count);
-        surface.GetControlPointIndices(columns.data());
-        ReferenceRow stencil = emptyRow(count), row = emptyRow(columnsOf(cage, primvar));
-        surface.EvaluateStencil(uv, stencil.value.data(), stencil.du.data(), stencil.dv.data());
+        std::vector<int> controls(count);
+        surface.GetControlPointIndices(controls.data());
+        ReferenceStencil local = zeroStencil(count), stencil = zeroStencil(controlCount(cage, primvar));
+        surface.EvaluateStencil(uv, local.value.data(), local.du.data(), local.dv.data());
         for (std::size_t i = 0; i < count; ++i) {
-            const auto column = static_cast<std::size_t>(columns[i]);
-            row.value[column] += stencil.value[i];
-            row.du[column] += stencil.du[i];
-            row.dv[column] += stencil.dv[i];
+            const auto control = static_cast<std::size_t>(controls[i]);
+            stencil.value[control] += local.value[i];
+            stencil.du[control] += local.du[i];
+            stencil.dv[control] += local.dv[i];
         }
-        rows.push_back(std::move(row));
+        stencils.push_back(std::move(stencil));
     }
-    return rows;
+    return stencils;
 }
 
 }  // namespace candela

@@ -4,7 +4,7 @@
 #include <candela/plugin_registry.h>
 
 #include "generated_cages.h"
-#include "refining.h"
+#include "plugin_refinement.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ void expectRejection(const candela_cage& cage, const std::string& element, const
     EXPECT_NE(result.reason.find(reason), std::string::npos) << result.reason;
 }
 
-TEST(Rejection, noneOfAGoodCage) {
+TEST(Rejection, validCagesAreAccepted) {
     CageArrays arrays;
     for (std::uint32_t level = 1; level <= 8; ++level) {
         const CallResult result = callPlugin(arrays.cage, level);
@@ -45,7 +45,7 @@ TEST(Rejection, ofLevels) {
     expectRejection(arrays.cage, "level 9", "1 to 8", 9);
 }
 
-/// Changes a good cage and expects its rejection.
+/// Changes a valid cage and expects its rejection.
 template <typename Change>
 void expectRejectionAfter(Change change, const std::string& element, const std::string& reason) {
     CageArrays arrays;

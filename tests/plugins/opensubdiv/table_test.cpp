@@ -1,5 +1,5 @@
 #include "generated_cages.h"
-#include "refining.h"
+#include "plugin_refinement.h"
 
 #include <gtest/gtest.h>
 
@@ -14,13 +14,13 @@
 namespace candela {
 namespace {
 
-/// Where an edge of a refined face lies, if on an edge of the cage: the edge's ends and the part of it.
-using EdgePart = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
+/// A point on an edge of the cage: the edge's two vertices and the segment.
+using EdgePoint = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
 
 std::vector<Cage> variedCages() {
     Random random(21);
-    std::vector<Cage> cages{cube(),  torus(5, 4), pyramid(5),        sheet(3, 4),
-                            star(3), star(7),     strangePolygons(), book()};
+    std::vector<Cage> cages{cube(),  torus(5, 4), pyramid(5),      sheet(3, 4),
+                            star(3), star(7),     mixedPolygons(), threeSheets()};
     for (std::size_t i = 0, count = cages.size(); i < count; ++i) cages.push_back(triangulated(cages[i]));
     for (std::size_t i = 0; i < 8; ++i) {
         cages.push_back(cages[i]);
@@ -28,15 +28,15 @@ std::vector<Cage> variedCages() {
     }
     for (Cage& cage : cages) {
         cage.name += ", scheme " + std::to_string(static_cast<int>(cage.scheme));
-        shake(cage, 0.15f, random);
-        giveTornUvs(cage, random);
-        sharpenSome(cage, random);
+        jitter(cage, 0.15f, random);
+        addUvsWithSeams(cage, random);
+        addRandomSharpness(cage, random);
     }
     return cages;
 }
 
-/// Calls `visit(edge, t, vertex)` for the vertices of all faces on edges of the cage; t counts from the
-/// smaller end.
+/// Calls `visit(edge, t, vertex)` for the vertices of all faces on edges of the cage; t counts segments from
+/// the vertex of lower index.
 template <typename Visit>
 void eachEdgeVertex(const Cage& cage, const RefinedCage& refined, Visit visit) {
     const double segments = static_cast<double>(1u << refined.level);
@@ -45,10 +45,10 @@ void eachEdgeVertex(const Cage& cage, const RefinedCage& refined, Visit visit) {
     for (const GridVertex& at : gridVertices(cage, refined)) {
         const std::uint32_t size = cage.faceSizes[at.face];
         const bool hasSubfaces = refined.faceSize == 4 && size != 4;
-        const auto onEdge = [&](std::uint32_t edge, double part) {
+        const auto onEdge = [&](std::uint32_t edge, double fraction) {
             const std::uint32_t from = cage.faceVertices[starts[at.face] + edge % size];
             const std::uint32_t to = cage.faceVertices[starts[at.face] + (edge + 1) % size];
-            const double along = from < to ? part : 1.0 - part;
+            const double along = from < to ? fraction : 1.0 - fraction;
             visit(std::minmax(from, to), static_cast<std::uint32_t>(along * segments + 0.5), at.vertex);
         };
         if (hasSubfaces) {
@@ -71,8 +71,8 @@ TEST(Table, hasNoCracks) {
     for (const Cage& cage : variedCages()) {
         SCOPED_TRACE(cage.name);
         const RefinedCage refined = refineWithPlugin(cage, 2);
-        const EvaluatedLimit limit = evaluated(refined, cage.positions);
-        std::map<EdgePart, std::uint32_t> points;
+        const EvaluatedLimit limit = evaluateCage(refined, cage.positions);
+        std::map<EdgePoint, std::uint32_t> points;
         std::map<std::uint32_t, glm::vec3> positions;
         eachEdgeVertex(cage, refined, [&](auto edge, std::uint32_t t, std::uint32_t vertex) {
             const std::uint32_t point = refined.pointOf(vertex);
@@ -84,8 +84,8 @@ TEST(Table, hasNoCracks) {
     }
 }
 
-// The numbers of points, counted another way: each vertex in use, each edge, and the insides of the faces.
-TEST(Table, hasOnePointAPlace) {
+// The expected numbers of points: used vertices, points inside edges, and points inside faces.
+TEST(Table, hasNoDuplicatePoints) {
     for (const Cage& cage : variedCages()) {
         for (const std::uint32_t level : {1u, 3u}) {
             SCOPED_TRACE(cage.name);
@@ -108,29 +108,30 @@ TEST(Table, hasOnePointAPlace) {
             }
             EXPECT_EQ(refined.pointCount, points);
             EXPECT_EQ(refined.cageFaces.size(), polygons);
-            std::vector<bool> named(refined.vertexCount(), false);
-            for (const std::uint32_t vertex : refined.faceVertices) named[vertex] = true;
-            EXPECT_EQ(std::count(named.begin(), named.end(), false), 0);
+            std::vector<bool> isUsed(refined.vertexCount(), false);
+            for (const std::uint32_t vertex : refined.faceVertices) isUsed[vertex] = true;
+            EXPECT_EQ(std::count(isUsed.begin(), isUsed.end(), false), 0);
         }
     }
 }
 
-TEST(Table, rowsHaveNoIdleOrRepeatedColumns) {
+TEST(Table, stencilsHaveNoZeroOrRepeatedControls) {
     for (const Cage& cage : variedCages()) {
         const RefinedCage refined = refineWithPlugin(cage, 2);
-        for (const StencilTable* rows : {&refined.positions, &refined.uvs}) {
-            for (std::size_t row = 0; row < rows->rowCount(); ++row) {
-                std::set<std::uint32_t> columns;
+        for (const StencilTable* table : {&refined.positions, &refined.uvs}) {
+            for (std::size_t stencil = 0; stencil < table->rowCount(); ++stencil) {
+                std::set<std::uint32_t> controls;
                 double sum = 0.0, du = 0.0, dv = 0.0;
-                for (std::uint32_t i = rows->rowStarts[row]; i < rows->rowStarts[row + 1]; ++i) {
-                    EXPECT_TRUE(columns.insert(rows->columns[i]).second);
-                    EXPECT_TRUE(rows->weights[i] != 0.0f || rows->duWeights[i] != 0.0f ||
-                                rows->dvWeights[i] != 0.0f);
-                    sum += rows->weights[i];
-                    du += rows->duWeights[i];
-                    dv += rows->dvWeights[i];
+                for (std::uint32_t i = table->rowStarts[stencil]; i < table->rowStarts[stencil + 1]; ++i) {
+                    EXPECT_TRUE(controls.insert(table->columns[i]).second);
+                    EXPECT_TRUE(table->weights[i] != 0.0f || table->duWeights[i] != 0.0f ||
+                                table->dvWeights[i] != 0.0f);
+                    sum += table->weights[i];
+                    du += table->duWeights[i];
+                    dv += table->dvWeights[i];
                 }
-                // Up to 40 weights, those of derivatives up to 4, each rounded by 6e-8 of it.
+                // Up to 40 weights, those of derivatives up to 4, each with a relative rounding error of
+                // 6e-8.
                 EXPECT_NEAR(sum, 1.0, 2e-6);
                 EXPECT_NEAR(du, 0.0, 1e-5);
                 EXPECT_NEAR(dv, 0.0, 1e-5);
@@ -140,17 +141,18 @@ TEST(Table, rowsHaveNoIdleOrRepeatedColumns) {
 }
 
 TEST(Table, normalsPointOutwards) {
-    for (const Cage& plain : {cube(), torus(12, 8)}) {
+    for (const Cage& original : {cube(), torus(12, 8)}) {
         for (const SubdivisionScheme scheme :
              {SubdivisionScheme::catmullClark, SubdivisionScheme::loop, SubdivisionScheme::bilinear}) {
-            Cage cage = scheme == SubdivisionScheme::loop ? triangulated(plain) : plain;
+            Cage cage = scheme == SubdivisionScheme::loop ? triangulated(original) : original;
             cage.scheme = scheme;
-            const EvaluatedLimit limit = evaluated(refineWithPlugin(cage, 3), cage.positions);
+            const EvaluatedLimit limit = evaluateCage(refineWithPlugin(cage, 3), cage.positions);
             for (std::size_t i = 0; i < limit.normals.size(); ++i) {
                 const glm::vec3 position = limit.positions[i];
                 // The torus is a tube around a circle of radius 3.
                 const glm::vec3 ring(position.x, 0.0f, position.z);
-                const glm::vec3 inside = plain.name == "cube" ? glm::vec3(0.0f) : 3.0f * glm::normalize(ring);
+                const glm::vec3 inside =
+                    original.name == "cube" ? glm::vec3(0.0f) : 3.0f * glm::normalize(ring);
                 EXPECT_GT(glm::dot(limit.normals[i], position - inside), 0.0f) << cage.name;
             }
         }
@@ -162,15 +164,15 @@ bool operator==(const StencilTable& a, const StencilTable& b) {
            a.duWeights == b.duWeights && a.dvWeights == b.dvWeights;
 }
 
-// Only the topology counts, where no normal has to be looked for beside its place.
-TEST(Table, isTheSameForAMovedCage) {
+// The table depends on positions only where a normal is evaluated beside a degenerate point.
+TEST(Table, doesNotDependOnPositions) {
     Random random(22);
     for (Cage cage : {cube(), torus(6, 5), pyramid(5), triangulated(torus(6, 5))}) {
-        giveTornUvs(cage, random);
-        sharpenSome(cage, random);
+        addUvsWithSeams(cage, random);
+        addRandomSharpness(cage, random);
         cage.corners.clear();
         const RefinedCage before = refineWithPlugin(cage, 3);
-        shake(cage, 0.1f, random);
+        jitter(cage, 0.1f, random);
         const RefinedCage after = refineWithPlugin(cage, 3);
         EXPECT_EQ(before.faceVertices, after.faceVertices);
         EXPECT_EQ(before.seamPoints, after.seamPoints);
@@ -180,11 +182,11 @@ TEST(Table, isTheSameForAMovedCage) {
     }
 }
 
-TEST(Table, isTheSameEachTime) {
+TEST(Table, isDeterministic) {
     Random random(23);
     Cage cage = torus(40, 30);
-    giveTornUvs(cage, random);
-    sharpenSome(cage, random);
+    addUvsWithSeams(cage, random);
+    addRandomSharpness(cage, random);
     const RefinedCage first = refineWithPlugin(cage, 3), second = refineWithPlugin(cage, 3);
     EXPECT_TRUE(first.positions == second.positions);
     EXPECT_TRUE(first.uvs == second.uvs);

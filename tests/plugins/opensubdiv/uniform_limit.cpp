@@ -15,15 +15,15 @@ namespace {
 
 namespace Far = OpenSubdiv::Far;
 
-/// What Far's refiner interpolates.
+/// The values that Far's refiner interpolates.
 struct Point {
-    glm::dvec3 at{0.0};
+    glm::dvec3 value{0.0};
 
-    void Clear(void* = nullptr) { at = glm::dvec3(0.0); }
-    void AddWithWeight(const Point& other, double weight) { at += other.at * weight; }
+    void Clear(void* = nullptr) { value = glm::dvec3(0.0); }
+    void AddWithWeight(const Point& other, double weight) { value += other.value * weight; }
 };
 
-/// A corner of a face on its way down the levels.
+/// A corner of a face at a level of refinement.
 struct FaceCorner {
     int face, vertex;
 
@@ -43,7 +43,7 @@ struct UniformRefinement {
     std::vector<FaceCorner> corners;
 };
 
-UniformRefinement startOf(const Cage& cage) {
+UniformRefinement unrefined(const Cage& cage) {
     UniformRefinement start{osdTopology(cage), {}, {}, {}};
     for (const glm::vec3& position : cage.positions) start.positions.push_back({glm::dvec3(position)});
     for (const glm::vec2& uv : cage.uvs) start.uvs.push_back({glm::dvec3(uv, 0.0)});
@@ -78,9 +78,9 @@ void refineUniformly(UniformRefinement& refinement, int levels) {
 }  // namespace
 
 UniformLimit uniformLimit(const Cage& cage) {
-    // Two levels at least: the limit masks know nothing of faces of other than the regular size.
+    // At least two levels: the limit masks assume faces of the regular size.
     const int levels = std::max(2, semiSharpLevels(cage));
-    UniformRefinement refinement = startOf(cage);
+    UniformRefinement refinement = unrefined(cage);
     refineUniformly(refinement, levels);
     const Far::PrimvarRefinerReal<double> refiner(*refinement.topology);
     std::vector<Point> positions(refinement.positions.size()), uvs(refinement.uvs.size());
@@ -95,17 +95,18 @@ UniformLimit uniformLimit(const Cage& cage) {
     for (std::size_t i = 0; i < refinement.corners.size(); ++i) {
         const FaceCorner& corner = refinement.corners[i];
         const auto vertex = static_cast<std::size_t>(corner.vertex);
-        limit.positions[cage.faceVertices[i]] = positions[vertex].at;
-        limit.normals[cage.faceVertices[i]] = glm::cross(tangents0[vertex].at, tangents1[vertex].at);
+        limit.positions[cage.faceVertices[i]] = positions[vertex].value;
+        limit.normals[cage.faceVertices[i]] = glm::cross(tangents0[vertex].value, tangents1[vertex].value);
         if (uvs.empty()) continue;
         if (cage.scheme == SubdivisionScheme::bilinear) {
-            // Far's limit masks for face-varying values are not meant for it, and it needs none.
+            // Far's limit masks for face-varying values do not cover the bilinear scheme, whose limit values
+            // are the control values.
             limit.uvs.emplace_back(cage.uvs[cage.faceUvs[i]], 0.0);
             continue;
         }
         const int slot = last.GetFaceVertices(corner.face).FindIndex(corner.vertex);
         const int uv = last.GetFaceFVarValues(corner.face)[slot];
-        limit.uvs.push_back(uvs[static_cast<std::size_t>(uv)].at);
+        limit.uvs.push_back(uvs[static_cast<std::size_t>(uv)].value);
     }
     return limit;
 }

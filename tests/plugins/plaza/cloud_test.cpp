@@ -1,4 +1,4 @@
-// The stress scene of small lights: the same on every machine, and its lights do reach the shell.
+// The scene of many small lights: it is the same on every machine, and its lights reach the shell.
 #include "procedural_scene.h"
 
 #include <candela/error.h>
@@ -12,7 +12,7 @@ namespace candela {
 namespace {
 
 Scene cloud(const std::string& count) {
-    return importMade("cloud:" + count).scene;
+    return importProcedural("cloud:" + count).scene;
 }
 
 TEST(Cloud, IsTheSameOnEveryMachine) {
@@ -34,21 +34,23 @@ TEST(Cloud, LightsLieEvenlyOnTheSphere) {
         octant += glm::all(glm::greaterThan(light.position, glm::vec3(0.0f)));
     }
     EXPECT_EQ(upper, 5000) << "the heights are equal steps";
-    // An octant's share is 1250; a spiral is more even than chance, whose standard deviation is 33.
+    // An octant has 1250 lights on average; a spiral is more uniform than random points, whose standard
+    // deviation is 33.
     EXPECT_NEAR(octant, 1250, 33);
 }
 
-TEST(Cloud, NeighboursKeepTheirDistance) {
+TEST(Cloud, LightsKeepAMinimumDistance) {
     const Scene scene = cloud("1000");
     float minDistance = 1.0e9f;
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            minDistance = std::min(minDistance, glm::length(scene.lights[i].position - scene.lights[j].position));
-    // Each light has 4 pi 50² / 1000 = 31.4 m² to itself, 5.6 m square.
+            minDistance =
+                std::min(minDistance, glm::length(scene.lights[i].position - scene.lights[j].position));
+    // Each light has an area of 4 pi 50² / 1000 = 31.4 m², a square of 5.6 m.
     EXPECT_GT(minDistance, 0.5f * 5.6f);
 }
 
-// Every point of the shell near a light is within the light's reach, and in front of the shell.
+// Points of the shell near a light are within the light's range, and the light is in front of the shell.
 TEST(Cloud, TheShellIsJustOutsideAndFacesInwards) {
     const Scene scene = cloud("0");
     ASSERT_EQ(scene.meshes.size(), 1u);
@@ -64,16 +66,16 @@ TEST(Cloud, TheShellIsJustOutsideAndFacesInwards) {
     }
 }
 
-TEST(Cloud, TheCameraStandsInTheMiddle) {
+TEST(Cloud, TheCameraIsAtTheCenter) {
     const Scene scene = cloud("0");
     ASSERT_EQ(scene.cameras.size(), 1u);
     EXPECT_EQ(cameraView(scene, 0, worldTransforms(scene)).eye(), glm::vec3(0.0f));
 }
 
-TEST(Cloud, BadCountsAreOneClearError) {
+TEST(Cloud, InvalidCountsAreErrors) {
     try {
         cloud("many");
-        ADD_FAILURE() << "cloud:many was taken";
+        ADD_FAILURE() << "cloud:many was accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::badInput);
         EXPECT_STREQ(error.what(),

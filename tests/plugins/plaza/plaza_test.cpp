@@ -15,7 +15,7 @@ namespace candela {
 namespace {
 
 ImportedScene importPlaza(const std::string& count, const ImportProgress& progress = {}) {
-    return importMade("plaza:" + count, progress);
+    return importProcedural("plaza:" + count, progress);
 }
 
 Scene plaza(const std::string& count) {
@@ -50,7 +50,7 @@ TEST(Plaza, FewerLightsAreTheFirstOfMore) {
     EXPECT_TRUE(plaza("0").lights.empty());
 }
 
-TEST(Plaza, LightsAreWhereTheyBelong) {
+TEST(Plaza, LightsAreUniformlyDistributed) {
     const Scene scene = plaza("20000");
     glm::vec3 sum(0.0f);
     for (const Light& light : scene.lights) {
@@ -66,20 +66,20 @@ TEST(Plaza, LightsAreWhereTheyBelong) {
         sum += light.position;
     }
     const glm::vec3 mean = sum / 20000.0f;
-    // Standard errors of the mean of 20,000 even draws: 96 / sqrt(12 × 20000) = 0.196 and 2.7 / sqrt(...) =
-    // 0.0055. Four of them.
+    // Standard errors of the mean of 20,000 uniform draws: 96 / sqrt(12 × 20000) = 0.196 and 2.7 / sqrt(...)
+    // = 0.0055. Four of them.
     EXPECT_NEAR(mean.x, 0.0f, 0.8f);
     EXPECT_NEAR(mean.y, 1.65f, 0.022f);
     EXPECT_NEAR(mean.z, 0.0f, 0.8f);
 }
 
-TEST(Plaza, MaterialsRunAlongTheAxes) {
+TEST(Plaza, RoughnessAndMetallicVaryAlongTheAxes) {
     const Scene scene = plaza("0");
     for (std::size_t i = 1; i < scene.meshes.size(); ++i) {
         const std::size_t column = (i - 1) % 16, row = (i - 1) / 16;
         const glm::vec3 center = std::get<Transform>(scene.nodes.at(i).transform).translation;
-        const auto place = [](std::size_t step) { return -46.875f + 6.25f * static_cast<float>(step); };
-        EXPECT_EQ(center, glm::vec3(place(column), 0.8f, place(row)));
+        const auto coordinate = [](std::size_t step) { return -46.875f + 6.25f * static_cast<float>(step); };
+        EXPECT_EQ(center, glm::vec3(coordinate(column), 0.8f, coordinate(row)));
         ASSERT_EQ(scene.nodes[i].mesh, i);
         const Material& material = scene.materials.at(*scene.meshes[i].submeshes.at(0).material);
         // The plugin rounds once from double precision; half a unit in the last place of 1 is 6e-8.
@@ -124,12 +124,12 @@ TEST(Plaza, TheCameraLooksAtTheOrigin) {
     EXPECT_GT(view.worldFromCamera[1].y, 0.9f) << "upright";
 }
 
-TEST(Plaza, BadCountsAreOneClearError) {
+TEST(Plaza, InvalidCountsAreErrors) {
     for (const char* count :
          {"", "-5", "+5", "4.5", "1e3", "4096 ", "0x10", "many", "16000001", "99999999999999999999999999"}) {
         try {
             plaza(count);
-            ADD_FAILURE() << "plaza:" << count << " was taken";
+            ADD_FAILURE() << "plaza:" << count << " was accepted";
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::badInput);
             EXPECT_EQ(error.what(), "plaza:" + std::string(count) + ": number of lights: '" + count +
@@ -138,16 +138,16 @@ TEST(Plaza, BadCountsAreOneClearError) {
     }
 }
 
-TEST(Plaza, TellsItsProgressAndCanBeCancelled) {
+TEST(Plaza, ReportsProgressAndCanBeCancelled) {
     double last = -1.0;
-    importPlaza("10000", [&](double share) {
-        EXPECT_GE(share, last);
-        last = share;
+    importPlaza("10000", [&](double fraction) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
         return true;
     });
     EXPECT_EQ(last, 1.0);
     try {
-        importPlaza("10000", [](double share) { return share < 0.3; });
+        importPlaza("10000", [](double fraction) { return fraction < 0.3; });
         ADD_FAILURE() << "not cancelled";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::cancelled);

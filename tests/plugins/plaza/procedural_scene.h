@@ -10,8 +10,8 @@
 
 namespace candela {
 
-/// A scene of the plugin under test.
-inline ImportedScene importMade(const std::string& uri, const ImportProgress& progress = {}) {
+/// Imports a scene of the plugin under test.
+inline ImportedScene importProcedural(const std::string& uri, const ImportProgress& progress = {}) {
     static const PluginRegistry plugins({CANDELA_TEST_PLUGINS});
     return importScene(plugins, uri, progress);
 }
@@ -37,8 +37,7 @@ class Fnv {
     std::uint64_t hash_ = 0xCBF29CE484222325ull;
 };
 
-// Without the normals: the host brings them to unit length, and that may round otherwise on another
-// processor.
+// Without the normals: the host normalizes them, which may round differently on another processor.
 inline std::uint64_t geometryHash(const Scene& scene) {
     Fnv hash;
     for (const Mesh& mesh : scene.meshes) {

@@ -1,4 +1,4 @@
-// The scene of walls: the same on every machine, one can walk through it, and most lights are occluded.
+// The scene of rooms: it is the same on every machine, all rooms are connected, and most lights are occluded.
 #include "procedural_scene.h"
 
 #include <candela/error.h>
@@ -13,14 +13,14 @@ namespace candela {
 namespace {
 
 Scene rooms(const std::string& count) {
-    return importMade("rooms:" + count).scene;
+    return importProcedural("rooms:" + count).scene;
 }
 
 struct Box {
     glm::vec3 low, high;
 };
 
-// Each box of the plan is 24 vertices in a row.
+// Each box has 24 consecutive vertices.
 std::vector<Box> boxesOf(const Scene& scene) {
     std::vector<Box> boxes;
     for (const Mesh& mesh : scene.meshes) {
@@ -59,7 +59,7 @@ TEST(Rooms, FewerLightsAreTheFirstOfMore) {
 TEST(Rooms, SizesAndLights) {
     const Scene scene = rooms("20000");
     const Bounds bounds = worldBounds(scene, worldTransforms(scene));
-    EXPECT_FLOAT_EQ(bounds.min.x, -50.1f) << "half a wall beyond the plan";
+    EXPECT_FLOAT_EQ(bounds.min.x, -50.1f) << "half a wall thickness beyond the plan";
     EXPECT_FLOAT_EQ(bounds.max.z, 50.1f);
     EXPECT_EQ(bounds.min.y, 0.0f);
     EXPECT_EQ(bounds.max.y, 3.0f);
@@ -83,30 +83,30 @@ TEST(Rooms, BoxesFaceOutwards) {
             ASSERT_TRUE(mesh.name != "floor" || normal.y > 0.9f);
             ASSERT_TRUE(mesh.name != "ceiling" || normal.y < -0.9f);
         }
-    // A box's middle lies behind each of its faces.
+    // A box's center lies behind each of its faces.
     for (const Mesh& mesh : scene.meshes) {
         if (mesh.name == "floor" || mesh.name == "ceiling") continue;
         for (std::size_t first = 0; first < mesh.positions.size(); first += 24) {
-            glm::vec3 middle(0.0f);
-            for (std::size_t i = 0; i < 24; ++i) middle += mesh.positions[first + i] / 24.0f;
+            glm::vec3 center(0.0f);
+            for (std::size_t i = 0; i < 24; ++i) center += mesh.positions[first + i] / 24.0f;
             for (std::size_t i = 0; i < 24; ++i)
-                ASSERT_GT(glm::dot(mesh.normals[first + i], mesh.positions[first + i] - middle), 0.0f);
+                ASSERT_GT(glm::dot(mesh.normals[first + i], mesh.positions[first + i] - center), 0.0f);
         }
     }
 }
 
-// From each room's middle line one gets through the wall towards -X, and so from any room to any other.
+// Each wall between two rooms has a doorway, so that all rooms are connected.
 TEST(Rooms, EveryInnerWallHasADoorway) {
     const std::vector<Box> boxes = boxesOf(rooms("0"));
-    constexpr float side = 6.25f, breast = 1.2f;
+    constexpr float side = 6.25f, height = 1.2f;
     for (int row = 0; row < 16; ++row)
         for (int column = 1; column < 16; ++column) {
             const float line = -50.0f + side * static_cast<float>(column);
             const float from = -50.0f + side * static_cast<float>(row);
             int openAlongX = 0, openAlongZ = 0;
             for (float t = 0.05f; t < side; t += 0.1f) {
-                openAlongX += !isBlocked(boxes, {line, breast, from + t});
-                openAlongZ += !isBlocked(boxes, {from + t, breast, line});
+                openAlongX += !isBlocked(boxes, {line, height, from + t});
+                openAlongZ += !isBlocked(boxes, {from + t, height, line});
             }
             // A door is 1.2 m wide and a wide opening 3 m; steps of 0.1 m.
             EXPECT_GE(openAlongX, 11) << column << ", " << row;
@@ -116,7 +116,7 @@ TEST(Rooms, EveryInnerWallHasADoorway) {
         }
 }
 
-TEST(Rooms, TheCameraStandsInTheOpen) {
+TEST(Rooms, TheCameraIsNotInsideAWall) {
     const Scene scene = rooms("0");
     const CameraView view = cameraView(scene, 0, worldTransforms(scene));
     const std::vector<Box> boxes = boxesOf(scene);
@@ -125,27 +125,27 @@ TEST(Rooms, TheCameraStandsInTheOpen) {
     EXPECT_GT(view.worldFromCamera[1].y, 0.99f) << "upright";
 }
 
-// Most lights are hidden: a straight line from the camera to a light mostly meets a wall.
+// The line from the camera to a light intersects a wall for most lights.
 TEST(Rooms, MostLightsAreOccluded) {
     const Scene scene = rooms("300");
     const glm::vec3 eye = cameraView(scene, 0, worldTransforms(scene)).eye();
     const std::vector<Box> boxes = boxesOf(scene);
-    int seen = 0;
+    int visible = 0;
     for (const Light& light : scene.lights) {
         const float length = glm::length(light.position - eye);
-        bool free = true;
+        bool isVisible = true;
         // Walls are 0.2 m thick.
-        for (float at = 0.0f; at < length && free; at += 0.15f)
-            free = !isBlocked(boxes, glm::mix(eye, light.position, at / length));
-        seen += free;
+        for (float at = 0.0f; at < length && isVisible; at += 0.15f)
+            isVisible = !isBlocked(boxes, glm::mix(eye, light.position, at / length));
+        visible += isVisible;
     }
-    EXPECT_LT(seen, 30) << "of 300";
+    EXPECT_LT(visible, 30) << "of 300";
 }
 
-TEST(Rooms, BadCountsAreOneClearError) {
+TEST(Rooms, InvalidCountsAreErrors) {
     try {
         rooms("-1");
-        ADD_FAILURE() << "rooms:-1 was taken";
+        ADD_FAILURE() << "rooms:-1 was accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::badInput);
         EXPECT_STREQ(

@@ -6,8 +6,8 @@
 
 namespace candela {
 
-/// Expects the table of a cage to equal OpenSubdiv's own evaluation: by Far and by Bfr at all vertices, by
-/// uniform refinement at those of the cage.
+/// Expects the stencil table of a cage to equal OpenSubdiv's own evaluation: by Far and by Bfr at all
+/// vertices, by uniform refinement at those of the cage.
 void expectAgreement(const Cage& cage, std::uint32_t level);
 
 }  // namespace candela

@@ -1,4 +1,4 @@
-#include "refining.h"
+#include "plugin_refinement.h"
 
 #include <candela/plugin_registry.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using Cell = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The places of the polygons of one patch, each with its corners.
+/// The grid positions of the corners of each polygon of a patch.
 std::vector<std::vector<Cell>> quadCells(std::uint32_t segments) {
     std::vector<std::vector<Cell>> cells;
     for (std::uint32_t j = 0; j < segments; ++j) {
@@ -70,7 +70,7 @@ std::vector<GridVertex> gridVertices(const Cage& cage, const RefinedCage& refine
     return vertices;
 }
 
-EvaluatedLimit evaluated(const RefinedCage& refined, const std::vector<glm::vec3>& points) {
+EvaluatedLimit evaluateCage(const RefinedCage& refined, const std::vector<glm::vec3>& points) {
     EvaluatedLimit limit;
     for (auto* array : {&limit.positions, &limit.normals, &limit.du, &limit.dv}) {
         array->resize(refined.vertexCount());

@@ -8,7 +8,7 @@
 
 namespace candela {
 
-/// Refines a cage with the plugin, through the library, which checks what comes back.
+/// Refines a cage with the plugin, through the library, which validates the result.
 RefinedCage refineWithPlugin(const Cage& cage, std::uint32_t level);
 
 /// Where a vertex of a refined cage lies on a face of the cage.
@@ -19,15 +19,15 @@ struct GridVertex {
     double s, t;          ///< Parameters of the patch, 0 to 1: where Far's ptex face has them.
 };
 
-/// All vertices of all faces, in the order of the faces and their patches; one that faces or patches share
-/// comes once for each. The plugin makes the polygons of a patch row after row, which tells where each of
-/// them lies; that neighbours in the grid agree on their vertices is checked on the way.
+/// All vertices of all faces, in the order of the faces and their patches; a shared vertex is listed once per
+/// face and patch. The location of a polygon follows from its index, since the plugin writes the polygons of
+/// a patch row by row. Expects adjacent polygons of a patch to have the same vertices.
 std::vector<GridVertex> gridVertices(const Cage& cage, const RefinedCage& refined);
 
-/// The positions and normals of a table.
+/// The evaluated positions, normals and derivatives of a refined cage.
 struct EvaluatedLimit {
     std::vector<glm::vec3> positions, normals, du, dv;
 };
-EvaluatedLimit evaluated(const RefinedCage& refined, const std::vector<glm::vec3>& points);
+EvaluatedLimit evaluateCage(const RefinedCage& refined, const std::vector<glm::vec3>& points);
 
 }  // namespace candela
