@@ -20,6 +20,8 @@ constexpr const char* scatterLights =
     "Scatter N more point lights within the scene's bounds, the same in each run.\n"
     "RANGE in metres (default: twice the mean spacing), CANDELA each (default:\n"
     "RANGE x RANGE / 10). SEED selects another distribution (default: 1)";
+constexpr const char* strict =
+    "Take each note of something missing from the picture, or repaired, as an error";
 constexpr const char* pluginPath = "Search this folder for plugins first. May be given several times";
 constexpr const char* time = "Time of the picture, or of frame 0, in seconds. Default: 0";
 
@@ -145,6 +147,9 @@ void SceneOptionReader::declareScene(CLI::App& app) {
            "--scatter-lights", [this](const std::string& text) { options_.scatter = parseScatter(text); },
            help::scatterLights)
         ->type_name("N[,RANGE[,CANDELA[,SEED]]]")
+        ->group("Scene");
+    app.add_flag_callback(
+           "--strict", [this] { options_.strictness = candela::Strictness::strict; }, help::strict)
         ->group("Scene");
     app.add_option("--plugin-path", options_.pluginFolders, help::pluginPath)
         ->type_name("DIR")

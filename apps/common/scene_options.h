@@ -3,6 +3,7 @@
 #include <candela/brdf.h>
 #include <candela/color.h>
 #include <candela/gpu_scene.h>
+#include <candela/import.h>
 #include <candela/renderer.h>
 
 #include <glm/vec3.hpp>
@@ -45,6 +46,7 @@ struct DebugViewOptions {
 struct SceneOptions {
     std::string scene;
     std::optional<ScatterOptions> scatter;
+    candela::Strictness strictness = candela::Strictness::tolerant;
     std::vector<std::filesystem::path> pluginFolders;
     double time = 0.0;  ///< Seconds.
 

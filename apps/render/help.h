@@ -27,7 +27,7 @@ constexpr const char* stats =
     "Times are the wall clock of one frame, up to the finished picture in memory.\n"
     "After one drawing that is not counted, the frame is drawn 5 times; with\n"
     "--frames each frame once. A pass's time is the median of these";
-constexpr const char* quiet = "Say nothing but errors";
+constexpr const char* quiet = "Say nothing but errors: no notes, no progress and no result";
 
 constexpr const char* list =
     "Show plugins, devices, displays or views, and draw nothing. Views are those of\n"

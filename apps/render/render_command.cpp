@@ -64,13 +64,15 @@ std::optional<candela::DisplayTransform> chooseDisplay(Session& session, const c
 }
 
 candela::Scene readScene(Session& session, const candela::PluginRegistry& plugins) {
-    const auto progress = [&](double share) {
+    candela::ImportOptions options;
+    options.strictness = session.options.strictness;
+    options.progress = [&](double share) {
         session.progress.show("reading " + session.options.scene + ": " +
                               std::to_string(static_cast<int>(std::lround(share * 100.0))) + " %");
         return true;
     };
-    candela::ImportedScene imported = candela::importScene(plugins, session.options.scene, progress);
-    for (const std::string& note : imported.report.notes) session.note(note);
+    candela::ImportedScene imported = candela::importScene(plugins, session.options.scene, options);
+    for (const candela::ImportNote& note : imported.report.notes) session.note(note.line());
     if (session.options.scatter)
         addScatteredLights(imported.scene, *session.options.scatter, session.options.scene);
     return std::move(imported.scene);

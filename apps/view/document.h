@@ -23,7 +23,7 @@ class Document {
     const candela::Scene& scene() const { return scene_; }
     /// Grows with everything that changes the picture.
     std::uint64_t revision() const { return revision_; }
-    const std::vector<std::string>& notes() const { return notes_; }
+    const std::vector<candela::ImportNote>& notes() const { return notes_; }
     candela::GpuScene& gpuScene() { return gpuScene_; }
 
     /// The scene on the device once more, as it is shown now: for another working space or other shaders.
@@ -66,7 +66,7 @@ class Document {
     void worldLights();
 
     candela::Scene scene_;
-    std::vector<std::string> notes_;
+    std::vector<candela::ImportNote> notes_;
     candela::GpuScene gpuScene_;
     std::uint64_t revision_ = 0;
     double time_ = 0.0;

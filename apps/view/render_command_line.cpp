@@ -45,6 +45,7 @@ std::string sceneWord(const std::string& scene) {
 class Command {
   public:
     void word(const std::string& text) { text_ += (text_.empty() ? "" : " ") + quoted(text); }
+    void flag(const char* name) { text_ += " " + std::string(name); }
     void option(const char* name, const std::string& value) {
         text_ += " " + std::string(name);
         // A name may look like an option; a negative number does not.
@@ -105,6 +106,7 @@ std::string renderCommandLine(const SceneOptions& options) {
     addCamera(command, options);
     if (options.time != 0.0) command.option("--time", numberText(options.time));
     if (options.scatter) command.option("--scatter-lights", scatterText(*options.scatter));
+    if (options.strictness == candela::Strictness::strict) command.flag("--strict");
     for (const std::filesystem::path& folder : options.pluginFolders)
         command.option("--plugin-path", folder.string());
     command.option("--brdf", candela::toString(options.brdf));

@@ -38,8 +38,8 @@ struct SceneLoader::Job {
     }
 
     void read() {
-        candela::ImportedScene imported =
-            candela::importScene(plugins, options.scene, [this](double now) { return goOn(now); });
+        candela::ImportedScene imported = candela::importScene(
+            plugins, options.scene, {options.strictness, [this](double now) { return goOn(now); }});
         if (options.scatter) addScatteredLights(imported.scene, *options.scatter, options.scene);
         result.scene = std::move(imported);
     }

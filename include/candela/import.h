@@ -4,15 +4,37 @@
 #include <candela/plugin_registry.h>
 #include <candela/scene.h>
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace candela {
 
+/// What a note of an import tells, from the greatest loss to none.
+enum class NoteKind {
+    missing,      ///< Something of the file is not in the picture, or in a simpler form.
+    repaired,     ///< A value that the format forbids was replaced by one that it allows.
+    information,  ///< Nothing is lost: such as which of several scenes is drawn.
+};
+
+/// What an import did with one or more elements of the file.
+struct CANDELA_API ImportNote {
+    NoteKind kind = NoteKind::missing;
+    std::string text;                   ///< One line of UTF-8, which names no element.
+    std::vector<std::string> elements;  ///< "mesh 3 'wheel'", each once; none: the note is about the file.
+    std::size_t count = 1;  ///< The number of elements, or how often the note was made where it has none.
+
+    /// As programs print it: "mesh 3 'wheel' and 4 more: TEXT", or "TEXT (5 times)" without elements.
+    std::string line() const;
+};
+
 struct ImportReport {
-    std::string plugin;              ///< Name of the plugin that read the scene.
-    std::vector<std::string> notes;  ///< Parts of the file that are not drawn or not used, one line each.
+    std::string plugin;  ///< Name of the plugin that read the scene.
+    /// What is not in the picture before what was repaired before information, each kind with the largest
+    /// counts first. Notes of the same kind and text are one. Of more than 1000 the last ones are only
+    /// counted, in a note of their own.
+    std::vector<ImportNote> notes;
 };
 
 struct ImportedScene {
@@ -24,10 +46,22 @@ struct ImportedScene {
 /// the import; an exception reaches the caller of `importScene`.
 using ImportProgress = std::function<bool(double)>;
 
+/// What becomes of a file of which parts are broken, or beyond what candela draws.
+enum class Strictness {
+    tolerant,  ///< The rest is drawn; each such part is a note.
+    strict,    ///< A note of something missing or repaired is an error.
+};
+
+struct ImportOptions {
+    Strictness strictness = Strictness::tolerant;
+    ImportProgress progress;  ///< May be empty.
+};
+
 /// Reads a scene through the plugin that takes its scheme ("plaza:4096") or its file name ending
 /// ("room.glb"). The scene has passed `validate`. Throws `Error`: badInput or unsupported with the file, the
-/// element and the reason, badInput for an empty URI; environment when the file cannot be read; cancelled.
+/// element and the reason, badInput for an empty URI; environment when the file cannot be read; cancelled;
+/// when strict, badInput with the first note that is not information.
 CANDELA_API ImportedScene importScene(const PluginRegistry& plugins, const std::string& uri,
-                                      const ImportProgress& progress = {});
+                                      const ImportOptions& options = {});
 
 }  // namespace candela

@@ -33,7 +33,7 @@ extern "C" {
 #endif
 
 #define CANDELA_PLUGIN_MAJOR 1u
-#define CANDELA_PLUGIN_MINOR 2u
+#define CANDELA_PLUGIN_MINOR 3u
 
 typedef enum candela_status { CANDELA_OK = 0, CANDELA_FAILED = 1 } candela_status;
 
@@ -303,6 +303,13 @@ typedef struct candela_bytes {
     uint64_t size;
 } candela_bytes;
 
+/* What a note tells (since 1.3), from the greatest loss to none. */
+typedef enum candela_note_kind {
+    CANDELA_NOTE_MISSING = 0,    /* something of the file is not in the picture, or in a simpler form */
+    CANDELA_NOTE_REPAIRED = 1,   /* a value that the format forbids was replaced by one that it allows */
+    CANDELA_NOTE_INFORMATION = 2 /* nothing is lost: such as which of several scenes is drawn */
+} candela_note_kind;
+
 /* The body of a parallel loop. `index` is below the loop's count. `worker` is below the host's
  * `worker_count` and differs between calls that run at the same time. The body must not throw. */
 typedef void (*candela_parallel_body)(void* context, uint32_t index, uint32_t worker);
@@ -320,7 +327,8 @@ typedef struct candela_host {
     /* Records why the import fails; `element` names the part at fault, such as "mesh 3 'wheel', primitive 0".
      */
     void (*fail)(void* self, const char* element, const char* reason);
-    /* Adds a line to the import report: something of the file that is not drawn or not used. */
+    /* Adds a note to the import report: something of the file that is not drawn or not used. Since 1.3
+     * `add_note` takes its place. */
     void (*note)(void* self, const char* text);
     /* Reports the progress of the import, 0 to 1. Anything but CANDELA_OK asks the importer to stop and
      * return CANDELA_FAILED. */
@@ -345,6 +353,12 @@ typedef struct candela_host {
     /* Calls `body(context, index, worker)` for each index below `count`, in no particular order, on the
      * threads of the host. Returns when all calls have returned. */
     void (*parallel_for)(void* self, uint32_t count, candela_parallel_body body, void* context);
+
+    /* since 1.3 */
+    /* Adds a note to the import report. `element` names the part it is about, such as "mesh 3 'wheel'"; NULL
+     * or empty: the whole file. The host merges notes of the same kind and text into one that counts its
+     * elements, so `text` holds nothing that differs between elements. */
+    void (*add_note)(void* self, candela_note_kind kind, const char* element, const char* text);
 } candela_host;
 
 /* ---- The subdivider (since 1.1) */

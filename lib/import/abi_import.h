@@ -1,18 +1,12 @@
 #pragma once
 
 #include "import/abi_reader.h"
+#include "import/note_list.h"
 
 #include <candela/plugin.h>
 #include <candela/scene.h>
 
-#include <functional>
-#include <string>
-#include <vector>
-
 namespace candela {
-
-/// Takes a note for the load report.
-using NoteSink = std::function<void(const std::string&)>;
 
 // Elements that a plugin adds, checked and copied. `source` is the host's copy of the struct, of this
 // version's size; the arrays and strings that it points to are the plugin's. Indices have to refer to
@@ -21,7 +15,7 @@ using NoteSink = std::function<void(const std::string&)>;
 
 Image imageFrom(const candela_image& source, const AbiReader& element);
 Material materialFrom(const candela_material& source, const AbiReader& element, const Scene& scene);
-Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene& scene, const NoteSink& note);
+Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene& scene, NoteList& notes);
 Cage cageFrom(const candela_cage& source, const AbiReader& element, const Scene& scene);
 Skin skinFrom(const candela_skin& source, const AbiReader& element, const Scene& scene);
 Node nodeFrom(const candela_node& source, const AbiReader& element, const Scene& scene);
@@ -34,6 +28,6 @@ void addCageInstance(const candela_cage_instance& source, Scene& scene);
 
 /// Adds the attributes that a plugin may leave out: flat normals, and tangents for meshes with a normal
 /// texture. `notes` gets what could not be made.
-void addMissingAttributes(Scene& scene, std::vector<std::string>& notes);
+void addMissingAttributes(Scene& scene, NoteList& notes);
 
 }  // namespace candela

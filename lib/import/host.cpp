@@ -7,6 +7,7 @@
 
 #include <candela/error.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -17,8 +18,6 @@
 
 namespace candela {
 namespace {
-
-constexpr std::size_t maxNotes = 1000;
 
 std::string textOr(const char* text, const char* otherwise) {
     return text && *text ? oneLine(text) : std::string(otherwise);
@@ -48,11 +47,6 @@ std::exception_ptr currentFailure(const std::string& uri, const char* what) noex
 
 void ImportHost::rethrowFailure() const {
     if (failure_) std::rethrow_exception(failure_);
-}
-
-std::vector<std::string> ImportHost::takeNotes() {
-    if (notesLeftOut_ > 0) notes_.push_back(joined("and ", notesLeftOut_, " more notes"));
-    return std::move(notes_);
 }
 
 void ImportHost::record(std::exception_ptr failure) noexcept {
@@ -141,11 +135,13 @@ void ImportHost::fail(const char* element, const char* reason) noexcept {
     });
 }
 
-void ImportHost::note(const std::string& text) {
-    if (notes_.size() < maxNotes)
-        notes_.push_back(text);
-    else
-        ++notesLeftOut_;
+void ImportHost::addNote(candela_note_kind kind, const char* element, const char* text) noexcept {
+    constexpr std::array kinds{NoteKind::missing, NoteKind::repaired, NoteKind::information};
+    guarded("a note", [&] {
+        const AbiReader call("add_note", std::nullopt, nullptr);
+        notes_.add(kinds[call.enumerator("kind", kind, kinds.size())], textOr(element, ""),
+                   textOr(text, "(an empty note)"));
+    });
 }
 
 // The C functions of the interface. `self` is the object.
@@ -167,7 +163,10 @@ struct ImportHost::Functions {
         from(self).fail(element, reason);
     }
     static void note(void* self, const char* text) {
-        from(self).guarded("a note", [&] { from(self).note(textOr(text, "(an empty note)")); });
+        from(self).addNote(CANDELA_NOTE_MISSING, nullptr, text);
+    }
+    static void addNote(void* self, candela_note_kind kind, const char* element, const char* text) {
+        from(self).addNote(kind, element, text);
     }
     static candela_status progress(void* self, double fraction) { return from(self).progress(fraction); }
 
@@ -179,8 +178,7 @@ struct ImportHost::Functions {
     }
     static std::int32_t addMesh(void* self, const candela_mesh* mesh) {
         const auto convert = [&](const candela_mesh& source, const AbiReader& element) {
-            return meshFrom(source, element, from(self).scene_,
-                            [&](const std::string& text) { from(self).note(text); });
+            return meshFrom(source, element, from(self).scene_, from(self).notes_);
         };
         return from(self).add("mesh", mesh, from(self).scene_.meshes, convert);
     }
@@ -232,6 +230,7 @@ struct ImportHost::Functions {
         host.add_cage_instance = addCageInstance;
         host.worker_count = self->pool_->size();
         host.parallel_for = parallelFor;
+        host.add_note = addNote;
         return host;
     }
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "import/file_access.h"
+#include "import/note_list.h"
 
 #include <candela/import.h>
 #include <candela/plugin.h>
@@ -33,7 +34,7 @@ class ImportHost {
     void rethrowFailure() const;
 
     Scene takeScene() { return std::move(scene_); }
-    std::vector<std::string> takeNotes();
+    NoteList takeNotes() { return std::move(notes_); }
 
   private:
     struct Functions;
@@ -49,15 +50,14 @@ class ImportHost {
     bool continues(double fraction) noexcept;
     candela_status progress(double fraction) noexcept;
     void fail(const char* element, const char* reason) noexcept;
-    void note(const std::string& text);
+    void addNote(candela_note_kind kind, const char* element, const char* text) noexcept;
     void record(std::exception_ptr failure) noexcept;
 
     std::string uri_;
     std::unique_ptr<FileAccess> files_;
     ImportProgress progress_;
     Scene scene_;
-    std::vector<std::string> notes_;
-    std::size_t notesLeftOut_ = 0;
+    NoteList notes_;
     std::exception_ptr failure_;
     std::shared_ptr<ThreadPool> pool_;
     candela_host interface_{};

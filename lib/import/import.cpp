@@ -3,6 +3,7 @@
 #include "import/abi_import.h"
 #include "import/file_access.h"
 #include "import/host.h"
+#include "import/note_list.h"
 #include "import/scene_source.h"
 #include "import/text.h"
 
@@ -40,10 +41,10 @@ void callImporter(const SceneSource& source, const std::string& uri, const Impor
     if (status != CANDELA_OK) failWithoutReason(source, uri, "failed and gave no reason");
 }
 
-void finish(ImportedScene& imported, const std::string& uri) {
+void finish(Scene& scene, NoteList& notes, const std::string& uri) {
     try {
-        addMissingAttributes(imported.scene, imported.report.notes);
-        validate(imported.scene);
+        addMissingAttributes(scene, notes);
+        validate(scene);
     } catch (const Error& error) {
         if (!error.path().empty()) throw;
         throw Error(error.kind(), uri, error.what());
@@ -53,12 +54,15 @@ void finish(ImportedScene& imported, const std::string& uri) {
 }  // namespace
 
 ImportedScene importScene(const PluginRegistry& plugins, const std::string& uri,
-                          const ImportProgress& progress) {
+                          const ImportOptions& options) {
     const SceneSource source = findSource(plugins, uri);
-    ImportHost host(uri, filesOf(source), progress);
+    ImportHost host(uri, filesOf(source), options.progress);
     callImporter(source, uri, host);
-    ImportedScene imported{host.takeScene(), {source.plugin->name, host.takeNotes()}};
-    finish(imported, uri);
+    NoteList notes = host.takeNotes();
+    ImportedScene imported{host.takeScene(), {source.plugin->name, {}}};
+    finish(imported.scene, notes, uri);
+    imported.report.notes = notes.take();
+    if (options.strictness == Strictness::strict) refuseLosses(imported.report.notes, uri);
     return imported;
 }
 

@@ -201,8 +201,7 @@ void takeSubmeshes(const candela_mesh& source, const AbiReader& element, const S
 
 }  // namespace
 
-Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene& scene,
-              const NoteSink& note) {
+Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene& scene, NoteList& notes) {
     Mesh mesh;
     mesh.name = element.name();
     takeVertices(source, element, mesh);
@@ -212,16 +211,16 @@ Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene&
     takeIndices(source, element, mesh);
     takeSubmeshes(source, element, scene, polygons, mesh);
     if (polygons) polygons->triangulateFaces(mesh);
-    const auto noteCount = [&](std::size_t count, const char* text) {
-        if (count > 0) note(joined(element.label(), ": ", count, text));
-    };
-    noteCount(repairNormals(mesh),
-              " normals of length 0 were replaced by the normal of a face that uses them");
+    if (repairNormals(mesh) > 0)
+        notes.add(NoteKind::repaired, element.label(),
+                  "normals of length 0, replaced by that of a face that uses them");
     if (mesh.normals.empty() && !mesh.tangents.empty()) {
         mesh.tangents.clear();
-        note(element.label() + ": its tangents are not used: it has no normals");
+        notes.add(NoteKind::repaired, element.label(), "tangents without normals, not used");
     }
-    noteCount(repairTangents(mesh), " tangents of length 0 were replaced by one perpendicular to the normal");
+    if (repairTangents(mesh) > 0)
+        notes.add(NoteKind::repaired, element.label(),
+                  "tangents of length 0, replaced by a direction perpendicular to the normal");
     return mesh;
 }
 
@@ -243,19 +242,18 @@ void fillWithPerpendiculars(Mesh& mesh) {
         mesh.tangents.emplace_back(glm::vec3(anyPerpendicular(glm::dvec3(normal))), 1.0f);
 }
 
-void addTangents(const Scene& scene, std::size_t index, Mesh& mesh, std::vector<std::string>& notes) {
+void addTangents(const Scene& scene, std::size_t index, Mesh& mesh, NoteList& notes) {
     const auto uvSet = normalTextureUvSet(scene, mesh);
     if (!uvSet || !mesh.tangents.empty() || mesh.positions.empty()) return;
     if (!(*uvSet == 0 ? mesh.uv0 : mesh.uv1).empty()) return generateTangents(mesh, *uvSet);
     fillWithPerpendiculars(mesh);
-    notes.push_back(joined(AbiReader("mesh", index, mesh.name.c_str()).label(),
-                           ": its normal texture shows one texel: the mesh has no texture coordinates ",
-                           *uvSet));
+    notes.add(NoteKind::missing, AbiReader("mesh", index, mesh.name.c_str()).label(),
+              "the relief of the normal texture, for want of texture coordinates");
 }
 
 }  // namespace
 
-void addMissingAttributes(Scene& scene, std::vector<std::string>& notes) {
+void addMissingAttributes(Scene& scene, NoteList& notes) {
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         Mesh& mesh = scene.meshes[i];
         if (mesh.normals.empty() && !mesh.positions.empty()) generateFlatNormals(mesh);

@@ -18,8 +18,12 @@ Bytes Host::readFile(const std::string& path) const {
     return {bytes.data, bytes.size};
 }
 
-void Host::note(const std::string& text) const {
-    host_.note(host_.self, text.c_str());
+void Host::note(candela_note_kind kind, const std::string& element, const std::string& text) const {
+    if (host_.struct_size >= offsetof(candela_host, add_note) + sizeof host_.add_note) {
+        host_.add_note(host_.self, kind, element.c_str(), text.c_str());
+        return;
+    }
+    host_.note(host_.self, (element.empty() ? text : element + ": " + text).c_str());
 }
 
 void Host::progress(double fraction) const {

@@ -17,7 +17,9 @@ class Host {
 
     /// Valid until the import ends.
     Bytes readFile(const std::string& path) const;
-    void note(const std::string& text) const;
+    /// `element` names the part that the note is about, such as "mesh 3 'wheel'"; empty: the whole file. The
+    /// host merges notes of the same kind and text, so `text` holds nothing that differs between elements.
+    void note(candela_note_kind kind, const std::string& element, const std::string& text) const;
     /// `fraction` of the whole import, 0 to 1.
     void progress(double fraction) const;
 

@@ -66,7 +66,8 @@ class AnimationReader {
     void add(const Host& host) {
         for (std::size_t i = 0; i < source_.channels.size(); ++i) readChannel(i);
         if (weights_ > 0) {
-            host.note(element_ + ": morph weights are not applied: drawn in the bind pose");
+            host.note(CANDELA_NOTE_MISSING, element_,
+                      "morph weights are not applied: drawn in the bind pose");
         }
         if (channels_.empty()) return;
         candela_animation animation{};

@@ -32,9 +32,9 @@ std::vector<Part> partsOf(const tinygltf::Mesh& mesh, const std::string& element
         const tinygltf::Primitive& primitive = mesh.primitives[i];
         const std::string where = element + ", primitive " + std::to_string(i);
         if (!hasTriangles(primitive.mode)) {
-            host.note(where + ": points and lines are no part of a cage: left out");
+            host.note(CANDELA_NOTE_MISSING, where, "points and lines are no part of a cage: left out");
         } else if (accessorOf(primitive, "POSITION") < 0) {
-            host.note(where + ": left out of the cage, for it has no POSITION");
+            host.note(CANDELA_NOTE_MISSING, where, "left out of the cage: no POSITION");
         } else {
             parts.push_back({primitive, where});
         }
@@ -55,9 +55,8 @@ const char* uvAttribute(const std::vector<Part>& parts, const std::vector<UvSets
         for (const std::size_t set : {0u, 1u}) needed[set] = needed[set] || own[set];
     }
     if (needed[0] && needed[1]) {
-        host.note(
-            element +
-            ": its materials read TEXCOORD_0 and TEXCOORD_1, but a cage has one set: TEXCOORD_0 for all");
+        host.note(CANDELA_NOTE_MISSING, element,
+                  "its materials read TEXCOORD_0 and TEXCOORD_1, but a cage has one set: TEXCOORD_0 for all");
     }
     const std::size_t set = needed[1] && !needed[0] ? 1 : 0;
     bool present = needed[set];
@@ -65,8 +64,9 @@ const char* uvAttribute(const std::vector<Part>& parts, const std::vector<UvSets
         const bool here = accessorOf(part.primitive, uvNames[set]) >= 0;
         present = present || here;
         if (here || !uvSetsOf(part.primitive, uvSets)[set]) continue;
-        host.note(part.element + ": has no " + uvNames[set] + ", which material " +
-                  std::to_string(part.primitive.material) + " reads: taken as zeros");
+        host.note(CANDELA_NOTE_REPAIRED, part.element,
+                  std::string("no ") + uvNames[set] + ", which material " +
+                      std::to_string(part.primitive.material) + " reads: taken as zeros");
     }
     return present ? uvNames[set] : nullptr;
 }
@@ -210,7 +210,8 @@ CageSource readCageSource(const Document& document, std::size_t mesh, const std:
     SourceReader reader(document, layout);
     for (const Part& part : parts) {
         if (accessorOf(part.primitive, "COLOR_0") >= 0) {
-            host.note(part.element + ": a cage has no vertex colours: COLOR_0 is left out");
+            host.note(CANDELA_NOTE_MISSING, part.element,
+                      "a cage has no vertex colours: COLOR_0 is left out");
         }
         reader.add(part);
     }

@@ -194,8 +194,9 @@ void keepElements(const std::vector<T>& numbers, std::size_t width, const Joined
 void noteLeftOutFaces(const JoinedCage& cage, const std::string& element, const Host& host) {
     const std::size_t leftOut = cage.cageFaces.size() - cage.faceSizes.size();
     if (leftOut == 0) return;
-    host.note(element + ": " + std::to_string(leftOut) + (leftOut == 1 ? " face passes" : " faces pass") +
-              " twice through a vertex: left out");
+    host.note(CANDELA_NOTE_MISSING, element,
+              std::to_string(leftOut) + (leftOut == 1 ? " face passes" : " faces pass") +
+                  " twice through a vertex: left out");
 }
 
 void requireTriangles(const JoinedCage& cage, const std::string& element) {
@@ -270,7 +271,7 @@ AddedCage addCage(const Document& document, std::size_t mesh, const std::vector<
     const CageSharpness sharpness =
         resolveSharpness(settings, source, cage, element + ", candela_subdivision");
     if (cage.faceSizes.empty()) {
-        host.note(element + ": a cage without a face is not drawn");
+        host.note(CANDELA_NOTE_MISSING, element, "a cage without a face is not drawn");
         return {};
     }
 

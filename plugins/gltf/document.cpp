@@ -86,7 +86,8 @@ void checkExtensions(const Json& document, const Host& host) {
         throw Failure{"extensionsRequired", "extension '" + readable(name) + "' is not supported"};
     }
     for (const std::string& name : extensionList(document, "extensionsUsed")) {
-        if (!isKnown(name)) host.note("extension '" + readable(name) + "' is not supported: ignored");
+        if (!isKnown(name))
+            host.note(CANDELA_NOTE_MISSING, "extension '" + readable(name) + "'", "not supported: ignored");
     }
 }
 
@@ -143,10 +144,12 @@ void noteDeformations(const Document& document, const Host& host) {
         morphed += hasTargets && !document.cages.contains(i);
     }
     if (skinned > 0) {
-        host.note("skins are not applied: " + counted(skinned, "node") + " drawn in the bind pose");
+        host.note(CANDELA_NOTE_MISSING, "",
+                  "skins are not applied: " + counted(skinned, "node") + " drawn in the bind pose");
     }
     if (morphed > 0) {
-        host.note("morph targets are not applied: " + counted(morphed, "mesh") + " drawn in the bind pose");
+        host.note(CANDELA_NOTE_MISSING, "",
+                  "morph targets are not applied: " + counted(morphed, "mesh") + " drawn in the bind pose");
     }
 }
 

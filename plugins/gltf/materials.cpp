@@ -155,15 +155,16 @@ class MaterialReader {
         const auto index = static_cast<std::size_t>(info.index);
         const tinygltf::Texture& source = document_.model.textures.at(index);
         if (source.source < 0) {
-            host_.note(element_ + ", " + use + ": texture " + std::to_string(index) +
-                       " has no PNG or JPEG image: left out");
+            host_.note(CANDELA_NOTE_MISSING, element_ + ", " + use,
+                       "texture " + std::to_string(index) + " has no PNG or JPEG image: left out");
             return texture;
         }
         applySampler(document_, source.sampler, texture);
         const int uvSet = applyTransform(info.extensions, info.texCoord, texture);
         if (uvSet > 1) {
-            host_.note(element_ + ", " + use + ": the texture coordinates TEXCOORD_" + std::to_string(uvSet) +
-                       " are not supported: left out");
+            host_.note(
+                CANDELA_NOTE_MISSING, element_ + ", " + use,
+                "the texture coordinates TEXCOORD_" + std::to_string(uvSet) + " are not supported: left out");
             return noTexture();
         }
         texture.uv_set = static_cast<std::uint32_t>(uvSet);
@@ -183,7 +184,7 @@ class MaterialReader {
             material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
             return;
         }
-        host_.note(element_ + ": alphaMode BLEND is drawn as MASK with a cutoff of 0.5");
+        host_.note(CANDELA_NOTE_MISSING, element_, "alphaMode BLEND is drawn as MASK with a cutoff of 0.5");
     }
 
   private:

@@ -184,7 +184,7 @@ class MeshImporter {
             return false;
         }
         if (primitive.attributes.contains(streams[position].attribute)) return true;
-        host_.note(element + ": not drawn, for it has no POSITION");
+        host_.note(CANDELA_NOTE_MISSING, element, "not drawn: no POSITION");
         return false;
     }
 
@@ -195,15 +195,17 @@ class MeshImporter {
     void noteMissingUvs(const Accessors& accessors, int material, const std::string& element) const {
         for (const StreamIndex stream : {uv0, uv1}) {
             if (accessors[stream] != zeros) continue;
-            host_.note(element + ": has no " + streams[stream].attribute + ", which material " +
-                       std::to_string(material) + " reads: taken as zeros");
+            host_.note(CANDELA_NOTE_REPAIRED, element,
+                       std::string("no ") + streams[stream].attribute + ", which material " +
+                           std::to_string(material) + " reads: taken as zeros");
         }
     }
 
     void noteUndrawn(std::size_t count, const char* what) const {
         if (count == 0) return;
-        host_.note(std::to_string(count) + (count == 1 ? " primitive of " : " primitives of ") + what +
-                   (count == 1 ? " is" : " are") + " not drawn");
+        host_.note(CANDELA_NOTE_MISSING, "",
+                   std::to_string(count) + (count == 1 ? " primitive of " : " primitives of ") + what +
+                       (count == 1 ? " is" : " are") + " not drawn");
     }
 
     const Document& document_;

@@ -75,8 +75,9 @@ void checkRoots(const tinygltf::Model& model, std::size_t scene, const std::vect
 
 void noteFurtherScenes(std::size_t drawn, std::size_t count, const Host& host) {
     if (count < 2) return;
-    host.note("scene " + std::to_string(drawn) + " of " + std::to_string(count) +
-              " is drawn, the others are left out");
+    host.note(CANDELA_NOTE_INFORMATION, "",
+              "scene " + std::to_string(drawn) + " of " + std::to_string(count) +
+                  " is drawn, the others are left out");
 }
 
 }  // namespace
@@ -196,7 +197,7 @@ void addCameras(const Document& document, const std::vector<DrawnNode>& drawn,
         const tinygltf::Camera& camera = document.model.cameras.at(cameraIndex);
         const std::string element = elementName("camera", cameraIndex, camera.name);
         if (camera.type == "orthographic") {
-            host.note(element + " is orthographic: left out");
+            host.note(CANDELA_NOTE_MISSING, element, "orthographic: left out");
             continue;
         }
         addPerspective(camera, element, node, nodes[index], host);

@@ -65,8 +65,9 @@ class RuleReader {
         for (const Tag& tag : document_.tags) {
             readTag(tag);
             if (tag.surplusWords == 0) continue;
-            host_.note(tag.place + ": " + std::to_string(tag.surplusWords) + " surplus words of the tag '" +
-                       readable(tag.name) + "' are not used");
+            host_.note(CANDELA_NOTE_REPAIRED, tag.place,
+                       std::to_string(tag.surplusWords) + " surplus words of the tag '" + readable(tag.name) +
+                           "' are not used");
         }
         propagateCorners();
         return std::move(rules_);
@@ -82,7 +83,7 @@ class RuleReader {
         if (tag.name == "facevaryingpropagatecorners") return readPropagation(tag);
         if (tag.name == "creasemethod") return readCreaseMethod(tag);
         if (tag.name == "smoothtriangles") return readTriangles(tag);
-        host_.note(tag.place + ": the tag '" + readable(tag.name) + "' is not used");
+        host_.note(CANDELA_NOTE_MISSING, tag.place, "the tag '" + readable(tag.name) + "' is not used");
     }
 
     std::uint32_t indexOf(const Tag& tag, std::int64_t index, std::size_t count, const char* what) const {
@@ -172,8 +173,8 @@ class RuleReader {
         if (rules_.faceVarying == CANDELA_FACE_VARYING_CORNERS_PLUS1)
             rules_.faceVarying = CANDELA_FACE_VARYING_CORNERS_PLUS2;
         else if (rules_.faceVarying != CANDELA_FACE_VARYING_CORNERS_PLUS2)
-            host_.note(propagation_->place +
-                       ": the tag 'facevaryingpropagatecorners' changes nothing without "
+            host_.note(CANDELA_NOTE_INFORMATION, propagation_->place,
+                       "the tag 'facevaryingpropagatecorners' changes nothing without "
                        "'facevaryinginterpolateboundary 1/0/0 2'");
     }
 
@@ -194,8 +195,8 @@ class RuleReader {
     /// names.
     void readTriangles(const Tag& tag) {
         if (scheme_ != CANDELA_SCHEME_CATMULL_CLARK) {
-            host_.note(tag.place +
-                       ": the tag 'smoothtriangles' is not used: the scheme is not Catmull-Clark");
+            host_.note(CANDELA_NOTE_INFORMATION, tag.place,
+                       "the tag 'smoothtriangles' is not used: the scheme is not Catmull-Clark");
             return;
         }
         constexpr const char* expected = "'catmark', 'smooth', 1 or 2";

@@ -134,8 +134,10 @@ void requireEdges(const CageRules& rules) {
 }
 
 void noteUnused(const Document& document, std::size_t cornersWithoutUv, const Host& host) {
-    if (!document.normals.empty()) host.note("not used: normals (vn): a subdivision surface has its own");
-    if (!document.colors.empty()) host.note("not used: colours of vertices: a cage has none");
+    if (!document.normals.empty())
+        host.note(CANDELA_NOTE_INFORMATION, "", "not used: normals (vn): a subdivision surface has its own");
+    if (!document.colors.empty())
+        host.note(CANDELA_NOTE_MISSING, "", "not used: colours of vertices: a cage has none");
     noteMissingUvs(cornersWithoutUv, host);
 }
 

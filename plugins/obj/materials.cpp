@@ -20,7 +20,7 @@ MaterialsByName byName(const std::vector<FileMaterial>& materials, const Host& h
     MaterialsByName found;
     for (const FileMaterial& material : materials) {
         if (!found.try_emplace(material.name, &material).second)
-            host.note(material.element + " is defined before: left out");
+            host.note(CANDELA_NOTE_REPAIRED, material.element, "defined before: left out");
     }
     return found;
 }
@@ -38,8 +38,8 @@ std::vector<const FileMaterial*> materialsInUse(const Document& document, const 
         if (found != known.end())
             used[i] = found->second;
         else
-            host.note("the material '" + readable(document.materials[i]) +
-                      "' is in no material file: the default one is used");
+            host.note(CANDELA_NOTE_MISSING, "material '" + readable(document.materials[i]) + "'",
+                      "in no material file: the default one is used");
     }
     return used;
 }
@@ -107,7 +107,8 @@ class MaterialImporter {
     /// The texture whose sampling options apply to the image combined of both.
     const TextureInfo* samplingOf(const TextureInfo* first, const TextureInfo* second) const {
         if (first && second && !first->hasSameSampling(*second))
-            host_.note(second->element + ": its options are not used, but those of " + first->element);
+            host_.note(CANDELA_NOTE_MISSING, second->element,
+                       "its options are not used, but those of " + first->element);
         return first ? first : second;
     }
 
@@ -119,7 +120,8 @@ class MaterialImporter {
         material.base_color_texture = textureOf(images_.indexOf(images.base), samplingOf(color, mask));
         if (!mask && material.base_color[3] == 1.0f) return;
         material.alpha_mode = CANDELA_ALPHA_MASK;
-        host_.note(source.element + ": its opacity is drawn as a mask with a cutoff of 0.5");
+        host_.note(CANDELA_NOTE_MISSING, source.element,
+                   "its opacity is drawn as a mask with a cutoff of 0.5");
     }
 
     void takeMetallic(const FileMaterial& source, const MaterialImages& images, candela_material& material) {

@@ -195,19 +195,22 @@ void IgnoredStatements::count(std::string_view what, std::string_view kind, std:
 }
 
 void IgnoredStatements::note(const Host& host, const std::string& file) const {
-    const std::string in = file.empty() ? "" : readable(file) + ": ";
     for (const Kind& kind : kinds_) {
         const std::string times =
             kind.count == 1 ? "once, in line " : std::to_string(kind.count) + " times, first in line ";
-        host.note(in + kind.what + ": " + readable(kind.name) + " (" + times +
-                  std::to_string(kind.firstLine) + ")");
+        host.note(
+            kind.what == "not drawn" ? CANDELA_NOTE_MISSING : CANDELA_NOTE_INFORMATION, readable(file),
+            kind.what + ": " + readable(kind.name) + " (" + times + std::to_string(kind.firstLine) + ")");
     }
-    if (others_ > 0) host.note(in + "not known: " + std::to_string(others_) + " statements of other kinds");
+    if (others_ > 0)
+        host.note(CANDELA_NOTE_INFORMATION, readable(file),
+                  "not known: " + std::to_string(others_) + " statements of other kinds");
 }
 
 void noteMissingUvs(std::size_t corners, const Host& host) {
     if (corners > 0)
-        host.note(std::to_string(corners) + " corners have no texture coordinate and take (0, 0)");
+        host.note(CANDELA_NOTE_REPAIRED, "",
+                  std::to_string(corners) + " corners have no texture coordinate and take (0, 0)");
 }
 
 }  // namespace candela_plugins::obj

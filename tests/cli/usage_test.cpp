@@ -82,13 +82,20 @@ TEST(Usage, HelpNamesEveryOptionOfTheContract) {
     const CommandResult result = runCommand({"--help"});
     expectDone(result);
     EXPECT_EQ(result.err, "");
-    for (const char* option :
-         {"SCENE",     "-o",         "--size",           "--camera",  "--eye",
-          "--target",  "--fov",      "--scatter-lights", "--brdf",    "--technique",
-          "--ocio",    "--display",  "--view",           "--look",    "--exposure",
-          "--aov",     "--frames",   "--time",           "--stats",   "--plugin-path",
-          "--device",  "--quiet",    "--list",           "--threads", "--subdivision-evaluator",
-          "Examples:", "Exit codes:"})
+    for (const char* option : {"SCENE",      "-o",
+                               "--size",     "--camera",
+                               "--eye",      "--target",
+                               "--fov",      "--scatter-lights",
+                               "--brdf",     "--technique",
+                               "--ocio",     "--display",
+                               "--view",     "--look",
+                               "--exposure", "--aov",
+                               "--frames",   "--time",
+                               "--stats",    "--plugin-path",
+                               "--device",   "--strict",
+                               "--quiet",    "--list",
+                               "--threads",  "--subdivision-evaluator",
+                               "Examples:",  "Exit codes:"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 

@@ -42,6 +42,12 @@ TEST_F(Verbosity, NotesGoToStandardErrorAndNoProgressIntoAPipe) {
     EXPECT_EQ(result.err.find('\x1b'), std::string::npos) << result.err;
 }
 
+TEST_F(Verbosity, StrictTakesNotesAsErrors) {
+    expectFault(run({"--strict"}), "square.gltf", "VENDOR_unheard_of");
+    expectFault(run({"--strict", "--quiet"}), "square.gltf", "VENDOR_unheard_of");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"square.gltf"});
+}
+
 TEST_F(Verbosity, QuietSaysNothing) {
     const CommandResult result = run({"--quiet"});
     expectDone(result);

@@ -1,5 +1,6 @@
 // What a plugin may read: regular files below the scene's folder and nothing else.
 #include "expect_error.h"
+#include "note_lines.h"
 #include "temporary_folder.h"
 
 #include <candela/import.h>
@@ -28,9 +29,9 @@ class FilePolicy : public testing::Test {
         folder.write("scene-beside/file.txt", "beside");
     }
 
-    std::vector<std::string> read(const std::string& path) {
+    Lines read(const std::string& path) {
         const fs::path scene = folder.write("scene/scene.list", path + "\n");
-        return importScene(plugins, scene.string()).report.notes;
+        return noteLines(importScene(plugins, scene.string()));
     }
 
     void expectRefused(const std::string& path, ErrorKind kind, const std::string& part) {
@@ -44,19 +45,18 @@ class FilePolicy : public testing::Test {
 };
 
 TEST_F(FilePolicy, FilesOfTheFolderAreRead) {
-    EXPECT_EQ(read("inside.txt"), std::vector<std::string>{"inside.txt: 5"});
-    EXPECT_EQ(read("deep/er/file.txt"), std::vector<std::string>{"deep/er/file.txt: 3"});
-    EXPECT_EQ(read("./deep//er/../../inside.txt"),
-              std::vector<std::string>{"./deep//er/../../inside.txt: 5"});
+    EXPECT_EQ(read("inside.txt"), Lines{"inside.txt: 5"});
+    EXPECT_EQ(read("deep/er/file.txt"), Lines{"deep/er/file.txt: 3"});
+    EXPECT_EQ(read("./deep//er/../../inside.txt"), Lines{"./deep//er/../../inside.txt: 5"});
 }
 
 TEST_F(FilePolicy, AFileIsReadAgainWithoutHarm) {
-    EXPECT_EQ(read("inside.txt\ninside.txt"), (std::vector<std::string>{"inside.txt: 5", "inside.txt: 5"}));
+    EXPECT_EQ(read("inside.txt\ninside.txt"), Lines{"inside.txt: 5 (2 times)"});
 }
 
 TEST_F(FilePolicy, AnEmptyFileIsNoFault) {
     folder.write("scene/empty", "");
-    EXPECT_EQ(read("empty"), std::vector<std::string>{"empty: 0"});
+    EXPECT_EQ(read("empty"), Lines{"empty: 0"});
 }
 
 TEST_F(FilePolicy, AbsolutePath) {
@@ -72,7 +72,7 @@ TEST_F(FilePolicy, DotsThatLeaveTheFolder) {
 
 TEST_F(FilePolicy, LinkWithinTheFolder) {
     fs::create_symlink("deep/er/file.txt", folder.path() / "scene" / "link");
-    EXPECT_EQ(read("link"), std::vector<std::string>{"link: 3"});
+    EXPECT_EQ(read("link"), Lines{"link: 3"});
 }
 
 TEST_F(FilePolicy, LinkOutOfTheFolder) {
@@ -146,7 +146,7 @@ TEST_F(FilePolicy, SceneFileThatIsALink) {
     folder.write("scene/scene.list", "inside.txt\n");
     const fs::path link = folder.path() / "link.list";
     fs::create_symlink(folder.path() / "scene" / "scene.list", link);
-    EXPECT_EQ(importScene(plugins, link.string()).report.notes, std::vector<std::string>{"inside.txt: 5"});
+    EXPECT_EQ(noteLines(importScene(plugins, link.string())), Lines{"inside.txt: 5"});
 }
 
 }  // namespace

@@ -302,7 +302,7 @@ std::optional<Scene> importRandomScene(std::uint32_t seed) {
     try {
         host.rethrowFailure();
         Scene scene = host.takeScene();
-        std::vector<std::string> notes = host.takeNotes();
+        NoteList notes = host.takeNotes();
         addMissingAttributes(scene, notes);
         validate(scene);
         return scene;

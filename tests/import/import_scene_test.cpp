@@ -1,5 +1,6 @@
 // What a scene's name means, and what is said when it means nothing.
 #include "expect_error.h"
+#include "note_lines.h"
 #include "temporary_folder.h"
 
 #include <candela/import.h>
@@ -86,18 +87,17 @@ TEST_F(ImportScene, AFolderOrAPipe) {
 
 TEST_F(ImportScene, AQueryBehindAFile) {
     const fs::path file = folder.write("scene.list", "");
-    const auto notes = [&](const std::string& uri) { return importScene(plugins, uri).report.notes; };
-    using Notes = std::vector<std::string>;
-    EXPECT_EQ(notes(file.string()), Notes{});
-    EXPECT_EQ(notes(file.string() + "?a=b:c/d"), Notes{"query: a=b:c/d"});
-    EXPECT_EQ(notes(file.string() + "?"), Notes{"query: "});
+    const auto notes = [&](const std::string& uri) { return noteLines(importScene(plugins, uri)); };
+    EXPECT_EQ(notes(file.string()), Lines{});
+    EXPECT_EQ(notes(file.string() + "?a=b:c/d"), Lines{"query: a=b:c/d"});
+    EXPECT_EQ(notes(file.string() + "?"), Lines{"query: "});
 }
 
 TEST_F(ImportScene, AFileWithAQuestionMarkInItsName) {
     folder.write("what.list", "");
     const fs::path file = folder.write("what.list?now.list", "");
     EXPECT_TRUE(importScene(plugins, file.string()).report.notes.empty());
-    EXPECT_EQ(importScene(plugins, file.string() + "?q").report.notes, std::vector<std::string>{"query: q"});
+    EXPECT_EQ(noteLines(importScene(plugins, file.string() + "?q")), Lines{"query: q"});
 }
 
 TEST_F(ImportScene, AQueryBehindNoFile) {

@@ -1,5 +1,5 @@
-// The layout of plugin.h, by which plugins that are built exchange data with the host. Names may change. Structs may
-// only grow at their end, and only those that begin with struct_size: then a line is added here.
+// The layout of plugin.h, by which plugins that are built exchange data with the host. Names may change.
+// Structs may only grow at their end, and only those that begin with struct_size: then a line is added here.
 #include <candela/plugin.h>
 
 #include <cstddef>
@@ -181,7 +181,8 @@ static_assert(offsetof(candela_host, add_skin) == 112);
 static_assert(offsetof(candela_host, add_cage_instance) == 120);
 static_assert(offsetof(candela_host, worker_count) == 128);
 static_assert(offsetof(candela_host, parallel_for) == 136);
-static_assert(sizeof(candela_host) == 144);
+static_assert(offsetof(candela_host, add_note) == 144);
+static_assert(sizeof(candela_host) == 152);
 
 static_assert(offsetof(candela_stencil_table, stencil_count) == 0);
 static_assert(offsetof(candela_stencil_table, offsets) == 8);

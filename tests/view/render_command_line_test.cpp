@@ -125,6 +125,13 @@ TEST(RenderCommandLine, KeepsEveryFieldOfView) {
     }
 }
 
+TEST(RenderCommandLine, KeepsStrictness) {
+    SceneOptions options = someScene();
+    EXPECT_EQ(readBack(options).strictness, candela::Strictness::tolerant);
+    options.strictness = candela::Strictness::strict;
+    EXPECT_EQ(readBack(options).strictness, candela::Strictness::strict);
+}
+
 TEST(RenderCommandLine, KeepsWords) {
     SceneOptions options = someScene();
     options.width = 7;

@@ -132,14 +132,14 @@ class TreeList {
     std::optional<BranchChange> branch_;
 };
 
-void drawNotes(const std::vector<std::string>& notes) {
+void drawNotes(const std::vector<candela::ImportNote>& notes) {
     ImGui::Separator();
     ImGui::BeginChild("notes");
-    for (const std::string& note : notes) showWrappedText(note);
+    for (const candela::ImportNote& note : notes) showWrappedText(note.line());
     ImGui::EndChild();
 }
 
-float notesHeight(const std::vector<std::string>& notes) {
+float notesHeight(const std::vector<candela::ImportNote>& notes) {
     if (notes.empty()) return 0.0f;
     const auto lines = static_cast<float>(std::min(2 * notes.size(), maxNoteLines));
     return lines * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;

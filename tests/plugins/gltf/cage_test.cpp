@@ -272,7 +272,7 @@ TEST(Cage, usesTheFirstUvSetWhenItsMaterialsReadBoth) {
 
 TEST(Cage, missingUvsAreNoted) {
     const candela::ImportedScene imported = load(fileWithSets({1}, R"(,"TEXCOORD_0":2)"));
-    EXPECT_TRUE(hasNote(imported, "mesh 0 'cage', primitive 0: has no TEXCOORD_1, which material 0 reads"));
+    EXPECT_TRUE(hasNote(imported, "mesh 0 'cage', primitive 0: no TEXCOORD_1, which material 0 reads"));
     // One a vertex.
     EXPECT_EQ(imported.scene.cages.at(0).uvs, std::vector<glm::vec2>(4, glm::vec2(0)));
 }

@@ -71,8 +71,8 @@ std::string errorOfGlb(const Bytes& bytes) {
 }
 
 bool hasNote(const candela::ImportedScene& imported, const std::string& part) {
-    for (const std::string& note : imported.report.notes) {
-        if (note.find(part) != std::string::npos) return true;
+    for (const candela::ImportNote& note : imported.report.notes) {
+        if (note.line().find(part) != std::string::npos) return true;
     }
     return false;
 }

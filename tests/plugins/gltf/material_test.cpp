@@ -151,7 +151,7 @@ TEST(Material, textureWithoutImageIsNotedAndOmitted) {
     const candela::ImportedScene imported = load(file);
     EXPECT_FALSE(imported.scene.materials.at(0).normalTexture.has_value());
     EXPECT_TRUE(hasNote(imported, "material 0, normalTexture: texture 2 has no PNG or JPEG image"));
-    EXPECT_TRUE(hasNote(imported, "extension 'EXT_texture_webp' is not supported: ignored"));
+    EXPECT_TRUE(hasNote(imported, "extension 'EXT_texture_webp': not supported: ignored"));
 }
 
 }  // namespace

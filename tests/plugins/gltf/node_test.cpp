@@ -104,7 +104,7 @@ TEST(Camera, orthographicIsNotedAndOmitted) {
                             {"xmag":1,"ymag":1,"zfar":10,"znear":0}})");
     const candela::ImportedScene imported = load(file);
     EXPECT_TRUE(imported.scene.cameras.empty());
-    EXPECT_TRUE(hasNote(imported, "camera 0 'map' is orthographic: left out"));
+    EXPECT_TRUE(hasNote(imported, "camera 0 'map': orthographic: left out"));
 }
 
 GltfFile fileWithLights(const std::string& lights, int count) {

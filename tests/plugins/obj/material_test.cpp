@@ -211,7 +211,7 @@ TEST(ObjMaterial, missingTextureCoordinatesAreZero) {
 
 TEST(ObjMaterial, anUnknownMaterialIsNoted) {
     const auto imported = loadObj(squareVertices() + "usemtl gone\nf 1 2 3\n");
-    EXPECT_TRUE(hasNote(imported, "the material 'gone' is in no material file"));
+    EXPECT_TRUE(hasNote(imported, "material 'gone': in no material file"));
     EXPECT_FALSE(imported.scene.meshes.at(0).submeshes.at(0).material.has_value());
 }
 
@@ -227,7 +227,7 @@ TEST(ObjMaterial, unsupportedStatementsAreNoted) {
 
 TEST(ObjMaterial, anUnsupportedImageFormatIsNotedAndOmitted) {
     const auto imported = loadMaterial("map_Kd c.tga\nmap_d c.tga\n", {{"c.tga", "xxxx"}});
-    EXPECT_TRUE(hasNote(imported, "'c.tga' is neither a PNG nor a JPEG file: left out"));
+    EXPECT_TRUE(hasNote(imported, "'c.tga': neither a PNG nor a JPEG file: left out"));
     EXPECT_TRUE(imported.scene.images.empty());
     EXPECT_FALSE(imported.scene.materials.at(0).baseColorTexture.has_value());
 }
@@ -235,7 +235,7 @@ TEST(ObjMaterial, anUnsupportedImageFormatIsNotedAndOmitted) {
 TEST(ObjMaterial, theFirstOfTwoDefinitionsIsUsed) {
     const auto imported = loadMaterial("Pm 1\nnewmtl m\nPm 0\n");
     EXPECT_EQ(imported.scene.materials.at(0).metallic, 1.0f);
-    EXPECT_TRUE(hasNote(imported, "a.mtl, line 3: newmtl 'm' is defined before: left out"));
+    EXPECT_TRUE(hasNote(imported, "a.mtl, line 3: newmtl 'm': defined before: left out"));
 }
 
 }  // namespace
