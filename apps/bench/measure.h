@@ -47,7 +47,7 @@ class PassClock {
     std::vector<std::chrono::steady_clock::time_point> wallTimes_;
 };
 
-/// A program that draws the scene it was made for: candela, or a baseline.
+/// A program that draws one scene: candela, or a baseline.
 class Program {
   public:
     virtual ~Program() = default;

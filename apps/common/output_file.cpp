@@ -1,13 +1,15 @@
 #include "output_file.h"
 
-#include "deferred_signals.h"
-
 #include <candela/error.h>
+#include <candela/image_file.h>
 #include <candela/whole_file.h>
 
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <csignal>
+#include <cstddef>
 #include <cstring>
 #include <span>
 #include <system_error>
@@ -37,6 +39,53 @@ bool isSpecial(const std::filesystem::path& path) {
            !std::filesystem::is_directory(status);
 }
 
+constexpr std::array interrupts{SIGINT, SIGTERM, SIGHUP};
+
+std::array<struct sigaction, interrupts.size()> previous;
+volatile std::sig_atomic_t waiting = 0;
+
+void remember(int signal) {
+    waiting = signal;
+}
+
+/// While one lives, an interrupt (SIGINT, SIGTERM, SIGHUP) waits: a file that is being written is finished or
+/// not there, and nothing is left beside it. The signal then takes effect at the end of the scope.
+class DeferredSignals {
+  public:
+    DeferredSignals();
+    DeferredSignals(const DeferredSignals&) = delete;
+    DeferredSignals& operator=(const DeferredSignals&) = delete;
+    ~DeferredSignals();
+};
+
+DeferredSignals::DeferredSignals() {
+    waiting = 0;
+    struct sigaction later {};
+    later.sa_handler = remember;
+    sigemptyset(&later.sa_mask);
+    later.sa_flags = SA_RESTART;
+    for (std::size_t i = 0; i < interrupts.size(); ++i) {
+        sigaction(interrupts[i], nullptr, &previous[i]);
+        // A signal that the parent process had ignored (nohup) stays ignored.
+        if (previous[i].sa_handler != SIG_IGN) sigaction(interrupts[i], &later, nullptr);
+    }
+}
+
+DeferredSignals::~DeferredSignals() {
+    for (std::size_t i = 0; i < interrupts.size(); ++i) sigaction(interrupts[i], &previous[i], nullptr);
+    if (waiting != 0) std::raise(waiting);
+}
+
+/// R, G, B and A as a plane each.
+std::array<std::vector<float>, 4> splitPlanes(const std::vector<float>& rgba) {
+    std::array<std::vector<float>, 4> planes;
+    for (std::size_t channel = 0; channel < planes.size(); ++channel) {
+        planes[channel].reserve(rgba.size() / 4);
+        for (std::size_t i = channel; i < rgba.size(); i += 4) planes[channel].push_back(rgba[i]);
+    }
+    return planes;
+}
+
 }  // namespace
 
 void checkWritable(const std::filesystem::path& path) {
@@ -54,4 +103,31 @@ void checkWritable(const std::filesystem::path& path) {
 void writeText(const std::filesystem::path& path, const std::string& text) {
     const DeferredSignals deferred;
     candela::writeWholeFile(path, std::as_bytes(std::span(text)));
+}
+
+void writeDisplayedFrame(const std::filesystem::path& path, int width, int height,
+                         std::vector<std::uint8_t> rgba, const candela::DisplayTransform& display) {
+    for (std::size_t i = 3; i < rgba.size(); i += 4) rgba[i] = 255;
+    const DeferredSignals deferred;
+    candela::writePng(path, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), rgba,
+                      display.encoding());
+}
+
+void writeRadiance(const std::filesystem::path& path, const candela::Frame& frame,
+                   const std::vector<std::string>& aovs, const candela::ColorConfig& color) {
+    const candela::HdrImage radiance = frame.radiance();
+    const std::array<std::vector<float>, 4> planes = splitPlanes(radiance.rgba);
+    std::vector<candela::ExrChannel> channels;
+    constexpr std::array names{"R", "G", "B", "A"};
+    for (std::size_t i = 0; i < planes.size(); ++i) channels.push_back({names[i], planes[i]});
+
+    std::vector<candela::Aov> values;
+    if (!aovs.empty()) values = frame.aovs(aovs);
+    for (const candela::Aov& aov : values)
+        for (std::size_t i = 0; i < aov.channels.size(); ++i)
+            channels.push_back({aov.channels[i], aov.values[i]});
+
+    const DeferredSignals deferred;
+    candela::writeExr(path, static_cast<std::uint32_t>(radiance.width),
+                      static_cast<std::uint32_t>(radiance.height), channels, color.chromaticities());
 }

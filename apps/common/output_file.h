@@ -1,12 +1,26 @@
 #pragma once
 
+#include <candela/color.h>
+#include <candela/renderer.h>
+
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
-/// Throws `candela::Error` (environment) when no file can be made at `path`: its folder is missing or not
-/// writable, or a folder stands there. Called before any drawing.
+/// Throws `candela::Error` (environment) when no file can be created at `path`: its folder is missing or not
+/// writable, or it is a folder. Called before any drawing.
 void checkWritable(const std::filesystem::path& path);
 
 /// Writes `text` into a file that is whole or absent; a device or a pipe is written straight into. Throws
 /// `candela::Error` (environment).
 void writeText(const std::filesystem::path& path, const std::string& text);
+
+/// Writes a displayed frame into an 8-bit PNG, opaque everywhere. The file is whole or absent, also when a
+/// signal ends the program.
+void writeDisplayedFrame(const std::filesystem::path& path, int width, int height,
+                         std::vector<std::uint8_t> rgba, const candela::DisplayTransform& display);
+
+/// Writes a frame's radiance and the AOVs of these names into an EXR, whole or absent likewise.
+void writeRadiance(const std::filesystem::path& path, const candela::Frame& frame,
+                   const std::vector<std::string>& aovs, const candela::ColorConfig& color);

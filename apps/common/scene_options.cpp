@@ -67,7 +67,7 @@ constexpr const char* threads =
     "process may use (its affinity and control groups)";
 
 constexpr const char* ocio = "OpenColorIO config file. Default: that of $OCIO, else a built-in config";
-constexpr const char* display = "Display of the config that a .png is made for. Default: the config's";
+constexpr const char* display = "Display of the config that a .png is encoded for. Default: the config's";
 constexpr const char* view = "View of that display. Default: the display's";
 constexpr const char* look = "Look to apply. Default: none";
 constexpr const char* exposure =

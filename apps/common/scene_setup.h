@@ -16,8 +16,8 @@ candela::Bounds sceneBounds(const candela::Scene& scene, double time);
 /// the same ones. Throws `candela::Error` (badInput) that names `sceneName` when the scene has no bounds.
 void addScatteredLights(candela::Scene& scene, const ScatterOptions& scatter, const std::string& sceneName);
 
-/// The camera of the pictures: the eye of the options, a camera of the scene, or a view that frames the scene
-/// at the time of the first picture.
+/// The camera of the frames: the eye of the options, a camera of the scene, or a view that frames the scene
+/// at the time of the first frame.
 class CameraSelection {
   public:
     /// `scene` has to outlive it. Throws `candela::Error` (badInput) that lists the scene's cameras where

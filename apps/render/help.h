@@ -1,6 +1,6 @@
 #pragma once
 
-/// shares.
+/// The texts of --help, other than those of the shared options.
 namespace help {
 
 constexpr const char* description =

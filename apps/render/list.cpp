@@ -1,4 +1,4 @@
-#include "list.h"
+#include "commands.h"
 
 #include <candela/color.h>
 #include <candela/context.h>

@@ -1,9 +1,8 @@
-/// candela-render: draws a scene into a picture file. See --help.
+/// candela-render: draws a scene into an image file. See --help.
 
+#include "commands.h"
 #include "common/program.h"
-#include "list.h"
 #include "options.h"
-#include "render_command.h"
 
 #include <candela/threads.h>
 
@@ -13,6 +12,6 @@ int main(int argc, char** argv) {
         if (!options) return;
         candela::setThreadCount(options->threads);
         if (options->list) return printList(*options);
-        renderPictures(*options);
+        renderFrames(*options);
     });
 }

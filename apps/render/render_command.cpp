@@ -1,10 +1,9 @@
-#include "render_command.h"
+#include "commands.h"
 
 #include "common/output_file.h"
 #include "common/program.h"
 #include "common/scene_setup.h"
-#include "frame_path.h"
-#include "picture.h"
+#include "frame_writer.h"
 #include "stats.h"
 
 #include <candela/context.h>
@@ -24,6 +23,29 @@ namespace {
 constexpr double framesPerSecond = 24.0;
 /// Drawings of a single frame whose times --stats tells.
 constexpr int statsDrawings = 5;
+/// Digits of a frame number in a name without #.
+constexpr std::size_t frameDigits = 4;
+
+std::string padded(int number, std::size_t digits) {
+    const std::string text = std::to_string(number);
+    return std::string(digits > text.size() ? digits - text.size() : 0, '0') + text;
+}
+
+/// The name of a frame's picture. A run of '#' in the file's name becomes the frame number, padded with
+/// zeros; without one, and with more than one frame, the number goes before the ending.
+std::filesystem::path framePath(const std::filesystem::path& output, const FrameRange& frames, int frame) {
+    std::string name = output.filename().string();
+    const std::size_t last = name.find_last_of('#');
+    if (last != name.npos) {
+        const std::size_t before = name.find_last_not_of('#', last);
+        const std::size_t first = before == name.npos ? 0 : before + 1;
+        name.replace(first, last - first + 1, padded(frame, last - first + 1));
+        return output.parent_path() / name;
+    }
+    if (frames.first == frames.last) return output;
+    std::filesystem::path numbered = output;
+    return numbered.replace_extension("." + padded(frame, frameDigits) + output.extension().string());
+}
 
 using Clock = std::chrono::steady_clock;
 
@@ -142,7 +164,7 @@ std::string resultLine(const Session& session, const Stats& stats, double second
 
 }  // namespace
 
-void renderPictures(const Options& options) {
+void renderFrames(const Options& options) {
     const Clock::time_point start = Clock::now();
     Session session(options);
     checkOutputs(session);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "picture.h"
+#include "frame_writer.h"
 
 #include <candela/renderer.h>
 

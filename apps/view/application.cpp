@@ -1,9 +1,7 @@
 #include "application.h"
 
-#include "camera_options.h"
 #include "close_signals.h"
 #include "common/output_file.h"
-#include "common/picture_file.h"
 #include "panels/panels.h"
 #include "render_command_line.h"
 #include "settings.h"
@@ -230,7 +228,7 @@ void Application::install(SceneLoader::Result loaded) {
     std::swap(model_.document, document);
     std::swap(model_.options, options);
     try {
-        takeCamera(model_);  // an unknown --camera shows here
+        loadCamera(model_);  // an unknown --camera shows here
     } catch (...) {
         std::swap(model_.document, document);
         std::swap(model_.options, options);
@@ -257,7 +255,7 @@ void Application::reloadShaders() {
             if (!document.scene().cages.empty())
                 fresh = document.upload(context_, uploadOptions(model_.color));
             viewport_.reloadShaders(Viewport::Inputs{fresh ? *fresh : document.gpuScene(), model_.options,
-                                                     chosenView(model_), *display_, model_.divisor});
+                                                     selectedView(model_), *display_, model_.divisor});
             if (fresh) document.adopt(std::move(*fresh));
         }
         model_.shaderError.clear();
@@ -273,7 +271,7 @@ void Application::advanceTime() {
     if (!model_.document) return;
     if (model_.playing) model_.options.time += seconds;
     // A view that frames the scene would swim with what moves in it.
-    if (timeGoesOn() && !model_.options.eye && model_.document->scene().cameras.empty()) giveCamera(model_);
+    if (timeGoesOn() && !model_.options.eye && model_.document->scene().cameras.empty()) storeCamera(model_);
     guarded([this] { model_.document->setTime(model_.options.time); });
 }
 
@@ -357,7 +355,7 @@ void Application::drawPicture(Motion motion) {
     if (key == drawnPicture_ && !options_.scripted()) return;
     drawnPicture_ = key;
     guarded([&] {
-        const candela::CameraView view = chosenView(model_);
+        const candela::CameraView view = selectedView(model_);
         followView(model_, view);
         const double milliseconds =
             viewport_.draw({model_.document->gpuScene(), model_.options, view, *display_, model_.divisor});
@@ -381,15 +379,15 @@ void Application::probePointer() {
 
 /// The picture at full size, whatever is shown while it moves.
 void Application::writePicture(const std::filesystem::path& file) {
-    const candela::CameraView view = chosenView(model_);
+    const candela::CameraView view = selectedView(model_);
     viewport_.draw({model_.document->gpuScene(), model_.options, view, *display_, 1});
     drawnPicture_.clear();
     const candela::Frame& frame = *viewport_.frame();
     if (endingOf(file) == ".exr") {
         writeRadiance(file, frame, candela::Renderer::aovNames(), model_.color);
     } else {
-        writeShownPicture(file, model_.options.width, model_.options.height, frame.displayPicture(*display_),
-                          *display_);
+        writeDisplayedFrame(file, model_.options.width, model_.options.height,
+                            frame.displayPicture(*display_), *display_);
     }
     model_.messages.push_back({Message::Kind::note, "wrote " + file.string()});
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "interaction.h"
-#include "resolution_scale.h"
 #include "scene_loader.h"
 #include "shader_watch.h"
 #include "view_model.h"

@@ -29,8 +29,8 @@ glm::vec3 directionOf(const Angles& angles) {
             std::sin(polar) * std::cos(angles.azimuth)};
 }
 
-/// `direction` (unit length) turned by a drag.
-glm::vec3 turned(const glm::vec3& direction, const glm::vec2& drag) {
+/// `direction` (unit length) rotated by a drag.
+glm::vec3 rotated(const glm::vec3& direction, const glm::vec2& drag) {
     Angles angles = anglesOf(direction);
     angles.azimuth -= drag.x * pi;
     angles.polar -= drag.y * pi;
@@ -64,7 +64,7 @@ void CameraControl::frame(const candela::Bounds& box, float aspect) {
 
 void CameraControl::orbit(const glm::vec2& drag) {
     const float distance = glm::distance(eye_, target_);
-    eye_ = target_ + distance * turned((eye_ - target_) / distance, drag);
+    eye_ = target_ + distance * rotated((eye_ - target_) / distance, drag);
 }
 
 void CameraControl::pan(const glm::vec2& drag) {
@@ -81,9 +81,9 @@ void CameraControl::dolly(float steps) {
     eye_ = target_ + (eye_ - target_) * (nearer / distance);
 }
 
-void CameraControl::turn(const glm::vec2& drag) {
+void CameraControl::lookAround(const glm::vec2& drag) {
     const float distance = glm::distance(eye_, target_);
-    target_ = eye_ - distance * turned((eye_ - target_) / distance, drag);
+    target_ = eye_ - distance * rotated((eye_ - target_) / distance, drag);
 }
 
 void CameraControl::fly(const glm::vec3& direction, float metres) {

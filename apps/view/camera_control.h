@@ -6,25 +6,25 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// A camera that the hand moves: an eye that looks at a target, +Y up, without roll. Angles in radians,
-/// lengths in metres.
+/// A camera controlled by pointer and keys: an eye that looks at a target, +Y up, without roll. Angles in
+/// radians, lengths in metres.
 class CameraControl {
   public:
     /// Stands where `view` does; the target lies on its axis, `distance` before the eye.
     void set(const candela::CameraView& view, float distance);
     /// Looks from `eye` at `target`.
     void lookAt(const glm::vec3& eye, const glm::vec3& target);
-    /// Moves back along the axis until the box is in the picture; `aspect` is width over height.
+    /// Moves back along the axis until the box is in view; `aspect` is width over height.
     void frame(const candela::Bounds& box, float aspect);
 
     /// `drag` is in heights of the window; a drag over the whole height rotates by 180 degrees.
     void orbit(const glm::vec2& drag);
     /// The target's point follows the pointer.
     void pan(const glm::vec2& drag);
-    /// Nears the target by a factor for each step: 1 step is one click of the wheel.
+    /// Approaches the target by a factor for each step: 1 step is one click of the wheel.
     void dolly(float steps);
     /// Rotates the view direction; the eye stays.
-    void turn(const glm::vec2& drag);
+    void lookAround(const glm::vec2& drag);
     /// Moves eye and target by `direction` (x right, y up, z back; camera space) times `metres`.
     void fly(const glm::vec3& direction, float metres);
 

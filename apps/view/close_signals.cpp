@@ -16,17 +16,18 @@ namespace {
 constexpr std::array interrupts{SIGINT, SIGTERM, SIGHUP};
 
 std::array<struct sigaction, interrupts.size()> previous;
-int bell = -1;  ///< An eventfd: a handler may do little more than write to it.
+/// An eventfd, to which the signal handler writes; few other calls are safe in it.
+int wakeDescriptor = -1;
 
-void ring() {
+void notify() {
     constexpr std::uint64_t one = 1;
-    // It can only fail when it has been rung 2^64 times.
-    [[maybe_unused]] const ssize_t written = write(bell, &one, sizeof one);
+    // It can only fail after 2^64 notifications.
+    [[maybe_unused]] const ssize_t written = write(wakeDescriptor, &one, sizeof one);
 }
 
 void askToClose(int) {
     const int error = errno;
-    ring();
+    notify();
     errno = error;
 }
 
@@ -45,10 +46,10 @@ void install() {
 }  // namespace
 
 CloseSignals::CloseSignals(void (*wake)()) : wake_(wake) {
-    bell = eventfd(0, EFD_CLOEXEC);
-    if (bell < 0)
+    wakeDescriptor = eventfd(0, EFD_CLOEXEC);
+    if (wakeDescriptor < 0)
         throw candela::Error(candela::ErrorKind::environment, "",
-                             std::string("no eventfd can be made: ") + std::strerror(errno));
+                             std::string("cannot create an eventfd: ") + std::strerror(errno));
     thread_ = std::thread([this] { wait(); });
     install();
 }
@@ -56,15 +57,15 @@ CloseSignals::CloseSignals(void (*wake)()) : wake_(wake) {
 CloseSignals::~CloseSignals() {
     for (std::size_t i = 0; i < interrupts.size(); ++i) sigaction(interrupts[i], &previous[i], nullptr);
     stopping_ = true;
-    ring();
+    notify();
     thread_.join();
-    close(bell);
+    close(wakeDescriptor);
 }
 
 void CloseSignals::wait() {
     for (;;) {
-        std::uint64_t rings = 0;
-        if (read(bell, &rings, sizeof rings) < 0 && errno == EINTR) continue;
+        std::uint64_t count = 0;
+        if (read(wakeDescriptor, &count, sizeof count) < 0 && errno == EINTR) continue;
         if (stopping_) return;
         raised_ = true;
         wake_();

@@ -29,7 +29,7 @@ class Document {
     /// The scene on the device once more, as it is shown now: for another working space or other shaders.
     /// Throws `candela::Error`.
     candela::GpuScene upload(const candela::Context& context, const candela::GpuSceneOptions& options) const;
-    /// Shows what `upload` made.
+    /// Shows the result of `upload`.
     void adopt(candela::GpuScene uploaded);
 
     /// Poses the scene (and moves the lights, if they move) as at `seconds`.
@@ -43,7 +43,7 @@ class Document {
 
     /// The lights in world space as they are shown now.
     const std::vector<candela::WorldLight>& lights() const { return shownLights_; }
-    /// Replaces light `index` at its resting place. Throws `candela::Error` and leaves it when it is no
+    /// Replaces light `index` at its rest position. Throws `candela::Error` and leaves it when it is no
     /// light.
     void setLight(std::uint32_t index, const candela::WorldLight& light);
     void addLight(const candela::WorldLight& light);
@@ -77,5 +77,5 @@ class Document {
     LightMotion motion_;
     std::vector<bool> changedMaterials_;
     bool lightsTaken_ = false;    ///< The device has the lights that the window places, not the scene's own.
-    bool lightsChanged_ = false;  ///< By hand: nodes move them no longer.
+    bool lightsChanged_ = false;  ///< By the user: nodes no longer move them.
 };

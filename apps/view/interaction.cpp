@@ -1,6 +1,6 @@
 #include "interaction.h"
 
-#include "camera_options.h"
+#include "common/scene_setup.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -13,12 +13,21 @@
 
 namespace {
 
+/// The distance of the orbit centre: that of the scene's centre along the view direction.
+float targetDistance(const ViewModel& model, const candela::CameraView& view) {
+    const candela::Bounds box = model.document->bounds();
+    if (box.empty()) return 1.0f;
+    const glm::vec3 toMiddle = 0.5f * (box.min + box.max) - view.eye();
+    const float along = glm::dot(toMiddle, -glm::vec3(view.worldFromCamera[2]));
+    return along > 0.0f ? along : 0.5f * glm::distance(box.min, box.max);
+}
+
 /// A press that moves the pointer less than this is a click, in units of ImGui.
 constexpr float clickDistance = 3.0f;
 /// Flying crosses the distance to the target in so many seconds; with shift five times as fast.
 constexpr float secondsToTarget = 2.0f;
-constexpr float haste = 5.0f;
-/// Seconds that a step of the flight lasts at most: the window may have slept before it.
+constexpr float shiftFactor = 5.0f;
+/// Seconds that a step of the flight lasts at most: the window may have been idle before it.
 constexpr float longestStep = 0.1f;
 
 enum Button : int { left = 0, right = 1, middle = 2 };
@@ -40,19 +49,19 @@ Motion fly(CameraControl& camera, const ImGuiIO& io) {
     if (direction == glm::vec3(0.0f)) return Motion::rests;
     const float speed = glm::distance(camera.eye(), camera.target()) / secondsToTarget;
     const float seconds = std::min(io.DeltaTime, longestStep);
-    camera.fly(glm::normalize(direction), speed * seconds * (io.KeyShift ? haste : 1.0f));
+    camera.fly(glm::normalize(direction), speed * seconds * (io.KeyShift ? shiftFactor : 1.0f));
     return Motion::moves;
 }
 
-/// Moves the camera as the buttons say.
+/// Moves the camera by the pressed buttons.
 Motion moveCamera(CameraControl& camera, const ImGuiIO& io) {
     const glm::vec2 drag = dragged(io);
-    const bool pulls = drag != glm::vec2(0.0f);
+    const bool dragging = drag != glm::vec2(0.0f);
     if (ImGui::IsMouseDown(right)) {
-        if (pulls) camera.turn(drag);
-        return fly(camera, io) == Motion::moves || pulls ? Motion::moves : Motion::rests;
+        if (dragging) camera.lookAround(drag);
+        return fly(camera, io) == Motion::moves || dragging ? Motion::moves : Motion::rests;
     }
-    if (!pulls) return Motion::rests;
+    if (!dragging) return Motion::rests;
     if (ImGui::IsMouseDown(middle) || (ImGui::IsMouseDown(left) && io.KeyShift)) {
         camera.pan(drag);
         return Motion::moves;
@@ -82,6 +91,47 @@ bool clicked(const ImGuiIO& io) {
 
 }  // namespace
 
+candela::CameraView selectedView(const ViewModel& model) {
+    return CameraSelection(model.document->scene(), model.options, model.options.time).at(model.options.time);
+}
+
+void loadCamera(ViewModel& model) {
+    if (model.options.eye) {
+        model.camera.lookAt(model.options.eye->eye, model.options.eye->target);
+        model.camera.setVerticalFov(model.options.verticalFov.value_or(candela::CameraView().verticalFov));
+        return;
+    }
+    const candela::CameraView view = selectedView(model);
+    model.camera.set(view, targetDistance(model, view));
+}
+
+void followView(ViewModel& model, const candela::CameraView& view) {
+    if (model.options.eye) return;
+    const bool frames = model.document->scene().cameras.empty();
+    model.camera.set(view, frames ? targetDistance(model, view)
+                                  : glm::distance(model.camera.eye(), model.camera.target()));
+}
+
+void storeCamera(ViewModel& model) {
+    model.options.camera.reset();
+    model.options.eye = EyeOptions{model.camera.eye(), model.camera.target()};
+    model.options.verticalFov = model.camera.verticalFov();
+}
+
+void selectSceneCamera(ViewModel& model, std::uint32_t index) {
+    model.options.camera = std::to_string(index);
+    model.options.eye.reset();
+    model.options.verticalFov.reset();
+    loadCamera(model);
+}
+
+void frameBox(ViewModel& model, const candela::Bounds& box) {
+    if (box.empty()) return;
+    model.camera.frame(box,
+                       static_cast<float>(model.options.width) / static_cast<float>(model.options.height));
+    storeCamera(model);
+}
+
 Motion interact(ViewModel& model, float pixelRatio) {
     const ImGuiIO& io = ImGui::GetIO();
     model.pointer.reset();
@@ -95,6 +145,6 @@ Motion interact(ViewModel& model, float pixelRatio) {
         model.camera.dolly(io.MouseWheel);
         motion = Motion::moves;
     }
-    if (motion == Motion::moves) giveCamera(model);
+    if (motion == Motion::moves) storeCamera(model);
     return motion;
 }

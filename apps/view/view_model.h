@@ -51,9 +51,9 @@ struct Requests {
 /// All that the window shows. The panels read and change it; the application draws it.
 struct ViewModel {
     /// What candela-render would be given for this picture, the camera included: a camera that was moved by
-    /// hand is its `eye`.
+    /// the user is its `eye`.
     SceneOptions options;
-    CameraControl camera;  ///< Stands where the picture is taken from; see camera_choice.h.
+    CameraControl camera;  ///< The interactive camera; see interaction.h.
     bool playing = false;  ///< Time goes on.
 
     candela::ColorConfig color = candela::ColorConfig::builtIn();

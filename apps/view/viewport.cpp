@@ -9,6 +9,16 @@
 #include <cstdint>
 #include <utility>
 
+namespace {
+
+/// A frame that takes longer than this is drawn at a lower resolution while the camera moves.
+constexpr double interactiveMilliseconds = 50.0;
+constexpr int maxDivisor = 4;
+/// The resolution stays reduced in pauses of the motion that are shorter than this.
+constexpr std::chrono::milliseconds rest{150};
+
+}  // namespace
+
 Viewport::Viewport(const candela::Context& context) : context_(context), renderer_(context) {
     glCreateFramebuffers(1, &framebuffer_);
     glObjectLabel(GL_FRAMEBUFFER, framebuffer_, -1, "picture");
@@ -76,9 +86,21 @@ glm::vec3 Viewport::displayValue(const glm::ivec2& pixel) const {
 
 void Viewport::reloadShaders(const std::optional<Inputs>& inputs) {
     candela::Renderer fresh(context_);
-    // Most programs are made when they are first drawn with.
+    // Most programs are compiled when they are first used.
     std::optional<candela::Frame> frame;
     if (inputs) frame.emplace(draw(fresh, *inputs));
     renderer_ = std::move(fresh);
     frame_ = std::move(frame);
+}
+
+int ResolutionScale::divisor(Motion motion, Clock::time_point now) {
+    if (motion == Motion::rests) {
+        if (now - lastMotion_ >= rest) divisor_ = 1;
+        return divisor_;
+    }
+    lastMotion_ = now;
+    divisor_ = 1;
+    while (divisor_ < maxDivisor && fullMilliseconds_ / (divisor_ * divisor_) > interactiveMilliseconds)
+        divisor_ *= 2;
+    return divisor_;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/scene_options.h"
+#include "interaction.h"
 
 #include <candela/camera.h>
 #include <candela/color.h>
@@ -10,6 +11,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <chrono>
 #include <optional>
 
 /// The picture of the scene: drawn when it changes, shown in the window as often as that is drawn.
@@ -54,4 +56,22 @@ class Viewport {
     glm::ivec2 size_{0};
     glm::ivec2 fullSize_{1};
     std::optional<candela::Frame> frame_;
+};
+
+/// The divisor of the resolution: above 1 on a slow device while the camera moves, 1 once it rests.
+class ResolutionScale {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    /// The divisor of width and height of the next frame: 1, 2 or 4.
+    int divisor(Motion motion, Clock::time_point now);
+    /// Records the time of the last frame, drawn with the divisor returned last.
+    void tookMilliseconds(double milliseconds) { fullMilliseconds_ = milliseconds * divisor_ * divisor_; }
+    /// Is the resolution reduced, so that another frame is due at rest?
+    bool isReduced() const { return divisor_ > 1; }
+
+  private:
+    double fullMilliseconds_ = 0.0;  ///< Estimated time of a frame at full resolution.
+    int divisor_ = 1;
+    Clock::time_point lastMotion_{};
 };

@@ -178,7 +178,7 @@ DisplayShader BakedTransform::shader() const {
             calls += "    color = " + name + "(vec4(color, 1.0)).rgb;\n";
         }
     }
-    // Codes that come out of a table are finite and limited.
+    // Codes read from a table are finite and limited.
     const bool endsInTable = steps_.back().kind == Step::Kind::curves;
     shader.glsl = sanitizeGlsl() + CurveTable::glsl() + functions +
                   "\nvec4 displayTransform(vec4 radiance) {\n"

@@ -69,7 +69,7 @@ std::vector<Candidate> candidates(const DeviceOptions& options) {
 }
 
 std::string failureText(const std::vector<ContextAttempt>& attempts) {
-    std::string text = "no OpenGL 4.5 context can be made without a window.";
+    std::string text = "no OpenGL 4.5 context can be created without a window.";
     for (const ContextAttempt& attempt : attempts) text += " " + attempt.way + ": " + attempt.outcome + ".";
     return text;
 }

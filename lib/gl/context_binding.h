@@ -13,8 +13,8 @@ namespace candela::gl {
 /// The native context, EGL's or GLX's, that is current on this thread; null when there is none.
 void* currentNativeContext();
 
-/// The context that GL objects belong to. `Context` and everything made for it share one binding, which keeps
-/// a headless context alive for as long as objects of it exist.
+/// The context that GL objects belong to. `Context` and everything created for it share one binding, which
+/// keeps a headless context alive for as long as objects of it exist.
 class ContextBinding {
   public:
     /// Takes a context of candela's own, which is current.
@@ -43,8 +43,8 @@ class ContextBinding {
 
     std::unique_ptr<HeadlessContext> headless_;
     void* native_ = nullptr;
-    std::string label_;   ///< Of the marker, unique in the process.
-    GLuint marker_ = 0;   ///< A buffer that tells this context from a later one at the same address.
+    std::string label_;  ///< Of the marker, unique in the process.
+    GLuint marker_ = 0;  ///< A buffer that tells this context from a later one at the same address.
 };
 
 /// Makes the destruction of GL objects safe: an owned context becomes current for the scope, and a host's has
@@ -68,8 +68,9 @@ class DestructionScope {
 /// Says on standard error that the GL objects of `owner` could not be deleted.
 void reportLeak(const char* owner);
 
-/// Deletes an object that owns GL objects. Where its context is gone or not current, the object is leaked with
-/// a message: deleting names in another context, or in none, destroys what is not ours or ends the process.
+/// Deletes an object that owns GL objects. Where its context is gone or not current, the object is leaked
+/// with a message: deleting names in another context, or in none, destroys what is not ours or ends the
+/// process.
 template <typename T>
 struct ContextDeleter {
     std::shared_ptr<const ContextBinding> binding;

@@ -111,12 +111,11 @@ HdrImage Frame::radiance() const {
     const Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
     const GBufferTargets& targets = *state.targets;
-    HdrImage picture{targets.width, targets.height,
-                     readColor(targets.radiance, targets.width, targets.height)};
+    HdrImage image{targets.width, targets.height, readColor(targets.radiance, targets.width, targets.height)};
     const std::vector<float> depth = readDepth(targets);
-    for (std::size_t i = 0; i < depth.size(); ++i) picture.rgba[4 * i + 3] = depth[i] > 0.0f ? 1.0f : 0.0f;
-    flipRows(picture.rgba, targets.width, targets.height);
-    return picture;
+    for (std::size_t i = 0; i < depth.size(); ++i) image.rgba[4 * i + 3] = depth[i] > 0.0f ? 1.0f : 0.0f;
+    flipRows(image.rgba, targets.width, targets.height);
+    return image;
 }
 
 std::vector<std::string> Renderer::aovNames() {

@@ -203,7 +203,8 @@ Frame Renderer::render(GpuScene& scene, const CameraView& view, const FrameSetti
     checkView(view);
     if (!scene.state_->binding->isSameAs(*state_->binding)) {
         refuse(
-            "a GpuScene is rendered by a Renderer of another Context; both have to be made for the same one");
+            "a GpuScene is rendered by a Renderer of another Context; both have to be created for the same "
+            "one");
     }
     const gl::StateGuard guard(*state_->binding, "a Renderer");
     state_->render(*scene.state_, view, settings);

@@ -41,7 +41,7 @@ struct Renderer::State {
     /// Draws a frame and counts it in `frameNumber`.
     void render(GpuScene::State& scene, const CameraView& view, const FrameSettings& settings);
 
-    // What frames ask for, once they have made sure that `frame` is theirs.
+    // What frames ask for, after a check that `frame` is theirs.
     LightingInputs lightingInputs(const GpuScene::State& scene) const;
     void bindFrame();
     void drawGeometry(const GpuScene::State& scene, const GBufferTargets& into, LoadOp radianceLoad);

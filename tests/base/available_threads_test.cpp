@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder that stands for /sys/fs/cgroup.
+// A temporary folder in place of /sys/fs/cgroup.
 class CgroupThreads : public testing::Test {
   protected:
     void write(const fs::path& file, const std::string& text) {
@@ -86,7 +86,7 @@ TEST_F(CgroupThreads, TakeTheSmallerOfBothVersions) {
     EXPECT_EQ(limit("4:cpu:/a\n0::/a\n"), 5u);
 }
 
-// What `availableThreads` says in a child process whose affinity mask holds one of this process's CPUs.
+// The result of `availableThreads` in a child process whose affinity mask holds one of this process's CPUs.
 int availableOnOneCpu() {
     const pid_t child = fork();
     if (child == 0) {

@@ -12,7 +12,7 @@ TEST(Error, namesTheFileBeforeTheText) {
     EXPECT_EQ(error.kind(), ErrorKind::badInput);
 }
 
-TEST(Error, isJustTheTextWhenNoFileIsAtFault) {
+TEST(Error, hasOnlyTheTextWithoutAFile) {
     const Error error(ErrorKind::environment, "", "no OpenGL 4.5");
     EXPECT_STREQ(error.what(), "no OpenGL 4.5");
 }

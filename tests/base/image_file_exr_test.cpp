@@ -120,7 +120,7 @@ TEST(ImageFileExr, convertsOpenExrExceptionsToErrors) {
     EXPECT_EQ(folder.entries(), 0);
 }
 
-TEST(ImageFileExr, refusesWhatDoesNotFitBeforeAFileIsTouched) {
+TEST(ImageFileExr, rejectsInconsistentArgumentsBeforeWriting) {
     const TemporaryFolder folder;
     const std::filesystem::path path = folder.path() / "a.exr";
     const std::vector<float> two(2), three(3);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr Chromaticities displayP3{{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}, {0.3127, 0.3290}};
 
-/// What a PNG holds, by libpng.
+/// A PNG decoded by libpng.
 struct Picture {
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
@@ -138,7 +138,7 @@ TEST(ImageFilePng, leavesNoFileOnFailure) {
     EXPECT_EQ(folder.entries(), 0);
 }
 
-TEST(ImageFilePng, refusesWhatDoesNotFitBeforeAFileIsTouched) {
+TEST(ImageFilePng, rejectsInconsistentArgumentsBeforeWriting) {
     const TemporaryFolder folder;
     const std::vector<std::uint8_t> pixel(4);
     for (const auto& [width, height] : {std::pair{0u, 1u}, {1u, 0u}, {2u, 1u}, {0x80000000u, 1u}}) {

@@ -79,7 +79,7 @@ TEST(ThreadPool, ThrowsOneOfManyExceptions) {
         EXPECT_THROW(pool.run(8, [](std::size_t, unsigned) { throw std::bad_alloc(); }), std::bad_alloc);
 }
 
-TEST(ThreadPool, RunsALoopInsideOfALoopOnTheSameThread) {
+TEST(ThreadPool, RunsANestedLoopOnTheSameThread) {
     ThreadPool pool(4);
     std::atomic<int> calls = 0;
     std::atomic<bool> moved = false;
@@ -94,7 +94,7 @@ TEST(ThreadPool, RunsALoopInsideOfALoopOnTheSameThread) {
     EXPECT_FALSE(moved);
 }
 
-TEST(ThreadPool, ThrowsOutOfALoopInsideOfALoop) {
+TEST(ThreadPool, ForwardsExceptionsOfANestedLoop) {
     ThreadPool pool(4);
     const auto nested = [&](std::size_t, unsigned) {
         pool.run(4, [](std::size_t, unsigned) { throw std::runtime_error("inner"); });
@@ -119,7 +119,7 @@ TEST(ThreadPool, ServesSeveralCallers) {
     for (const std::uint64_t sum : sums) EXPECT_EQ(sum, 200u * 4950u);
 }
 
-TEST(ThreadPool, AdvancesALoopWhileAnotherIsUnderWay) {
+TEST(ThreadPool, AdvancesALoopWhileAnotherRuns) {
     ThreadPool pool(2);
     std::atomic<bool> release = false;
     std::thread slow([&] {
@@ -155,7 +155,7 @@ TEST(SharedThreadPool, HasTheSizeThatIsSet) {
     EXPECT_EQ(ThreadPool::shared()->size(), availableThreads());
 }
 
-TEST(SharedThreadPool, RefusesMoreThreadsThanItCanCount) {
+TEST(SharedThreadPool, RejectsMoreThanTheMaximum) {
     try {
         setThreadCount(maxThreadCount + 1);
         FAIL() << "nothing was thrown";

@@ -51,7 +51,7 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 /// Lets no file of this process grow beyond `bytes`: the write fails as on a full disk, after some of the
-/// bytes went through.
+/// bytes were written.
 class FileSizeLimit {
   public:
     explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -162,13 +162,13 @@ TEST(WholeFile, aFolderIsNotAFile) {
     EXPECT_THROW(write("", "x"), Error);
 }
 
-TEST(WholeFile, aFolderThatTakesNoFilesIsNamed) {
-    // The kernel lets nobody, not even root, create files here.
+TEST(WholeFile, aFolderThatCanNotHoldFilesIsNamed) {
+    // Not even root can create files here.
     EXPECT_TRUE(contains(failureOf("/proc/candela-test.png"), "'/proc'"));
 }
 
-TEST(WholeFile, aProtectedFileStaysAsItWas) {
-    if (::geteuid() == 0) GTEST_SKIP() << "permissions do not hold root back";
+TEST(WholeFile, aProtectedFileIsUnchanged) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root ignores file permissions";
     const TemporaryFolder folder;
     const fs::path path = folder.path() / "a";
     write(path, "old");

@@ -1,4 +1,5 @@
-// All techniques draw the same picture, in every scene, and the textbook programs do within half floats.
+// All techniques draw the same image of every scene; the textbook programs do within the precision of half
+// floats.
 #include "bench_run.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,7 @@ TEST_P(BenchScenes, TheBaselineAgrees) {
 INSTANTIATE_TEST_SUITE_P(All, BenchScenes, testing::Values("plaza", "cloud", "rooms", "outside", "hidden"),
                          [](const auto& scene) { return std::string(scene.param); });
 
-TEST(BenchAgreement, WithTheOtherModelToo) {
+TEST(BenchAgreement, WithTheGltfModel) {
     benchOf({"--lights", "64", "--technique", "all", "--brdf", "gltf"});
 }
 

@@ -12,7 +12,7 @@ Json benchOf(std::vector<std::string> arguments) {
     const std::string file = folder / "results.json";
     arguments.insert(arguments.end(), {"--size", "160x90", "--frames", "2", "--quiet", "--json", file});
     const CommandResult result = runCommand(arguments, {.folder = folder.path()});
-    expectDone(result);
+    expectSuccess(result);
     EXPECT_EQ(result.out, "") << "quiet";
     EXPECT_EQ(result.err, "") << "quiet";
     EXPECT_EQ(folder.names(), std::vector<std::string>{"results.json"});

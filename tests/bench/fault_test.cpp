@@ -11,29 +11,29 @@ CommandResult runIn(const TemporaryFolder& folder, std::vector<std::string> argu
     return runCommand(arguments, {.folder = folder.path()});
 }
 
-TEST(BenchFault, ASceneThatIsNotThere) {
+TEST(BenchFault, MissingScene) {
     const TemporaryFolder folder;
     expectFault(runIn(folder, {"--scene", "missing.glb", "--json", "r.json"}), "missing.glb", "");
     EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(BenchFault, AFolderThatIsNotThere) {
+TEST(BenchFault, MissingOutputFolder) {
     const TemporaryFolder folder;
     expectFault(runIn(folder, {"--json", "nowhere/r.json"}), "nowhere/r.json", "does not exist");
     expectFault(runIn(folder, {"--json", "r.json", "--plot", "nowhere/r.svg"}), "nowhere/r.svg",
                 "does not exist");
-    EXPECT_TRUE(folder.names().empty()) << "told before anything is measured";
+    EXPECT_TRUE(folder.names().empty()) << "checked before anything is measured";
 }
 
-TEST(BenchFault, AViewThatIsNotThere) {
+TEST(BenchFault, UnknownView) {
     const TemporaryFolder folder;
-    const CommandResult result = runIn(folder, {"--json", "r.json", "--view", "Nice"});
+    const CommandResult result = runIn(folder, {"--json", "r.json", "--view", "Unknown"});
     EXPECT_EQ(result.exitCode, 1);
-    EXPECT_NE(result.err.find("Nice"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("Unknown"), std::string::npos) << result.err;
     EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(BenchFault, APluginFolderThatIsNotThere) {
+TEST(BenchFault, MissingPluginFolder) {
     const TemporaryFolder folder;
     const CommandResult result = runIn(folder, {"--json", "r.json", "--plugin-path", "nowhere"});
     EXPECT_EQ(result.exitCode, 1);
@@ -43,7 +43,7 @@ TEST(BenchFault, APluginFolderThatIsNotThere) {
 TEST(BenchFault, ResultsReplaceOlderOnesWhole) {
     const TemporaryFolder folder;
     folder.write("r.json", "older");
-    expectDone(runIn(folder, {"--json", "r.json", "--quiet"}));
+    expectSuccess(runIn(folder, {"--json", "r.json", "--quiet"}));
     EXPECT_EQ(folder.names(), std::vector<std::string>{"r.json"});
 }
 

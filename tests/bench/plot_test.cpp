@@ -1,4 +1,4 @@
-// --plot and the table for people.
+// --plot, and the table on standard output.
 #include "command.h"
 #include "temporary_folder.h"
 
@@ -28,7 +28,7 @@ TEST(BenchPlot, IsAnSvgWithALineATechnique) {
     const TemporaryFolder folder;
     std::vector<std::string> arguments = smallRun;
     arguments.insert(arguments.end(), {"--json", "r.json", "--plot", "r.svg"});
-    expectDone(runCommand(arguments, {.folder = folder.path()}));
+    expectSuccess(runCommand(arguments, {.folder = folder.path()}));
     const std::string svg = textOf(folder / "r.svg");
     EXPECT_EQ(svg.find("<svg "), 0u) << svg.substr(0, 80);
     EXPECT_TRUE(svg.ends_with("</svg>\n"));
@@ -41,9 +41,9 @@ TEST(BenchPlot, IsAnSvgWithALineATechnique) {
     EXPECT_EQ(svg.find("inf"), svg.npos);
 }
 
-TEST(BenchPlot, OneNumberOfLightsIsAPlotToo) {
+TEST(BenchPlot, PlotsASingleNumberOfLights) {
     const TemporaryFolder folder;
-    expectDone(runCommand(
+    expectSuccess(runCommand(
         {"--lights", "0", "--size", "16x16", "--frames", "1", "--json", "r.json", "--plot", "r.svg"},
         {.folder = folder.path()}));
     const std::string svg = textOf(folder / "r.svg");
@@ -56,7 +56,7 @@ TEST(BenchTable, GoesToStandardOutputAndNoProgressIntoAPipe) {
     std::vector<std::string> arguments = smallRun;
     arguments.insert(arguments.end(), {"--json", "r.json"});
     const CommandResult result = runCommand(arguments, {.folder = folder.path()});
-    expectDone(result);
+    expectSuccess(result);
     EXPECT_EQ(result.err, "");
     EXPECT_EQ(countOf(result.out, "volumes"), 3u) << result.out;
     EXPECT_EQ(countOf(result.out, "tiles"), 3u) << result.out;
@@ -69,7 +69,7 @@ TEST(BenchTable, ATerminalShowsProgress) {
     arguments.insert(arguments.end(), {"--json", "r.json"});
     const CommandResult result =
         runOnTerminal(arguments, {.folder = folder.path(), .environment = {"TERM=xterm"}});
-    expectDone(result);
+    expectSuccess(result);
     EXPECT_NE(result.out.find("plaza with 64 lights"), result.out.npos) << result.out;
 }
 

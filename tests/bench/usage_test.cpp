@@ -1,4 +1,4 @@
-// What the command line itself gets wrong: exit code 2, one line.
+// Errors of the command line: exit code 2, one line.
 #include "command.h"
 #include "temporary_folder.h"
 
@@ -13,7 +13,7 @@ struct BadUsage {
     std::string reason;
 };
 
-TEST(BenchUsage, EveryMistakeIsNamed) {
+TEST(BenchUsage, EveryErrorIsNamed) {
     const std::array mistakes{
         BadUsage{{}, "--json is missing"},
         BadUsage{{"--json"}, "--json"},
@@ -47,16 +47,16 @@ TEST(BenchUsage, EveryMistakeIsNamed) {
 
 TEST(BenchUsage, HelpNamesEveryOption) {
     const CommandResult result = runCommand({"--help"});
-    expectDone(result);
+    expectSuccess(result);
     for (const char* option : {"--scene", "--lights", "--technique", "--size", "--frames", "--json", "--plot",
                                "--baseline", "--device", "--plugin-path", "--brdf", "--view", "--quiet",
                                "--threads", "--subdivision-evaluator", "--version"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 
-TEST(BenchUsage, VersionIsTheLibrarys) {
+TEST(BenchUsage, VersionIsThatOfTheLibrary) {
     const CommandResult result = runCommand({"--version"});
-    expectDone(result);
+    expectSuccess(result);
     EXPECT_EQ(result.out, "candela " CANDELA_VERSION "\n");
 }
 

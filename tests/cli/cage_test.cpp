@@ -1,4 +1,4 @@
-// Subdivision cages as a user of candela-render meets them: refined, shown in all ways, rejected by name.
+// Subdivision cages in candela-render: refinement, debug views, and errors that name the cage.
 
 #include "command.h"
 #include "picture_reader.h"
@@ -19,7 +19,7 @@ class Cages : public testing::Test {
 
     PngPicture png(std::vector<std::string> arguments) const {
         arguments.insert(arguments.end(), {"--size", "64x64", "--quiet", "-o", "test.png"});
-        expectDone(runCommand(arguments, {.folder = folder.path()}));
+        expectSuccess(runCommand(arguments, {.folder = folder.path()}));
         return readPng(folder / "test.png");
     }
 

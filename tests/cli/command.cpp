@@ -15,14 +15,14 @@
 
 namespace {
 
-/// What its messages begin with.
+/// The prefix of the program's messages.
 const std::string programName = std::filesystem::path(CANDELA_COMMAND).filename().string() + ": ";
 
 [[noreturn]] void startCommand(const std::vector<std::string>& arguments, const CommandSetting& setting) {
-    std::vector<std::string> words{setting.program.empty() ? CANDELA_COMMAND : setting.program};
-    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<std::string> argv{setting.program.empty() ? CANDELA_COMMAND : setting.program};
+    argv.insert(argv.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
+    for (std::string& argument : argv) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
     unsetenv("OCIO");
     unsetenv("CANDELA_PLUGIN_PATH");
@@ -36,7 +36,8 @@ const std::string programName = std::filesystem::path(CANDELA_COMMAND).filename(
     _exit(127);
 }
 
-/// Appends what `descriptor` has to say; false at its end. A terminal whose other side is closed gives EIO.
+/// Appends available output of `descriptor`; false at its end. A terminal whose other side is closed gives
+/// EIO.
 bool readMore(int descriptor, std::string& text) {
     std::array<char, 4096> buffer{};
     const ssize_t count = read(descriptor, buffer.data(), buffer.size());
@@ -128,6 +129,6 @@ void expectUsageError(const CommandResult& result, const std::string& reason) {
     EXPECT_NE(result.err.find(reason), std::string::npos) << result.err << "lacks: " << reason;
 }
 
-void expectDone(const CommandResult& result) {
+void expectSuccess(const CommandResult& result) {
     EXPECT_EQ(result.exitCode, 0) << result.err;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// How a child process ended and what it said.
+/// Exit status and output of a child process.
 struct CommandResult {
     int exitCode = -1;  ///< -1 when a signal ended it.
     int signal = 0;     ///< 0 when it ended by itself.
@@ -13,15 +13,16 @@ struct CommandResult {
 };
 
 struct CommandSetting {
-    std::filesystem::path folder = ".";                  ///< Where it runs.
-    std::vector<std::string> environment{};              ///< NAME=VALUE, besides ours.
-    std::function<void()> beforeStart = [] {};           ///< Runs in the child.
-    std::function<void(int)> whileRunning = [](int) {};  ///< Runs here, with the child's process id.
-    std::string program{};                               ///< Another program than the one under test.
+    std::filesystem::path folder = ".";         ///< Working directory.
+    std::vector<std::string> environment{};     ///< NAME=VALUE, added to this process's.
+    std::function<void()> beforeStart = [] {};  ///< Runs in the child.
+    std::function<void(int)> whileRunning = [](int) {
+    };                      ///< Runs in this process, with the child's process id.
+    std::string program{};  ///< Replaces the program under test.
 };
 
 /// Runs the program under test (CANDELA_COMMAND of the build) with `arguments`, its output going into pipes.
-/// Of our environment it gets neither $OCIO nor $CANDELA_PLUGIN_PATH.
+/// It inherits the environment without $OCIO and $CANDELA_PLUGIN_PATH.
 CommandResult runCommand(const std::vector<std::string>& arguments, const CommandSetting& setting = {});
 
 /// Runs it on a terminal of its own; `out` is what appeared there, standard output and error together.
@@ -35,4 +36,4 @@ void expectFault(const CommandResult& result, const std::string& file, const std
 void expectUsageError(const CommandResult& result, const std::string& reason);
 
 /// Expects exit code 0.
-void expectDone(const CommandResult& result);
+void expectSuccess(const CommandResult& result);

@@ -1,4 +1,4 @@
-// What is wrong with a file or with the machine: exit code 1, one line that names the file, and no picture.
+// Errors of files and of the environment: exit code 1, one line that names the file, and no output file.
 
 #include "command.h"
 #include "sample_scene.h"
@@ -49,7 +49,7 @@ TEST(Fault, NoPluginTakesTheScene) {
     expectFault(render(folder, {"plaza:many"}), "plaza:many", "");
 }
 
-TEST(Fault, UnknownCameraListsThoseThereAre) {
+TEST(Fault, UnknownCameraListsTheAvailableOnes) {
     const TemporaryFolder folder;
     folder.write("square.gltf", sampleScene());
     for (const char* camera : {"back", "2", "-1", ""})
@@ -69,7 +69,7 @@ TEST(Fault, ColourConfigIsMissingOrBroken) {
     expectFault(byEnvironment, "broken.ocio", "");
 }
 
-TEST(Fault, UnknownColourNamesListThoseThereAre) {
+TEST(Fault, UnknownColourNamesListTheAvailableOnes) {
     const TemporaryFolder folder;
     for (const char* option : {"--display", "--view", "--look"}) {
         const CommandResult result = render(folder, {"plaza:1", option, "cinema"});
@@ -95,8 +95,7 @@ TEST(Fault, PluginFolderDoesNotExist) {
     expectFault(render(folder, {"plaza:1", "--plugin-path", "nowhere"}), "nowhere", "");
 }
 
-// The folder is looked at first, so a wrong one costs nothing: the scene, which does not exist either, is not
-// even opened.
+// The output folder is checked before the scene is opened, which does not exist either.
 TEST(Fault, OutputFolderIsMissing) {
     const TemporaryFolder folder;
     expectFault(render(folder, {"nowhere.gltf", "-o", "missing/a.png"}), "missing/a.png",
@@ -116,7 +115,7 @@ TEST(Fault, OutputIsAFolder) {
 }
 
 TEST(Fault, OutputFolderIsReadOnly) {
-    // Nobody can make a file in /proc, not even root, who may write into any common folder.
+    // Not even root, who may write into any other folder, can create a file in /proc.
     expectFault(runCommand({"plaza:1", "--size", "32x32", "-o", "/proc/candela.png"}), "/proc/candela.png",
                 "");
     expectFault(runCommand({"plaza:1", "--size", "32x32", "--stats", "/proc/candela.json", "-o",
@@ -129,14 +128,14 @@ TEST(Fault, OutputFolderIsReadOnly) {
                 "cannot be written to");
 }
 
-/// From now on a file of this process and its children grows no further than a byte, as on a full disk.
+/// Limits files of this process and its children to one byte, as on a full disk.
 void fillDisk() {
     signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{1, 1};
     setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-TEST(Fault, FullDiskLeavesNoPictureAndKeepsTheOld) {
+TEST(Fault, FullDiskWritesNoImageAndKeepsAnExistingOne) {
     for (const char* name : {"a.png", "a.exr"}) {
         const TemporaryFolder folder;
         const CommandSetting setting{.folder = folder.path(),
@@ -151,7 +150,7 @@ TEST(Fault, FullDiskLeavesNoPictureAndKeepsTheOld) {
     }
 }
 
-TEST(Fault, FullFileSystemLeavesNoPicture) {
+TEST(Fault, FullFileSystemWritesNoImage) {
     const TemporaryFolder folder;
     const std::string disk = folder / "disk";
     mkdir(disk.c_str(), 0777);
@@ -164,14 +163,14 @@ TEST(Fault, FullFileSystemLeavesNoPicture) {
     EXPECT_TRUE(empty);
 }
 
-TEST(Fault, StatsOntoAFullDevice) {
+TEST(Fault, StatsToAFullDevice) {
     const TemporaryFolder folder;
     const CommandResult result = render(folder, {"plaza:4", "--stats", "/dev/full"});
     expectFault(result, "/dev/full", std::strerror(ENOSPC));
     EXPECT_EQ(folder.names(), Names{"candela.png"});
 }
 
-TEST(Fault, NothingToStrewLightsOver) {
+TEST(Fault, NoBoundsToScatterLightsIn) {
     const TemporaryFolder folder;
     folder.write("empty.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{}], "scene": 0})");
     expectFault(render(folder, {"empty.gltf", "--scatter-lights", "10"}), "empty.gltf",

@@ -1,4 +1,4 @@
-// --frames: names, times, and what an interruption leaves.
+// --frames: file names, times and interruption.
 
 #include "command.h"
 #include "picture_reader.h"
@@ -21,47 +21,47 @@ CommandResult render(const TemporaryFolder& folder, std::vector<std::string> arg
     return runCommand(arguments, {.folder = folder.path()});
 }
 
-TEST(Frames, NumberGoesBeforeTheEnding) {
+TEST(Frames, NumberPrecedesTheExtension) {
     const TemporaryFolder folder;
-    expectDone(render(folder, {"plaza:4", "-o", "walk.png", "--frames", "9-11"}));
+    expectSuccess(render(folder, {"plaza:4", "-o", "walk.png", "--frames", "9-11"}));
     EXPECT_EQ(folder.names(), (Names{"walk.0009.png", "walk.0010.png", "walk.0011.png"}));
 }
 
 TEST(Frames, HashesBecomeTheNumber) {
     const TemporaryFolder folder;
-    expectDone(render(folder, {"plaza:4", "-o", "a#b##.exr", "--frames", "7-8"}));
+    expectSuccess(render(folder, {"plaza:4", "-o", "a#b##.exr", "--frames", "7-8"}));
     EXPECT_EQ(folder.names(), (Names{"a#b07.exr", "a#b08.exr"}));
-    expectDone(render(folder, {"plaza:4", "-o", "######.png", "--frames", "7-7"}));
+    expectSuccess(render(folder, {"plaza:4", "-o", "######.png", "--frames", "7-7"}));
     EXPECT_EQ(folder.names(), (Names{"000007.png", "a#b07.exr", "a#b08.exr"}));
 }
 
-TEST(Frames, NumberLongerThanItsHashesIsKeptWhole) {
+TEST(Frames, NumberLongerThanItsHashesIsNotTruncated) {
     const TemporaryFolder folder;
-    expectDone(render(folder, {"plaza:4", "-o", "#.png", "--frames", "123-123"}));
+    expectSuccess(render(folder, {"plaza:4", "-o", "#.png", "--frames", "123-123"}));
     EXPECT_EQ(folder.names(), Names{"123.png"});
 }
 
 TEST(Frames, OneFrameKeepsTheName) {
     const TemporaryFolder folder;
-    expectDone(render(folder, {"plaza:4", "-o", "one.png", "--frames", "5-5"}));
+    expectSuccess(render(folder, {"plaza:4", "-o", "one.png", "--frames", "5-5"}));
     EXPECT_EQ(folder.names(), Names{"one.png"});
-    expectDone(render(folder, {"plaza:4", "-o", "#.png"}));
+    expectSuccess(render(folder, {"plaza:4", "-o", "#.png"}));
     EXPECT_EQ(folder.names(), (Names{"#.png", "one.png"}));
 }
 
-TEST(Frames, TwentyFourASecondFromTheStart) {
+TEST(Frames, TwentyFourASecondFromTheStartTime) {
     const TemporaryFolder folder;
     folder.write("square.gltf", sampleScene());
-    expectDone(render(folder, {"square.gltf", "-o", "f#.exr", "--frames", "12-13"}));
-    expectDone(render(folder, {"square.gltf", "-o", "t.exr", "--time", "0.5"}));
-    expectDone(render(folder, {"square.gltf", "-o", "s#.exr", "--time", "0.25", "--frames", "6-6"}));
+    expectSuccess(render(folder, {"square.gltf", "-o", "f#.exr", "--frames", "12-13"}));
+    expectSuccess(render(folder, {"square.gltf", "-o", "t.exr", "--time", "0.5"}));
+    expectSuccess(render(folder, {"square.gltf", "-o", "s#.exr", "--time", "0.25", "--frames", "6-6"}));
     const auto half = readExr(folder / "t.exr").channels;
     EXPECT_EQ(readExr(folder / "f12.exr").channels, half);
     EXPECT_EQ(readExr(folder / "s6.exr").channels, half);
     EXPECT_NE(readExr(folder / "f13.exr").channels, half);
 }
 
-TEST(Frames, FinishedOnesStayWhenALaterOneFails) {
+TEST(Frames, FinishedFramesAreKeptWhenALaterOneFails) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder.path() / "f2.png");
     expectFault(render(folder, {"plaza:4", "-o", "f#.png", "--frames", "1-3"}), "f2.png", "");
@@ -69,7 +69,7 @@ TEST(Frames, FinishedOnesStayWhenALaterOneFails) {
     EXPECT_EQ(readPng(folder / "f1.png").width, 16);
 }
 
-TEST(Frames, InterruptionLeavesWholePicturesOnly) {
+TEST(Frames, InterruptionLeavesOnlyCompleteFiles) {
     const TemporaryFolder folder;
     const auto interrupt = [&](int child) {
         for (int tries = 0; tries < 6000 && folder.names().size() < 3; ++tries)
@@ -79,7 +79,7 @@ TEST(Frames, InterruptionLeavesWholePicturesOnly) {
     const CommandResult result = runCommand(
         {"plaza:4", "-o", "f#.exr", "--frames", "0-100000", "--size", "64x64", "--aov", "all", "--quiet"},
         {.folder = folder.path(),
-         .beforeStart = [] { signal(SIGINT, SIG_DFL); },  // a job in the background ignores it
+         .beforeStart = [] { signal(SIGINT, SIG_DFL); },  // background jobs ignore it
          .whileRunning = interrupt});
     EXPECT_EQ(result.signal, SIGINT);
     EXPECT_GE(folder.names().size(), 3u);

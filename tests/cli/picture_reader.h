@@ -11,7 +11,7 @@ struct PngPicture {
 
     /// The mean of R, G and B over all pixels, 0 to 255.
     double mean() const;
-    /// The number of differing colours.
+    /// The number of distinct colours.
     std::size_t colors() const;
     /// True when every pixel's alpha is 255.
     bool opaque() const;
@@ -27,6 +27,6 @@ struct ExrPicture {
     float at(const std::string& channel, int x, int y) const;
 };
 
-/// Both throw when the file is not whole.
+/// Both throw when the file is incomplete.
 PngPicture readPng(const std::string& path);
 ExrPicture readExr(const std::string& path);

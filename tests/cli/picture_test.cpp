@@ -1,4 +1,4 @@
-// The pictures: size, content, and what the options change in them.
+// The images: size, content and the effect of the options.
 
 #include "command.h"
 #include "picture_reader.h"
@@ -25,12 +25,12 @@ class Picture : public testing::Test {
     }
     PngPicture png(std::vector<std::string> arguments) const {
         arguments.insert(arguments.begin(), {"square.gltf", "-o", "test.png"});
-        expectDone(run(arguments));
+        expectSuccess(run(arguments));
         return readPng(folder / "test.png");
     }
     ExrPicture exr(std::vector<std::string> arguments) const {
         arguments.insert(arguments.begin(), {"square.gltf", "-o", "test.exr"});
-        expectDone(run(arguments));
+        expectSuccess(run(arguments));
         return readExr(folder / "test.exr");
     }
 
@@ -45,7 +45,7 @@ double coverage(const ExrPicture& picture) {
 }
 
 TEST_F(Picture, PlazaIsDrawnIntoTheDefaultFile) {
-    expectDone(runCommand({"plaza:1000", "--size", "96x54"}, {.folder = folder.path()}));
+    expectSuccess(runCommand({"plaza:1000", "--size", "96x54"}, {.folder = folder.path()}));
     EXPECT_EQ(folder.names(), (Names{"candela.png", "square.gltf"}));
     const PngPicture picture = readPng(folder / "candela.png");
     EXPECT_EQ(picture.width, 96);
@@ -55,12 +55,12 @@ TEST_F(Picture, PlazaIsDrawnIntoTheDefaultFile) {
     EXPECT_GT(picture.mean(), 5.0);
 }
 
-TEST_F(Picture, EndingsCountInAnyCase) {
-    expectDone(run({"square.gltf", "-o", "A.PNG"}));
+TEST_F(Picture, ExtensionsIgnoreCase) {
+    expectSuccess(run({"square.gltf", "-o", "A.PNG"}));
     EXPECT_EQ(readPng(folder / "A.PNG").width, 32);
 }
 
-TEST_F(Picture, AnOldPictureIsReplaced) {
+TEST_F(Picture, AnExistingFileIsReplaced) {
     folder.write("test.png", "old");
     EXPECT_EQ(png({}).width, 32);
     EXPECT_EQ(folder.names(), (Names{"square.gltf", "test.png"}));
@@ -93,7 +93,7 @@ TEST_F(Picture, ExrHoldsRadianceAsFloats) {
     EXPECT_GT(picture.at("B", 16, 16), 0.0f);
 }
 
-TEST_F(Picture, AovsAreThoseOfTheSurface) {
+TEST_F(Picture, AovsMatchTheSurface) {
     const ExrPicture picture = exr({"--aov", "all"});
     EXPECT_EQ(picture.names(), (Names{"A",
                                       "B",
@@ -138,11 +138,11 @@ TEST_F(Picture, AovsAreThoseOfTheSurface) {
     EXPECT_EQ(picture.at("light_count", 0, 0), 0.0f);
 }
 
-TEST_F(Picture, AovListGivesThoseAndNoMore) {
+TEST_F(Picture, AovListSelectsChannels) {
     EXPECT_EQ(exr({"--aov", "Z,N"}).names(), (Names{"A", "B", "G", "N.X", "N.Y", "N.Z", "R", "Z"}));
 }
 
-TEST_F(Picture, CamerasAreFoundByNameAndByNumber) {
+TEST_F(Picture, CamerasAreFoundByNameAndIndex) {
     const ExrPicture first = exr({"--camera", "front"});
     EXPECT_EQ(first.channels, exr({}).channels);
     EXPECT_EQ(first.channels, exr({"--camera", "0"}).channels);
@@ -168,7 +168,7 @@ TEST_F(Picture, WithoutACameraTheSceneIsFramed) {
     const double normal = coverage(exr({}));
     EXPECT_GT(normal, 0.1);
     EXPECT_LT(normal, 0.95);
-    // A narrow field of view stands further off, so the square stays about as large.
+    // A narrow field of view moves the camera back, so the square stays about as large.
     EXPECT_NEAR(coverage(exr({"--fov", "10"})), normal, 0.5 * normal);
 }
 
@@ -197,7 +197,8 @@ TEST_F(Picture, TimeMovesTheLight) {
     EXPECT_EQ(exr({"--time", "0"}).channels, exr({}).channels);
     const float near = exr({}).at("G", 16, 16);
     const float far = exr({"--time", "1"}).at("G", 16, 16);
-    // From 1 m to 9 m: an 81st by distance, and a range window and a lobe that change less than twofold.
+    // From 1 m to 9 m: an 81st by distance, and the range window and the lobe change by less than a factor
+    // of 2.
     EXPECT_LT(far, near / 40.0f);
     EXPECT_GT(far, near / 160.0f);
 }

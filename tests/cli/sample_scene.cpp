@@ -36,7 +36,7 @@ Json makeScene() {
     const std::vector<unsigned char> bytes = sceneBytes();
     Json scene = Json::parse(R"({
         "asset": {"version": "2.0"},
-        "extensionsUsed": ["KHR_lights_punctual", "VENDOR_unheard_of"],
+        "extensionsUsed": ["KHR_lights_punctual", "VENDOR_unknown"],
         "extensions": {"KHR_lights_punctual": {"lights": [
             {"type": "point", "color": [1, 1, 1], "intensity": 10, "range": 20}]}},
         "bufferViews": [

@@ -1,4 +1,4 @@
-// --stats: the JSON that other programs read.
+// --stats: the keys and values of its JSON.
 
 #include "command.h"
 #include "sample_scene.h"
@@ -25,11 +25,11 @@ Json statsOf(std::vector<std::string> arguments) {
     folder.write("square.gltf", sampleScene());
     arguments.insert(arguments.end(), {"--stats", "-", "--quiet"});
     const CommandResult result = runCommand(arguments, {.folder = folder.path()});
-    expectDone(result);
+    expectSuccess(result);
     return Json::parse(result.out);
 }
 
-TEST(Stats, KeysAreThoseOfTheContract) {
+TEST(Stats, KeysAreTheDocumentedOnes) {
     const Json stats = statsOf({"plaza:16", "--size", "64x36"});
     EXPECT_EQ(keys(stats),
               (Names{"version", "renderer", "width", "height", "technique", "brdf", "scene", "passes",
@@ -53,7 +53,7 @@ TEST(Stats, TileBackendIsTheOneThatRan) {
     }
 }
 
-TEST(Stats, ValuesAreThoseOfTheDrawing) {
+TEST(Stats, ValuesMatchTheFrame) {
     const Json stats = statsOf({"plaza:16", "--size", "64x36", "--technique", "volumes", "--brdf", "gltf"});
     EXPECT_EQ(stats["version"], CANDELA_VERSION);
     EXPECT_FALSE(stats["renderer"].get<std::string>().empty());
@@ -66,7 +66,7 @@ TEST(Stats, ValuesAreThoseOfTheDrawing) {
     EXPECT_EQ(stats["scene"]["lights"], 16);
     EXPECT_EQ(stats["counters"]["lights"], 16);
     EXPECT_EQ(stats["counters"]["lights_dropped"], 0);
-    // The ground's 64 × 64 quads are 8192 triangles, and 256 spheres of some 900 come on top.
+    // The ground's 64 × 64 quads are 8192 triangles; 256 spheres of about 900 are added.
     EXPECT_GT(stats["scene"]["triangles"].get<int>(), 200'000);
     EXPECT_GE(stats["scene"]["materials"].get<int>(), 256);
 }
@@ -106,9 +106,9 @@ TEST(Stats, ScatteredLightsCount) {
     EXPECT_EQ(statsOf({"square.gltf", "--size", "16x16", "--scatter-lights", "63"})["scene"]["lights"], 64);
 }
 
-TEST(Stats, FileAndStandardOutputSayTheSameThings) {
+TEST(Stats, FileAndStandardOutputHaveTheSameKeys) {
     const TemporaryFolder folder;
-    expectDone(
+    expectSuccess(
         runCommand({"plaza:1", "--size", "16x16", "--stats", "stats.json"}, {.folder = folder.path()}));
     EXPECT_EQ(folder.names(), (Names{"candela.png", "stats.json"}));
     std::ifstream file(folder / "stats.json");

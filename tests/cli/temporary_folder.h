@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// An empty folder that goes with its scope, and all in it.
+/// A temporary folder, deleted with its contents at the end of its scope.
 class TemporaryFolder {
   public:
     TemporaryFolder();
@@ -17,7 +17,7 @@ class TemporaryFolder {
     std::string write(const std::string& name, const std::string& text) const;
     /// The path of a file in it.
     std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-    /// The names of what is in it, sorted.
+    /// The names of its entries, sorted.
     std::vector<std::string> names() const;
 
   private:

@@ -1,4 +1,4 @@
-// What the command line itself gets wrong: exit code 2, one line. And the answers to --help and --version.
+// Errors of the command line (exit code 2, one line), --help and --version.
 
 #include "command.h"
 #include "temporary_folder.h"
@@ -14,7 +14,7 @@ struct BadUsage {
     std::string reason;
 };
 
-TEST(Usage, EveryMistakeIsNamed) {
+TEST(Usage, EveryErrorIsNamed) {
     const std::array mistakes{
         BadUsage{{}, "SCENE is missing"},
         BadUsage{{"--quiet"}, "SCENE is missing"},
@@ -68,7 +68,7 @@ TEST(Usage, EveryMistakeIsNamed) {
         BadUsage{{"plaza:1", "--threads", "--tiles", "many"}, "whole number from 0 to 1024"},
         BadUsage{{"plaza:1", "--threads", "1025"}, "whole number from 0 to 1024"},
         BadUsage{{"plaza:1", "--subdivision-evaluator", "gpu"}, "auto, cpu, compute"},
-        BadUsage{{"--list", "cats"}, "plugins, devices, displays, views"},
+        BadUsage{{"--list", "textures"}, "plugins, devices, displays, views"},
     };
     const TemporaryFolder folder;
     for (const BadUsage& mistake : mistakes) {
@@ -80,7 +80,7 @@ TEST(Usage, EveryMistakeIsNamed) {
 
 TEST(Usage, HelpNamesEveryOptionOfTheContract) {
     const CommandResult result = runCommand({"--help"});
-    expectDone(result);
+    expectSuccess(result);
     EXPECT_EQ(result.err, "");
     for (const char* option : {"SCENE",      "-o",
                                "--size",     "--camera",
@@ -107,7 +107,7 @@ TEST(Usage, HelpFitsATerminal) {
 
 TEST(Usage, VersionIsThatOfTheLibrary) {
     const CommandResult result = runCommand({"--version"});
-    expectDone(result);
+    expectSuccess(result);
     EXPECT_EQ(result.out, "candela " CANDELA_VERSION "\n");
 }
 

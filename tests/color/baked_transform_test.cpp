@@ -90,7 +90,7 @@ TEST(BakedTransform, isNotCreatedBeyondTheErrorLimit) {
         else
             ++refused;
     }
-    EXPECT_GE(refused, 5) << "those of one step have nothing to win";
+    EXPECT_GE(refused, 5) << "single-step transforms are not baked";
 }
 
 TEST(CurveTable, approximatesPowersFromZeroToTheMaxRadiance) {

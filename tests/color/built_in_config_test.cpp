@@ -54,7 +54,7 @@ TEST(BuiltInConfig, hasTheDocumentedNames) {
 TEST(BuiltInConfig, worksInLinearRec709) {
     const ColorConfig config = ColorConfig::builtIn();
     EXPECT_EQ(config.workingSpace(), "Linear Rec.709");
-    EXPECT_EQ(config.workingFromRec709(), glm::dmat3(1.0)) << "files' colours need no conversion at all";
+    EXPECT_EQ(config.workingFromRec709(), glm::dmat3(1.0)) << "colours of files need no conversion";
     EXPECT_EQ(config.chromaticities().red, Chromaticities{}.red);
     EXPECT_EQ(config.chromaticities().white, Chromaticities{}.white);
 }
@@ -70,7 +70,7 @@ TEST(BuiltInConfig, everyViewHasTransformAndShader) {
         }
 }
 
-TEST(BuiltInConfig, rawShowsTheNumbersThemselves) {
+TEST(BuiltInConfig, rawShowsValuesUnchanged) {
     for (const std::string& display : allDisplays)
         expectColor(shown(display.c_str(), "Raw", {0.25f, 0.5f, 0.125f, 1.0f}), {0.25f, 0.5f, 0.125f, 1.0f},
                     0.0);
@@ -103,7 +103,7 @@ TEST(BuiltInConfig, acesViewRendersGreyAndRollsOff) {
     const float one = shown("sRGB", "ACES 1.0 SDR", {1, 1, 1, 1})[0];
     const float eight = shown("sRGB", "ACES 1.0 SDR", {8, 8, 8, 1})[0];
     EXPECT_LT(one, 0.9f);
-    EXPECT_GT(eight, one + 0.05f) << "highlights beyond 1 are still told apart";
+    EXPECT_GT(eight, one + 0.05f) << "highlights beyond 1 stay distinguishable";
 }
 
 TEST(BuiltInConfig, acesViewHasNoTintOnAnyDisplay) {

@@ -16,7 +16,7 @@ using test::TemporaryConfig;
 
 const std::string lutConfig = CANDELA_TEST_DATA "/config/luts.ocio";
 
-/// Sets $OCIO while it lives, and puts back what was there.
+/// Sets $OCIO during its lifetime, then restores it.
 class OcioVariable {
   public:
     explicit OcioVariable(const char* value) {
@@ -79,7 +79,7 @@ TEST(ColorConfig, missingFileFolderAndInvalidFile) {
     }
 }
 
-TEST(ColorConfig, listsWhatTheFileHas) {
+TEST(ColorConfig, listsDisplaysViewsAndLooks) {
     const ColorConfig config = ColorConfig::load(lutConfig);
     EXPECT_EQ(config.displays(), (std::vector<std::string>{"Monitor", "Projector"}));
     EXPECT_EQ(config.views("Projector"), (std::vector<std::string>{"Mono"}));

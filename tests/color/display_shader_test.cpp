@@ -19,7 +19,7 @@ int occurrences(const std::string& text, const std::string& part) {
     return count;
 }
 
-/// Each texture must be declared as the sampler that its dimensions say, and hold as many values as they say.
+/// Each texture has to be declared as a sampler of its dimensions, with the number of values that they give.
 void expectConsistent(const DisplayShader& shader) {
     std::set<std::string> names;
     for (const LookupTexture& table : shader.textures) {

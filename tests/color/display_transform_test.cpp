@@ -61,7 +61,7 @@ TEST(DisplayTransform, everyInputGivesCodesFromZeroToOne) {
     for (const ColorConfig& config : {ColorConfig::builtIn(), luts()})
         for (const std::string& display : config.displays())
             for (const std::string& view : config.views(display)) {
-                if (view == "Missing") continue;  // its table is missing on purpose
+                if (view == "Missing") continue;  // a view whose table is missing
                 std::vector<float> pixels = test::Ramps::all();
                 config.displayTransform({display, view, "", 0.0}).apply(pixels);
                 for (const float code : pixels) ASSERT_TRUE(code >= 0.0f && code <= 1.0f) << display << view;
@@ -105,16 +105,16 @@ TEST(DisplayTransform, aLookReplacesTheViewsOwn) {
     EXPECT_NE(faded, plain);
 }
 
-TEST(DisplayTransform, looksCombineAsOpenColorIOWritesThem) {
+TEST(DisplayTransform, looksCombineInOpenColorIOSyntax) {
     const Color grey{0.25f, 0.25f, 0.25f, 1.0f};
     const Color plain = shown(luts(), {"Monitor", "Mono", "", 0.0}, grey);
-    const Color thereAndBack = shown(luts(), {"Monitor", "Mono", "+warm, -warm", 0.0}, grey);
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(thereAndBack[i], plain[i], 1e-6) << "single precision";
+    const Color roundTrip = shown(luts(), {"Monitor", "Mono", "+warm, -warm", 0.0}, grey);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(roundTrip[i], plain[i], 1e-6) << "single precision";
 }
 
 TEST(DisplayTransform, encodingOfOtherConfigs) {
     EXPECT_EQ(luts().displayTransform({}).encoding().transfer, DisplayEncoding::Transfer::unknown)
-        << "a config that says nothing of its displays' light";
+        << "a config that does not state its displays' encodings";
 }
 
 TEST(DisplayTransform, refusesIncompletePixels) {

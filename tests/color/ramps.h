@@ -52,7 +52,7 @@ class Ramps {
         return *this;
     }
 
-    /// Hashed colours, each channel log-uniform over 2^-8 to 2^6: hues that no ramp has.
+    /// Hashed colours, each channel log-uniform over 2^-8 to 2^6: hues that no ramp contains.
     Ramps& scattered(int count) {
         std::uint32_t state = 1;
         const auto next = [&state] {

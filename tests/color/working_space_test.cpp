@@ -76,7 +76,7 @@ TEST(WorkingSpace, acesConfigShadesInAp1) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(white[i], 1.0, 1e-6) << "white stays white";
 }
 
-TEST(WorkingSpace, archiveSpaceItself) {
+TEST(WorkingSpace, aces2065IsSupported) {
     const ColorConfig config =
         loaded(configText("  aces_interchange: ACES2065-1\n  scene_linear: ACES2065-1\n", acesSpaces));
     expectMatrix(config.workingFromRec709(), rgbFromRgb(known("AP0"), known("Rec.709")), 1e-6);
@@ -123,19 +123,19 @@ TEST(WorkingSpace, wellKnownNameOrAliasOfRec709) {
     const ColorConfig config = loaded(configText("  scene_linear: reference\n", spaces));
     expectMatrix(config.workingFromRec709(), glm::dmat3(2.0), 1e-6);
     EXPECT_TRUE(config.notes().empty());
-    // Scale is no matter of primaries.
+    // Scale does not change the primaries.
     expectSame(config.chromaticities(), known("Rec.709"), 1e-6);
 }
 
 TEST(WorkingSpace, unknownPrimariesAreComputed) {
-    // Rec.709's primaries, each pulled a tenth towards the others: no space has these.
+    // Rec.709's primaries, each mixed with a tenth of the others: no known space has these.
     const std::string spaces = R"(  - !<ColorSpace> {name: Linear Rec.709}
   - !<ColorSpace>
-    name: pulled
+    name: mixed
     to_scene_reference: !<MatrixTransform>
       matrix: [0.8, 0.1, 0.1, 0, 0.1, 0.8, 0.1, 0, 0.1, 0.1, 0.8, 0, 0, 0, 0, 1]
 )";
-    const Chromaticities found = loaded(configText("  scene_linear: pulled\n", spaces)).chromaticities();
+    const Chromaticities found = loaded(configText("  scene_linear: mixed\n", spaces)).chromaticities();
     const glm::dmat3 toXyz = xyzFromRgb(known("Rec.709"));
     const glm::dvec2 red = chromaticity(toXyz * glm::dvec3(0.8, 0.1, 0.1));
     EXPECT_NEAR(found.red.x, red.x, 1e-6);
@@ -153,11 +153,11 @@ TEST(WorkingSpace, assumesRec709WithANoteWhenNothingIsKnown) {
     EXPECT_NE(config.notes()[0].find("Rec.709"), std::string::npos) << config.notes()[0];
 }
 
-TEST(WorkingSpace, missingRoleIsNamed) {
+TEST(WorkingSpace, missingRoleIsNamedWithTheExistingOnes) {
     const std::string message =
         messageOf([] { loaded(configText("  rendering: lin\n", "  - !<ColorSpace> {name: lin}\n")); });
     EXPECT_NE(message.find("scene_linear"), std::string::npos) << message;
-    EXPECT_NE(message.find("rendering"), std::string::npos) << "tells the roles there are: " << message;
+    EXPECT_NE(message.find("rendering"), std::string::npos) << "lists the existing roles: " << message;
 }
 
 TEST(WorkingSpace, aNonlinearSpaceIsRefused) {

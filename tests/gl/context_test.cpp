@@ -14,11 +14,11 @@
 namespace candela::test {
 namespace {
 
-std::vector<float> drawn(const Context& context, Renderer& renderer, const LitScene& made) {
+std::vector<float> drawn(const Context& context, Renderer& renderer, const LitScene& lit) {
     context.makeCurrent();
-    GpuScene scene(context, made.scene);
-    scene.setLights(made.lights);
-    return render(renderer, scene, smallFrame(made, Technique::volumes)).radiance().rgba;
+    GpuScene scene(context, lit.scene);
+    scene.setLights(lit.lights);
+    return render(renderer, scene, smallFrame(lit, Technique::volumes)).radiance().rgba;
 }
 
 DeviceOptions software() {
@@ -46,7 +46,7 @@ std::string errorOf(const Action& action, ErrorKind kind) {
     return {};
 }
 
-TEST(HeadlessContext, isCurrentAndSaysHowItWasMade) {
+TEST(HeadlessContext, isCurrentAndReportsTheAttempts) {
     const Context context = Context::createHeadless();
     EXPECT_FALSE(context.renderer().empty());
     ASSERT_FALSE(context.attempts().empty());
@@ -58,21 +58,21 @@ TEST(HeadlessContext, isCurrentAndSaysHowItWasMade) {
     EXPECT_GE(epoxy_gl_version(), 45);
 }
 
-TEST(HeadlessContext, softwareIsGivenWhenAskedFor) {
+TEST(HeadlessContext, softwareOnlyGivesASoftwareDevice) {
     if (std::getenv("CANDELA_ASSUME_GPU") != nullptr)
         GTEST_SKIP() << "CANDELA_ASSUME_GPU hides software devices";
     const Context context = Context::createHeadless(software());
     EXPECT_TRUE(context.isSoftware()) << context.renderer();
 }
 
-TEST(HeadlessContext, everyListedDeviceCanBeAskedFor) {
+TEST(HeadlessContext, everyListedDeviceCanBeSelected) {
     const std::vector<Device> devices = listDevices();
     for (const Device& device : devices) {
         EXPECT_EQ(device.index, &device - devices.data());
         EXPECT_FALSE(device.description.empty());
-        if (!device.software) continue;  // A render node may be there and closed to this user.
+        if (!device.software) continue;  // A render node may be inaccessible to this user.
         const Context context = Context::createHeadless(deviceNumber(device.index));
-        ASSERT_EQ(context.attempts().size(), 1u) << "an index means this device and no other";
+        ASSERT_EQ(context.attempts().size(), 1u) << "an index selects this device only";
         EXPECT_NE(context.attempts()[0].way.find(std::to_string(device.index)), std::string::npos);
     }
 }
@@ -87,50 +87,50 @@ TEST(HeadlessContext, indexBeyondTheDevicesIsAnError) {
 }
 
 TEST(HeadlessContext, twoInOneProcessDrawTheSame) {
-    const LitScene made = smallScene();
+    const LitScene lit = smallScene();
     auto first = std::make_unique<Context>(Context::createHeadless());
     auto firstRenderer = std::make_unique<Renderer>(*first);
     const Context second = Context::createHeadless();
     Renderer secondRenderer(second);
-    const std::vector<float> reference = drawn(*first, *firstRenderer, made);
+    const std::vector<float> reference = drawn(*first, *firstRenderer, lit);
     EXPECT_GT(*std::ranges::max_element(reference), 0.0f);
-    for (int turn = 0; turn < 2; ++turn) {
-        EXPECT_EQ(drawn(second, secondRenderer, made), reference);
-        EXPECT_EQ(drawn(*first, *firstRenderer, made), reference);
+    for (int iteration = 0; iteration < 2; ++iteration) {
+        EXPECT_EQ(drawn(second, secondRenderer, lit), reference);
+        EXPECT_EQ(drawn(*first, *firstRenderer, lit), reference);
     }
     first->makeCurrent();
     firstRenderer.reset();
     first.reset();
-    EXPECT_EQ(drawn(second, secondRenderer, made), reference) << "after the first context has gone";
+    EXPECT_EQ(drawn(second, secondRenderer, lit), reference) << "after the first context is destroyed";
 }
 
 TEST(HeadlessContext, staysTheSameWhenMoved) {
-    const LitScene made = smallScene();
+    const LitScene lit = smallScene();
     Context moved = [] {
         Context first = Context::createHeadless();
         return Context(std::move(first));
     }();
     Renderer renderer(moved);
-    const std::vector<float> before = drawn(moved, renderer, made);
+    const std::vector<float> before = drawn(moved, renderer, lit);
     const Context again = std::move(moved);
-    EXPECT_EQ(drawn(again, renderer, made), before);
+    EXPECT_EQ(drawn(again, renderer, lit), before);
 }
 
-TEST(AdoptedContext, ofAHostDrawsLikeAHeadlessOne) {
-    const LitScene made = smallScene();
+TEST(AdoptedContext, drawsLikeAHeadlessOne) {
+    const LitScene lit = smallScene();
     std::vector<float> reference;
     {
         const Context headless = Context::createHeadless(software());
         Renderer renderer(headless);
-        reference = drawn(headless, renderer, made);
+        reference = drawn(headless, renderer, lit);
     }
     HostContext host(4, 5);
-    ASSERT_TRUE(host.made());
+    ASSERT_TRUE(host.valid());
     {
         const Context adopted = Context::adoptCurrent();
         EXPECT_TRUE(adopted.attempts().empty());
         Renderer renderer(adopted);
-        const std::vector<float> pixels = drawn(adopted, renderer, made);
+        const std::vector<float> pixels = drawn(adopted, renderer, lit);
         if (adopted.isSoftware()) {
             EXPECT_EQ(pixels, reference);
         }
@@ -141,14 +141,14 @@ TEST(AdoptedContext, ofAHostDrawsLikeAHeadlessOne) {
     EXPECT_GE(major, 4) << "the context is the host's: it outlives the adoption";
 }
 
-TEST(AdoptedContext, needsOneThatIsCurrent) {
+TEST(AdoptedContext, requiresACurrentContext) {
     { const Context gone = Context::createHeadless(); }
     const std::string text = errorOf([] { Context::adoptCurrent(); }, ErrorKind::environment);
     EXPECT_EQ(text, "no OpenGL context is current on this thread");
 }
 
-// Mesa hands out older versions when told to in the environment, which it reads once in a process: the tests
-// below run in a process of their own each.
+// Mesa offers an older version where the environment says so, which it reads once per process: each of the
+// tests below runs in a process of its own.
 
 [[noreturn]] void endWith(const std::string& text) {
     std::fputs(text.c_str(), stderr);
@@ -161,7 +161,7 @@ TEST(OldOpenGlDeathTest, isRefusedInOneSentenceWhenAdopted) {
         {
             setenv("MESA_GL_VERSION_OVERRIDE", "4.1", 1);
             HostContext host(3, 3);
-            if (!host.made()) endWith("no context");
+            if (!host.valid()) endWith("no context");
             endWith(errorOf([] { Context::adoptCurrent(); }, ErrorKind::environment));
         },
         testing::ExitedWithCode(0), "^candela needs OpenGL 4\\.5, and this context \\(.*\\) offers 4\\.1$");
@@ -175,7 +175,7 @@ TEST(OldOpenGlDeathTest, isRefusedWithEveryAttemptWhenHeadless) {
             endWith(errorOf([] { Context::createHeadless(software()); }, ErrorKind::environment));
         },
         testing::ExitedWithCode(0),
-        "^no OpenGL 4\\.5 context can be made without a window\\. .*EGL surfaceless display: .*4\\.5");
+        "^no OpenGL 4\\.5 context can be created without a window\\. .*EGL surfaceless display: .*4\\.5");
 }
 
 }  // namespace

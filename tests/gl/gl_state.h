@@ -8,16 +8,16 @@
 
 namespace candela::test {
 
-/// Everything about the current context that a host could notice to have changed, by name.
+/// The state of the current context, by name.
 using GlState = std::map<std::string, std::vector<double>>;
 
 GlState queryState();
 
-/// The names of what differs, with both values.
+/// The names of the differing state, with both values.
 std::vector<std::string> differences(const GlState& before, const GlState& after);
 
-/// Objects of a host, bound everywhere, and every other piece of state set to what no pass of candela would
-/// set. They live as long as the object.
+/// Binds objects of a host everywhere, and sets every other piece of state to a value that no pass of candela
+/// sets. The objects live as long as this one.
 class UnusualState {
   public:
     UnusualState();

@@ -18,7 +18,7 @@ HostContext::HostContext(int major, int minor)
                                  EGL_TRUE,
                                  EGL_NONE};
     context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (!made()) return;
+    if (!valid()) return;
     makeCurrent();
     if (epoxy_gl_version() < 43) return;
     glEnable(GL_DEBUG_OUTPUT);
@@ -27,7 +27,7 @@ HostContext::HostContext(int major, int minor)
 }
 
 HostContext::~HostContext() {
-    if (!made()) return;
+    if (!valid()) return;
     if (eglGetCurrentContext() == context_) release();
     eglDestroyContext(display_, context_);
 }

@@ -8,17 +8,17 @@
 
 namespace candela::test {
 
-/// A context that a host made by its own EGL code, without candela: a surfaceless debug context that collects
-/// the errors the driver reports.
+/// A context that a host creates by its own EGL code, without candela: a surfaceless debug context that
+/// collects the errors the driver reports.
 class HostContext {
   public:
-    /// Asks EGL for OpenGL `major`.`minor` core and makes it current. `made()` is false when EGL refuses.
+    /// Asks EGL for OpenGL `major`.`minor` core and makes it current. `valid()` is false when EGL refuses.
     HostContext(int major, int minor);
     HostContext(const HostContext&) = delete;
     HostContext& operator=(const HostContext&) = delete;
     ~HostContext();
 
-    bool made() const { return context_ != EGL_NO_CONTEXT; }
+    bool valid() const { return context_ != EGL_NO_CONTEXT; }
     void makeCurrent() const;
     void release() const;
 

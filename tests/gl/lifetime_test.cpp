@@ -1,4 +1,4 @@
-// Objects that outlive their context, or meet another one: errors and messages instead of crashes.
+// Objects that outlive their context, or are used under another: errors and messages instead of crashes.
 
 #include "host_context.h"
 #include "small_scene.h"
@@ -21,10 +21,10 @@ namespace {
 /// A renderer with a scene and its first frame.
 struct Drawing {
     explicit Drawing(const Context& context)
-        : renderer(context), scene(context, made.scene), frame(render(renderer, scene, request)) {}
+        : renderer(context), scene(context, lit.scene), frame(render(renderer, scene, request)) {}
 
-    LitScene made = smallScene();
-    FrameRequest request = smallFrame(made, Technique::volumes);
+    LitScene lit = smallScene();
+    FrameRequest request = smallFrame(lit, Technique::volumes);
     Renderer renderer;
     GpuScene scene;
     Frame frame;
@@ -52,7 +52,7 @@ TEST(LifetimeTest, aHeadlessContextLivesAsLongAsWhatIsMadeForIt) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-TEST(LifetimeTest, destructionUnderAnotherHeadlessContextLeavesThatAlone) {
+TEST(LifetimeTest, destructionUnderAnotherHeadlessContextDoesNotAffectIt) {
     const Context first = Context::createHeadless();
     auto drawing = std::make_unique<Drawing>(first);
     const Context second = Context::createHeadless();
@@ -65,9 +65,9 @@ TEST(LifetimeTest, destructionUnderAnotherHeadlessContextLeavesThatAlone) {
         << "the second context is current again";
 }
 
-TEST(LifetimeTest, aHostsContextThatHasGoneLeaksWithAMessage) {
+TEST(LifetimeTest, objectsOfADestroyedHostContextLeakWithAMessage) {
     auto host = std::make_unique<HostContext>(4, 5);
-    ASSERT_TRUE(host->made());
+    ASSERT_TRUE(host->valid());
     auto drawing = std::make_unique<Drawing>(Context::adoptCurrent());
     host.reset();
     testing::internal::CaptureStderr();
@@ -81,10 +81,10 @@ TEST(LifetimeTest, aHostsContextThatHasGoneLeaksWithAMessage) {
 
 TEST(LifetimeTest, objectsOfAnotherHostContextAreNotDeleted) {
     HostContext first(4, 5);
-    ASSERT_TRUE(first.made());
+    ASSERT_TRUE(first.valid());
     auto drawing = std::make_unique<Drawing>(Context::adoptCurrent());
     HostContext second(4, 5);
-    ASSERT_TRUE(second.made());
+    ASSERT_TRUE(second.valid());
     const Context adopted = Context::adoptCurrent();
     Drawing other(adopted);
     const std::vector<float> reference = other.frame.radiance().rgba;
@@ -94,16 +94,15 @@ TEST(LifetimeTest, objectsOfAnotherHostContextAreNotDeleted) {
     EXPECT_EQ(render(other.renderer, other.scene, other.request).radiance().rgba, reference);
 }
 
-TEST(LifetimeTest, aContextAtTheAddressOfAnEarlierOneIsNotTakenForIt) {
+TEST(LifetimeTest, aContextAtTheAddressOfAnEarlierOneIsNotMistakenForIt) {
     auto host = std::make_unique<HostContext>(4, 5);
-    ASSERT_TRUE(host->made());
+    ASSERT_TRUE(host->valid());
     const Context adopted = Context::adoptCurrent();
     auto drawing = std::make_unique<Drawing>(adopted);
     host.reset();
-    // The driver may or may not give this one the same address; the objects below have names that the
-    // drawing's had.
+    // The driver may give this one the same address; the objects below reuse the names of the drawing's.
     HostContext next(4, 5);
-    ASSERT_TRUE(next.made());
+    ASSERT_TRUE(next.valid());
     std::vector<GLuint> buffers(64);
     glCreateBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
     testing::internal::CaptureStderr();
@@ -112,7 +111,7 @@ TEST(LifetimeTest, aContextAtTheAddressOfAnEarlierOneIsNotTakenForIt) {
     for (const GLuint buffer : buffers) EXPECT_EQ(glIsBuffer(buffer), GL_TRUE) << buffer;
 }
 
-TEST(LifetimeTest, useWithoutTheContextSaysSo) {
+TEST(LifetimeTest, useWithoutTheContextIsAnError) {
     const Context context = Context::createHeadless();
     Drawing drawing(context);
     std::vector<std::string> texts;
@@ -136,7 +135,7 @@ TEST(LifetimeTest, aSceneOfAnotherContextIsRefused) {
     EXPECT_NE(text.find("another Context"), std::string::npos) << text;
 }
 
-TEST(LifetimeTest, movedFromObjectsSaySo) {
+TEST(LifetimeTest, useOfMovedFromObjectsIsAnError) {
     Context context = Context::createHeadless();
     Drawing drawing(context);
     const Renderer renderer = std::move(drawing.renderer);
@@ -149,7 +148,7 @@ TEST(LifetimeTest, movedFromObjectsSaySo) {
     EXPECT_NE(errorOf([&] { context.renderer(); }).find("moved from"), std::string::npos);
 }
 
-// While the last context of a display goes on one thread, others open the same display.
+// While the last context of a display is destroyed on one thread, others open the same display.
 TEST(LifetimeTest, displaysAreOpenedAndClosedFromManyThreads) {
     std::atomic<int> failures{0};
     std::vector<std::thread> threads;

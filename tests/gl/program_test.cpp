@@ -1,4 +1,4 @@
-// The shaders: each stage compiles alone, each program links, and C++ and GLSL agree on what they share.
+// The shaders: each stage compiles alone, each program links, and C++ and GLSL agree on shared layouts.
 
 #include "gl/program.h"
 #include "gl/shader_source.h"
@@ -78,7 +78,7 @@ GLenum kindOf(std::string_view name) {
                                      : GL_COMPUTE_SHADER;
 }
 
-/// What the compiler says; empty when it takes the text.
+/// The compiler's message; empty when the shader compiles.
 std::string compilerMessage(GLenum kind, const std::string& text) {
     const GLuint shader = glCreateShader(kind);
     const char* texts[] = {text.c_str()};
@@ -151,7 +151,7 @@ TEST_F(ProgramTest, everyStageCompilesAlone) {
     EXPECT_GE(stages, 12);
 }
 
-/// What is appended to a stage's file in the table's programs.
+/// The text that the table's programs append to a stage's file.
 std::string appendedTo(std::string_view stage) {
     const auto found = std::ranges::find(table, stage, &Linked::fragment);
     return found == table.end() ? "" : found->appended;
@@ -181,7 +181,7 @@ TEST(Shaders, everyStageIsValidForGlslang) {
     EXPECT_EQ(status, 0) << message.str();
 }
 
-TEST_F(ProgramTest, everyStageBelongsToAProgramOfTheTable) {
+TEST_F(ProgramTest, everyStageIsInTheProgramTable) {
     for (const gl::EmbeddedShader& shader : gl::embeddedShaders()) {
         if (!isStage(shader.name) || shader.name.ends_with(".comp")) continue;
         const bool known = std::ranges::any_of(table, [&](const Linked& linked) {
@@ -205,7 +205,7 @@ TEST_F(ProgramTest, everyProgramLinksWithoutAnError) {
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
-TEST_F(ProgramTest, compileTestFindsABrokenShader) {
+TEST_F(ProgramTest, compilerMessageIsSetForABrokenShader) {
     EXPECT_NE(compilerMessage(GL_VERTEX_SHADER, "#version 450 core\nvoid main() { gl_Position = 1; }\n"), "");
 }
 
@@ -227,7 +227,7 @@ GLint blockSize(GLuint program) {
     return size;
 }
 
-TEST_F(ProgramTest, frameUniformsLieWhereCppPutsThem) {
+TEST_F(ProgramTest, frameUniformOffsetsMatchCpp) {
     using Frame = layout::FrameUniforms;
     const std::vector<std::pair<std::string, std::size_t>> members{
         {"clipFromWorld", offsetof(Frame, clipFromWorld)},
@@ -256,7 +256,7 @@ TEST_F(ProgramTest, frameUniformsLieWhereCppPutsThem) {
     EXPECT_GE(programs, 5);
 }
 
-TEST_F(ProgramTest, folderOfTheEnvironmentReplacesTheShadersInside) {
+TEST_F(ProgramTest, folderOfTheEnvironmentReplacesEmbeddedShaders) {
     const ShaderFolder folder;
     EXPECT_EQ(errorOf("fullscreen_triangle.vert", "depth_copy.frag"), "");
     folder.write("lib/frame.glsl", "const int onlyInThisFolder = 1;\n");
@@ -271,7 +271,7 @@ TEST_F(ProgramTest, brokenShaderIsAnErrorWithItsNameAndTheCompilersMessage) {
     EXPECT_NE(text.find("notDeclaredAnywhere"), std::string::npos) << text;
 }
 
-TEST_F(ProgramTest, stagesThatDoNotFitAreAnErrorWithTheLinkersMessage) {
+TEST_F(ProgramTest, failedLinkIsAnErrorWithTheLinkersMessage) {
     const ShaderFolder folder;
     folder.write("depth_copy.frag", "void missing();\nvoid main() { missing(); }\n");
     const std::string text = errorOf("fullscreen_triangle.vert", "depth_copy.frag");
@@ -287,7 +287,7 @@ TEST_F(ProgramTest, shaderThatIsMissingIsAnErrorWithItsPath) {
     EXPECT_NE(text.find("CANDELA_SHADER_DIR"), std::string::npos) << text;
 }
 
-TEST_F(ProgramTest, includesAreTakenOnceAndDefinitionsComeFirst) {
+TEST_F(ProgramTest, includesAreInsertedOnceAndDefinitionsComeFirst) {
     const ShaderFolder folder;
     folder.write("a.glsl", "#include \"b.glsl\"\nA\n");
     folder.write("b.glsl", "#include \"a.glsl\"\nB\n");

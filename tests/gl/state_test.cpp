@@ -1,4 +1,4 @@
-// A host finds its OpenGL state as it left it, however unusual, and its state changes no picture.
+// candela restores a host's OpenGL state, and that state does not affect what is drawn.
 
 #include "gl_state.h"
 #include "host_context.h"
@@ -19,12 +19,12 @@ namespace {
 
 class HostStateTest : public testing::Test {
   protected:
-    void SetUp() override { ASSERT_TRUE(host_.made()); }
+    void SetUp() override { ASSERT_TRUE(host_.valid()); }
 
     HostContext host_{4, 5};
 };
 
-TEST_F(HostStateTest, guardPutsBackWhatDiffersInside) {
+TEST_F(HostStateTest, guardRestoresState) {
     const Context context = Context::adoptCurrent();
     const UnusualState unusual;
     const GlState before = queryState();
@@ -36,7 +36,7 @@ TEST_F(HostStateTest, guardPutsBackWhatDiffersInside) {
     EXPECT_EQ(host_.takeErrors(), std::vector<std::string>{});
 }
 
-TEST_F(HostStateTest, comparisonFindsWhatAnUnguardedDrawLeaves) {
+TEST_F(HostStateTest, comparisonDetectsStateThatIsNotRestored) {
     const UnusualState unusual;
     const GlState before = queryState();
     glUseProgram(0);
@@ -47,8 +47,8 @@ TEST_F(HostStateTest, comparisonFindsWhatAnUnguardedDrawLeaves) {
     EXPECT_GT(differences(before, queryState()).size(), 10u);
 }
 
-/// What a host sees of one frame of candela.
-struct Seen {
+/// All that a host reads of one frame.
+struct FrameOutputs {
     std::vector<float> radiance;
     std::vector<std::uint8_t> display;
     std::vector<std::vector<float>> aovs;
@@ -58,23 +58,23 @@ struct Seen {
     std::optional<PixelProbe> probe;
 };
 
-/// Calls everything that draws, and reports after each call whether the state is still what it was.
-class WatchedFrame {
+/// Makes calls, and expects the state after each to be unchanged.
+class StateCheck {
   public:
-    explicit WatchedFrame(HostContext& host) : host_(host), before_(queryState()) {}
+    explicit StateCheck(HostContext& host) : host_(host), before_(queryState()) {}
 
     template <typename Call>
     auto operator()(const char* name, const Call& call) {
         struct AtEnd {
-            WatchedFrame& watched;
+            StateCheck& check;
             const char* name;
-            ~AtEnd() { watched.check(name); }
+            ~AtEnd() { check.verify(name); }
         } const atEnd{*this, name};
         return call();
     }
 
   private:
-    void check(const char* name) {
+    void verify(const char* name) {
         EXPECT_EQ(differences(before_, queryState()), std::vector<std::string>{}) << "after " << name;
         EXPECT_EQ(host_.takeErrors(), std::vector<std::string>{}) << "after " << name;
     }
@@ -82,47 +82,47 @@ class WatchedFrame {
     GlState before_;
 };
 
-Seen drawWatched(HostContext& host, Technique technique) {
-    const LitScene made = smallScene();
+FrameOutputs drawChecked(HostContext& host, Technique technique) {
+    const LitScene lit = smallScene();
     const DisplayTransform transform = ColorConfig::builtIn().displayTransform({});
-    WatchedFrame watched(host);
+    StateCheck checked(host);
     const Context context = Context::adoptCurrent();
-    Renderer renderer = watched("Renderer", [&] { return Renderer(context); });
-    GpuScene scene = watched("GpuScene", [&] { return GpuScene(context, made.scene); });
-    watched("setLights", [&] { scene.setLights(made.lights); });
-    watched("setTransform", [&] { scene.setTransform(0, glm::mat4(1.0f)); });
-    Frame frame = watched("render", [&] { return render(renderer, scene, smallFrame(made, technique)); });
-    Seen seen;
-    seen.radiance = watched("radiance", [&] { return frame.radiance().rgba; });
-    seen.display = watched("displayPicture", [&] { return frame.displayPicture(transform); });
-    const auto aovs = watched("aovs", [&] { return frame.aovs(Renderer::aovNames()); });
-    for (const Aov& aov : aovs) seen.aovs.insert(seen.aovs.end(), aov.values.begin(), aov.values.end());
-    seen.pairs = watched("countPairs", [&] { return frame.countPairs(); });
-    watched("passTimes", [&] { return frame.passTimes(); });
+    Renderer renderer = checked("Renderer", [&] { return Renderer(context); });
+    GpuScene scene = checked("GpuScene", [&] { return GpuScene(context, lit.scene); });
+    checked("setLights", [&] { scene.setLights(lit.lights); });
+    checked("setTransform", [&] { scene.setTransform(0, glm::mat4(1.0f)); });
+    Frame frame = checked("render", [&] { return render(renderer, scene, smallFrame(lit, technique)); });
+    FrameOutputs outputs;
+    outputs.radiance = checked("radiance", [&] { return frame.radiance().rgba; });
+    outputs.display = checked("displayPicture", [&] { return frame.displayPicture(transform); });
+    const auto aovs = checked("aovs", [&] { return frame.aovs(Renderer::aovNames()); });
+    for (const Aov& aov : aovs) outputs.aovs.insert(outputs.aovs.end(), aov.values.begin(), aov.values.end());
+    outputs.pairs = checked("countPairs", [&] { return frame.countPairs(); });
+    checked("passTimes", [&] { return frame.passTimes(); });
     for (const DebugView debugView : debugViews()) {
-        FrameRequest inputs = smallFrame(made, technique);
+        FrameRequest inputs = smallFrame(lit, technique);
         inputs.debugView = debugView;
         inputs.overlays = {.wireframe = true, .cage = true};
-        frame = watched(toString(debugView), [&] { return render(renderer, scene, inputs); });
-        seen.views.push_back(
-            watched("display of a debug view", [&] { return frame.displayPicture(transform); }));
-        watched("maxLightCount", [&] { return frame.maxLightCount(); });
-        seen.probe = watched("probe", [&] { return frame.probe(20, 14); });
+        frame = checked(toString(debugView), [&] { return render(renderer, scene, inputs); });
+        outputs.views.push_back(
+            checked("display of a debug view", [&] { return frame.displayPicture(transform); }));
+        checked("maxLightCount", [&] { return frame.maxLightCount(); });
+        outputs.probe = checked("probe", [&] { return frame.probe(20, 14); });
     }
     GLint named = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &named);
     if (named != 0)
-        watched("display", [&] { frame.display(transform, {static_cast<std::uint32_t>(named), 3, 5}); });
-    return seen;
+        checked("display", [&] { frame.display(transform, {static_cast<std::uint32_t>(named), 3, 5}); });
+    return outputs;
 }
 
-TEST_F(HostStateTest, everyCallLeavesItAsItWasAndDrawsTheSame) {
+TEST_F(HostStateTest, everyCallRestoresStateAndDrawsTheSame) {
     for (const Technique technique : techniques) {
         HostContext host(4, 5);
-        const Seen usual = drawWatched(host, technique);
+        const FrameOutputs usual = drawChecked(host, technique);
         ASSERT_FALSE(usual.radiance.empty());
         const UnusualState unusual;
-        const Seen seen = drawWatched(host, technique);
+        const FrameOutputs seen = drawChecked(host, technique);
         EXPECT_EQ(seen.radiance, usual.radiance) << toString(technique);
         EXPECT_EQ(seen.display, usual.display);
         EXPECT_EQ(seen.aovs, usual.aovs);
@@ -139,12 +139,12 @@ TEST_F(HostStateTest, everyCallLeavesItAsItWasAndDrawsTheSame) {
 class HostTarget {
   public:
     static constexpr int width = 80, height = 60;
-    static constexpr std::array<std::uint8_t, 4> filling{10, 200, 30, 77};
+    static constexpr std::array<std::uint8_t, 4> fillColor{10, 200, 30, 77};
 
     HostTarget() {
         glCreateTextures(GL_TEXTURE_2D, 1, &texture_);
         glTextureStorage2D(texture_, 1, GL_RGBA8, width, height);
-        glClearTexImage(texture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, filling.data());
+        glClearTexImage(texture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, fillColor.data());
         glCreateFramebuffers(1, &framebuffer_);
         glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, texture_, 0);
     }
@@ -170,14 +170,14 @@ class HostTarget {
 };
 
 TEST_F(HostStateTest, drawsIntoItsFramebufferAtAnOffsetAndNowhereElse) {
-    const LitScene made = smallScene();
+    const LitScene lit = smallScene();
     const DisplayTransform transform = ColorConfig::builtIn().displayTransform({});
     const Context context = Context::adoptCurrent();
     Renderer renderer(context);
-    GpuScene scene(context, made.scene);
-    scene.setLights(made.lights);
+    GpuScene scene(context, lit.scene);
+    scene.setLights(lit.lights);
     constexpr int width = 40, height = 30, left = 17, bottom = 9;
-    const Frame frame = render(renderer, scene, smallFrame(made, Technique::volumes, width, height));
+    const Frame frame = render(renderer, scene, smallFrame(lit, Technique::volumes, width, height));
     const std::vector<std::uint8_t> picture = frame.displayPicture(transform);
     const HostTarget target;
     frame.display(transform, {target.framebuffer(), left, bottom});
@@ -188,7 +188,7 @@ TEST_F(HostStateTest, drawsIntoItsFramebufferAtAnOffsetAndNowhereElse) {
             const auto* actual = &seen[std::size_t(4 * (y * HostTarget::width + x))];
             const auto* expected =
                 inside ? &picture[std::size_t(4 * ((height - 1 - (y - bottom)) * width + (x - left)))]
-                       : HostTarget::filling.data();
+                       : HostTarget::fillColor.data();
             ASSERT_TRUE(std::equal(actual, actual + 4, expected)) << x << ", " << y;
         }
     }
@@ -196,16 +196,16 @@ TEST_F(HostStateTest, drawsIntoItsFramebufferAtAnOffsetAndNowhereElse) {
 }
 
 TEST_F(HostStateTest, pictureOverTheEdgeOfTheFramebufferIsClipped) {
-    const LitScene made = smallScene();
+    const LitScene lit = smallScene();
     const DisplayTransform transform = ColorConfig::builtIn().displayTransform({});
     const Context context = Context::adoptCurrent();
     Renderer renderer(context);
-    GpuScene scene(context, made.scene);
-    const Frame frame = render(renderer, scene, smallFrame(made, Technique::fullscreen, 40, 30));
+    GpuScene scene(context, lit.scene);
+    const Frame frame = render(renderer, scene, smallFrame(lit, Technique::fullscreen, 40, 30));
     const HostTarget target;
     frame.display(transform, {target.framebuffer(), -20, HostTarget::height - 10});
     const std::vector<std::uint8_t> seen = target.pixels();
-    EXPECT_TRUE(std::equal(HostTarget::filling.begin(), HostTarget::filling.end(), seen.begin()));
+    EXPECT_TRUE(std::equal(HostTarget::fillColor.begin(), HostTarget::fillColor.end(), seen.begin()));
     EXPECT_EQ(seen[std::size_t(4 * (HostTarget::height - 1) * HostTarget::width) + 3], 255);
     EXPECT_EQ(host_.takeErrors(), std::vector<std::string>{});
 }

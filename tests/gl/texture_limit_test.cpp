@@ -24,11 +24,11 @@ TEST(BufferTextureTest, sizeIsCheckedInTexelsOfTheFormat) {
          {Format{GL_R32UI, 4}, {GL_RG32F, 8}, {GL_RG32UI, 8}, {GL_RGBA32F, 16}, {GL_RGBA32UI, 16}}) {
         gl::BufferTexture texture(format, "test");
         const std::size_t texels = static_cast<std::size_t>(maxTexels) + 1;
-        // Refused before any of it is read, so that there need not be as much.
+        // Rejected before the data is read, so that one byte is enough.
         constexpr std::byte first{};
         try {
             texture.upload(std::span<const std::byte>(&first, texels * bytes));
-            FAIL() << "is not refused";
+            FAIL() << "no error was thrown";
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::limit);
             EXPECT_NE(std::string(error.what()).find(std::to_string(texels) + " texels"), std::string::npos)

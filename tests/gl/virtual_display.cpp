@@ -12,7 +12,7 @@ namespace candela::test {
 
 VirtualDisplay::VirtualDisplay() {
     if (std::getenv("DISPLAY") != nullptr) return;
-    whyNot_ = start();
+    unavailableReason_ = start();
 }
 
 VirtualDisplay::~VirtualDisplay() {
@@ -23,26 +23,26 @@ VirtualDisplay::~VirtualDisplay() {
 }
 
 std::string VirtualDisplay::start() {
-    int ends[2];
-    if (pipe(ends) != 0) return "no pipe can be made";
+    int pipeEnds[2];
+    if (pipe(pipeEnds) != 0) return "cannot create a pipe";
     server_ = fork();
     if (server_ == 0) {
-        close(ends[0]);
-        const int nowhere = open("/dev/null", O_WRONLY);
-        dup2(nowhere, STDOUT_FILENO);
-        dup2(nowhere, STDERR_FILENO);
-        // The server picks a free number and writes it, followed by a newline, once it takes clients.
-        const std::string descriptor = std::to_string(ends[1]);
-        // Without -noreset it begins anew when its last client leaves, and refuses clients that connect
+        close(pipeEnds[0]);
+        const int null = open("/dev/null", O_WRONLY);
+        dup2(null, STDOUT_FILENO);
+        dup2(null, STDERR_FILENO);
+        // The server chooses a free display number and writes it, with a newline, once it accepts clients.
+        const std::string descriptor = std::to_string(pipeEnds[1]);
+        // Without -noreset it restarts when its last client disconnects, and refuses clients
         // meanwhile.
         execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "640x480x24", "-noreset",
                "-nolisten", "tcp", nullptr);
         _exit(127);
     }
-    close(ends[1]);
+    close(pipeEnds[1]);
     std::string number;
-    for (char digit = 0; read(ends[0], &digit, 1) == 1 && digit != '\n';) number += digit;
-    close(ends[0]);
+    for (char digit = 0; read(pipeEnds[0], &digit, 1) == 1 && digit != '\n';) number += digit;
+    close(pipeEnds[0]);
     if (!number.empty()) {
         setenv("DISPLAY", (":" + number).c_str(), 1);
         return {};

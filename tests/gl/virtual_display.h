@@ -15,14 +15,14 @@ class VirtualDisplay {
     VirtualDisplay& operator=(const VirtualDisplay&) = delete;
     ~VirtualDisplay();
 
-    /// Why there is none; empty when there is one, which $DISPLAY then names.
-    const std::string& whyNot() const { return whyNot_; }
+    /// Why there is no display; empty when there is one, which $DISPLAY then names.
+    const std::string& unavailableReason() const { return unavailableReason_; }
 
   private:
     std::string start();
 
     pid_t server_ = -1;
-    std::string whyNot_;
+    std::string unavailableReason_;
 };
 
 }  // namespace candela::test

@@ -24,7 +24,7 @@ constexpr int width = 96, height = 64;
 class WindowTest : public testing::Test {
   protected:
     void SetUp() override {
-        if (!display_.whyNot().empty()) GTEST_SKIP() << display_.whyNot();
+        if (!display_.unavailableReason().empty()) GTEST_SKIP() << display_.unavailableReason();
         if (glfwInit() != GLFW_TRUE) GTEST_SKIP() << "GLFW does not start: " << reason();
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
@@ -63,17 +63,17 @@ class WindowTest : public testing::Test {
     GLFWwindow* window_ = nullptr;
 };
 
-TEST_F(WindowTest, showsThePictureInItsFramebuffer) {
-    const LitScene made = smallScene();
+TEST_F(WindowTest, isDisplayedInto) {
+    const LitScene lit = smallScene();
     const DisplayTransform transform = ColorConfig::builtIn().displayTransform({});
     const Context context = Context::adoptCurrent();
     Renderer renderer(context);
-    GpuScene scene(context, made.scene);
-    scene.setLights(made.lights);
+    GpuScene scene(context, lit.scene);
+    scene.setLights(lit.lights);
     for (const Technique technique : techniques) {
         glClearColor(1.0f, 0.0f, 1.0f, 1.0f);
         glClear(GL_COLOR_BUFFER_BIT);
-        const Frame frame = render(renderer, scene, smallFrame(made, technique, width, height));
+        const Frame frame = render(renderer, scene, smallFrame(lit, technique, width, height));
         frame.display(transform, {});
         std::vector<std::uint8_t> seen = backBuffer(), expected = frame.displayPicture(transform);
         // A window may have no alpha.
@@ -85,13 +85,13 @@ TEST_F(WindowTest, showsThePictureInItsFramebuffer) {
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
-TEST_F(WindowTest, standsBesideAHeadlessContext) {
-    const LitScene made = smallScene();
+TEST_F(WindowTest, coexistsWithAHeadlessContext) {
+    const LitScene lit = smallScene();
     const Context adopted = Context::adoptCurrent();
     Renderer windowRenderer(adopted);
-    GpuScene windowScene(adopted, made.scene);
+    GpuScene windowScene(adopted, lit.scene);
     const auto drawnInWindow = [&] {
-        return render(windowRenderer, windowScene, smallFrame(made, Technique::volumes)).radiance().rgba;
+        return render(windowRenderer, windowScene, smallFrame(lit, Technique::volumes)).radiance().rgba;
     };
     const std::vector<float> reference = drawnInWindow();
     // A thread has one current context: the window's has to go before EGL takes another.
@@ -99,9 +99,9 @@ TEST_F(WindowTest, standsBesideAHeadlessContext) {
     {
         const Context headless = Context::createHeadless();
         Renderer renderer(headless);
-        GpuScene scene(headless, made.scene);
+        GpuScene scene(headless, lit.scene);
         const std::vector<float> pixels =
-            render(renderer, scene, smallFrame(made, Technique::volumes)).radiance().rgba;
+            render(renderer, scene, smallFrame(lit, Technique::volumes)).radiance().rgba;
         if (adopted.renderer() == headless.renderer()) {
             EXPECT_EQ(pixels, reference);
         }

@@ -1,4 +1,4 @@
-// What a frame may be asked, and when.
+// Which data of a frame can be read, and when.
 
 #include "support/drawing_test.h"
 #include "support/lit_scenes.h"
@@ -47,21 +47,21 @@ class FrameTest : public DrawingTest {
     }
 };
 
-TEST_F(FrameTest, isReplacedByTheNext) {
+TEST_F(FrameTest, isInvalidatedByTheNext) {
     GpuScene scene = sphere();
     const Frame first = test::render(renderer(), scene, request());
     const Frame second = test::render(renderer(), scene, request());
-    const std::vector<std::function<void()>> questions{
+    const std::vector<std::function<void()>> reads{
         [&] { first.radiance(); },   [&] { first.displayPicture(transform()); },
         [&] { first.aovs({"Z"}); },  [&] { first.probe(0, 0); },
         [&] { first.countPairs(); }, [&] { first.passTimes(); },
         [&] { first.technique(); },  [&] { first.maxLightCount(); },
         [&] { first.width(); }};
-    for (const auto& question : questions) expectRefused(question, "has drawn another one");
+    for (const auto& read : reads) expectRefused(read, "has drawn another one");
     EXPECT_EQ(second.radiance().width, 48);
 }
 
-TEST_F(FrameTest, outlivesItsRendererAndSceneWhereNothingIsDrawnAgain) {
+TEST_F(FrameTest, outlivesItsRendererAndSceneWhereNothingIsRedrawn) {
     std::vector<float> expected;
     const auto frame = [&] {
         Renderer own(context());
@@ -78,7 +78,7 @@ TEST_F(FrameTest, outlivesItsRendererAndSceneWhereNothingIsDrawnAgain) {
     EXPECT_EQ(frame.aovs({"Z"}).size(), 1u);
 }
 
-TEST_F(FrameTest, refusesImpossibleViews) {
+TEST_F(FrameTest, rejectsInvalidViews) {
     GpuScene scene = sphere();
     const auto with = [&](const std::function<void(CameraView&)>& change) {
         FrameRequest changed = request();
@@ -110,7 +110,7 @@ TEST_F(FrameTest, refusesImpossibleViews) {
     EXPECT_NO_THROW(test::render(renderer(), scene, request()));
 }
 
-TEST_F(FrameTest, refusesFramebuffersThatCannotBeDrawnInto) {
+TEST_F(FrameTest, rejectsIncompleteFramebuffers) {
     GpuScene scene = sphere();
     const Frame frame = test::render(renderer(), scene, request());
     GLuint incomplete = 0;
@@ -123,7 +123,7 @@ TEST_F(FrameTest, refusesFramebuffersThatCannotBeDrawnInto) {
     glDeleteFramebuffers(1, &incomplete);
 }
 
-TEST_F(FrameTest, takesTheTimeOfEachPassOnce) {
+TEST_F(FrameTest, reportsEachPassOnce) {
     GpuScene scene = sphere();
     const Frame frame = test::render(renderer(), scene, request());
     for (int i = 0; i < 100; ++i) frame.displayPicture(transform());
@@ -132,7 +132,7 @@ TEST_F(FrameTest, takesTheTimeOfEachPassOnce) {
     EXPECT_EQ(names, (std::vector<std::string>{"geometry", "lighting", "display"}));
 }
 
-TEST_F(FrameTest, refusesAnAovThatIsNamedTwice) {
+TEST_F(FrameTest, rejectsAnAovThatIsNamedTwice) {
     GpuScene scene = sphere();
     const Frame frame = test::render(renderer(), scene, request());
     expectRefused([&] { frame.aovs({"Z", "N", "Z"}); }, "'Z' is asked for twice");

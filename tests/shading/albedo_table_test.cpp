@@ -49,14 +49,14 @@ TEST(AlbedoTable, holdsFractionsFromGrazingToNormalIncidence) {
     }
 }
 
-// The header's parametrisation: at the place of a texel there is the texel's value.
+// The header's parametrisation: at a texel's position it gives the texel's value.
 TEST(AlbedoTable, texelsLieOnTheCornersOfTheCells) {
     for (int j = 0; j < albedoTableSize; ++j)
         for (int i = 1; i < albedoTableSize; ++i) {
             const double alpha = minAlpha + (1.0 - minAlpha) * j / last;
             const double x = double(i) / last, nDotV = x * alpha / (1.0 + alpha - x);
             if (nDotV < minNDotV) continue;
-            // Rounding moves the place by 1e-14 cells.
+            // Rounding moves the position by 1e-14 cells.
             EXPECT_NEAR(directionalAlbedo(nDotV, alpha),
                         directionalAlbedoTable()[std::size_t(j * albedoTableSize + i)], 1.0e-10);
         }

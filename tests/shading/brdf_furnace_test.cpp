@@ -4,7 +4,7 @@
 
 #include <vector>
 
-/// White furnace: a surface under the same light from everywhere. The values here are those of
+/// White furnace: a surface under uniform light from all directions. The values here are those of
 /// docs/lighting.md.
 namespace candela {
 namespace {

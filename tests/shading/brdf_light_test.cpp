@@ -52,7 +52,7 @@ TEST(BrdfLight, isClampedBelowTheMinimumDistance) {
     EXPECT_NEAR(radiance(pointLight(minDistance)) / radiance(pointLight(1.0)), 1.0e6, 1.0);
 }
 
-TEST(BrdfLight, takesTheCosine) {
+TEST(BrdfLight, isProportionalToTheCosine) {
     WorldLight light = pointLight(1.0);
     light.position = {0.8f, 0.0f, 0.6f};
     const glm::dvec3 l(0.8, 0.0, 0.6), v(0.6, 0.0, 0.8);
@@ -76,11 +76,11 @@ TEST(BrdfLight, rangeWindowMatchesClosedForms) {
     EXPECT_EQ(rangeWindow(5.0, INFINITY), 1.0);
 }
 
-TEST(BrdfLight, theWindowFollowsTheRealDistance) {
+TEST(BrdfLight, theRangeWindowUsesTheUnclampedDistance) {
     EXPECT_NEAR(radiance(pointLight(1.0, 2.0f)) / radiance(pointLight(1.0)), 15.0 / 16.0, singleRounding);
     EXPECT_EQ(radiance(pointLight(2.0, 2.0f)), 0.0);
     EXPECT_EQ(radiance(pointLight(3.0, 2.0f)), 0.0);
-    // A range below the minimum distance still ends the light.
+    // A range below the minimum distance still cuts the light off.
     EXPECT_EQ(radiance(pointLight(0.9e-3, 0.5e-3f)), 0.0);
 }
 
@@ -146,7 +146,7 @@ TEST(BrdfLight, edgeCasesAreFinite) {
                     }
 }
 
-TEST(BrdfLight, aLightOnTheSurfacePointHasNoDirectionAndGivesNothing) {
+TEST(BrdfLight, aLightAtTheSurfacePointContributesNothing) {
     for (BrdfModel model : models) EXPECT_EQ(radiance(pointLight(0.0), model), 0.0);
 }
 

@@ -41,7 +41,7 @@ TEST(Brdf, modelsHaveTheNamesOfTheCommandLine) {
 
 TEST(Brdf, distributionIsNormalised) {
     for (double alpha : {minAlpha, 0.01, 0.1, 0.5, 1.0}) {
-        // 2 pi ∫ D cos sin dθ = pi ∫ D du with u = cos², in samples that crowd at the peak (u = 1 - s⁴).
+        // 2 pi ∫ D cos sin dθ = pi ∫ D du with u = cos², with samples denser at the peak (u = 1 - s⁴).
         constexpr int samples = 20'000;
         double sum = 0.0;
         for (int i = 0; i < samples; ++i) {
@@ -98,7 +98,7 @@ TEST(Brdf, colourActsPerChannelAndMetalHasNoDiffusePart) {
     EXPECT_NEAR(f.y / f.z, fresnel.y / fresnel.z, rounding);
 }
 
-TEST(Brdf, nothingComesFromBelowTheHorizon) {
+TEST(Brdf, isZeroBelowTheHorizon) {
     const glm::dvec3 v(0.0, 0.6, 0.8);
     for (BrdfModel model : models) {
         EXPECT_EQ(evaluateBrdf(model, surface(1.0, 0.0, 0.5), {0.8, 0.0, -0.6}, v), glm::dvec3(0.0));
@@ -119,8 +119,9 @@ double asymmetry(BrdfModel model, const SurfacePoint& point) {
     for (int i = 0; i < 2000; ++i) {
         const glm::dvec3 l = randomDirection(random), v = randomDirection(random);
         if (l.z < minNDotV || v.z < minNDotV) continue;
-        const double there = evaluateBrdf(model, point, l, v).x, back = evaluateBrdf(model, point, v, l).x;
-        largest = std::max(largest, std::abs(there - back) / std::max(there, back));
+        const double forward = evaluateBrdf(model, point, l, v).x,
+                     reverse = evaluateBrdf(model, point, v, l).x;
+        largest = std::max(largest, std::abs(forward - reverse) / std::max(forward, reverse));
     }
     return largest;
 }
@@ -139,7 +140,7 @@ TEST(BrdfReciprocity, gltfIsReciprocalWithoutItsCompensation) {
 
 // The factor 1 + F0 (1 - E)/E depends on v alone, so f(l, v) / f(v, l) is the quotient of two such factors.
 // They lie between 1 and their value at alpha = 1, n·v = 1, where E = 1 - ln 2.
-TEST(BrdfReciprocity, gltfIsAsFarFromReciprocalAsItsCompensation) {
+TEST(BrdfReciprocity, gltfDeviatesFromReciprocityByItsCompensation) {
     const double minAlbedo = 1.0 - std::numbers::ln2;
     for (double f0 : {0.04, 0.5, 1.0}) {
         const double bound = 1.0 + f0 * (1.0 - minAlbedo) / minAlbedo;

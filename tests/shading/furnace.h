@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-/// White furnace integrals of `candela::evaluateBrdf` over all directions of light, for one direction of
-/// view.
+/// White furnace integrals of `candela::evaluateBrdf` over all light directions, for one view
+/// direction.
 namespace candela::furnace {
 
 /// A surface with normal +Z at the origin.
@@ -25,7 +25,7 @@ inline glm::dvec3 viewDirection(double nDotV) {
     return glm::dvec3(std::sqrt(1.0 - nDotV * nDotV), 0.0, nDotV);
 }
 
-/// The midpoint rule over `azimuth` (radians; half a turn, since isotropic lobes are mirror-symmetric) and
+/// The midpoint rule over `azimuth` (0 to pi, since isotropic lobes are mirror-symmetric) and
 /// s in 0 to 1.
 template <typename Integrand>
 double mean(int samples, const Integrand& integrand) {

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 using Names = std::set<std::string>;
 
-// What each layer may see.
+// The layers whose headers each layer may include.
 const std::map<std::string, Names> visibleTo = {
     {"abi", {"abi"}},
     {"base", {"abi", "base"}},
@@ -47,9 +47,9 @@ const std::map<std::string, std::string> layerOfHeader = {
 
 const std::string umbrella = "candela.h";
 
-// Other libraries, by how the names of their headers begin, and the layers of lib/ that may see them.
+// Other libraries, by the prefix of their headers' names, and the layers of lib/ that may include them.
 struct Library {
-    const char* beginning;
+    const char* prefix;
     Names layers;
 };
 
@@ -73,8 +73,8 @@ const std::vector<Library> libraries = {
     {"imgui", {}},
 };
 
-// The renderer on top of lib/render. Its passes, in the folders below, take what they need as values, and see
-// none of it.
+// The renderer on top of lib/render. Its passes, in the folders below, take what they need as values, and
+// include none of it.
 const std::vector<std::string> facade = {"candela/frame.h", "render/frame.h", "render/renderer_state.h"};
 
 const std::vector<std::string> codeEndings = {".h", ".cpp", ".c", ".h.in"};
@@ -119,7 +119,7 @@ class Check {
         if (found == layerOfHeader.end()) {
             report(file, include.line, "includes candela/" + name + ", which has no layer");
         } else if (!visibleTo.at(layer).contains(found->second)) {
-            report(file, include.line, layer + " must not see candela/" + name + " of " + found->second);
+            report(file, include.line, layer + " must not include candela/" + name + " of " + found->second);
         }
     }
 
@@ -147,15 +147,15 @@ class Check {
         for (const Include& include : includesOf(file)) {
             const std::string folder = firstFolder(include.name);
             if (isPass && std::ranges::find(facade, include.name) != facade.end())
-                report(file, include.line, "a pass must not see " + include.name);
+                report(file, include.line, "a pass must not include " + include.name);
             if (folder == "candela") {
                 checkPublicInclude(file, include, layer);
             } else if (folder == "shared") {
                 if (layer != "shading" && layer != "gl" && layer != "render")
-                    report(file, include.line, layer + " must not see shaders");
+                    report(file, include.line, layer + " must not include shaders");
             } else if (visibleTo.contains(folder)) {
                 if (visibleTo.at(layer).contains(folder)) continue;
-                report(file, include.line, layer + " must not see " + include.name);
+                report(file, include.line, layer + " must not include " + include.name);
             } else if (include.quoted) {
                 report(file, include.line,
                        "a private header is included as \"LAYER/name.h\", not " + include.name);
@@ -167,8 +167,8 @@ class Check {
 
     void checkLibrary(const fs::path& file, const Include& include, const std::string& layer) {
         for (const Library& library : libraries) {
-            if (!include.name.starts_with(library.beginning) || library.layers.contains(layer)) continue;
-            report(file, include.line, layer + " must not see " + include.name);
+            if (!include.name.starts_with(library.prefix) || library.layers.contains(layer)) continue;
+            report(file, include.line, layer + " must not include " + include.name);
         }
     }
 
@@ -180,7 +180,7 @@ class Check {
             if (include.name == "candela/plugin.h") continue;
             const fs::path beside = file.parent_path() / include.name;
             const bool isOwn = isFileBelow(beside, own) || isFileBelow(beside, common);
-            if (isOurs(include) || (include.quoted && !isOwn)) {
+            if (isLibraryHeader(include) || (include.quoted && !isOwn)) {
                 report(file, include.line, "a plugin must not include " + include.name);
             }
         }
@@ -212,14 +212,14 @@ class Check {
                 const std::string name = include.name.substr(std::string("candela/").size());
                 if (layerOfHeader.contains(name) || name == umbrella) continue;
                 report(file, include.line, "there is no public header " + include.name);
-            } else if (include.quoted ? !isOwn : isOurs(include)) {
+            } else if (include.quoted ? !isOwn : isLibraryHeader(include)) {
                 report(file, include.line, "an app must not include " + include.name);
             }
         }
     }
 
-    // Whether a name can only mean a header of this tree's library.
-    static bool isOurs(const Include& include) {
+    // Whether the included header belongs to the library of this tree.
+    static bool isLibraryHeader(const Include& include) {
         const std::string folder = firstFolder(include.name);
         if (folder == include.name) return false;
         return folder == "candela" || folder == "shared" || folder == "lib" || visibleTo.contains(folder);

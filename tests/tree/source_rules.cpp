@@ -33,8 +33,9 @@ bool isWordCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-// Whether `line` holds `word` with nothing before it that would make it part of a longer name or path.
-bool holds(const std::string& line, const std::string& word, const std::string& joins) {
+// Whether `line` contains `word` as a whole word. A word that follows one of the characters `joins` is part
+// of a longer path.
+bool containsWord(const std::string& line, const std::string& word, const std::string& joins) {
     for (std::size_t at = line.find(word); at != std::string::npos; at = line.find(word, at + 1)) {
         const std::size_t end = at + word.size();
         const bool starts =
@@ -54,7 +55,7 @@ std::string placeOf(const fs::path& root, const fs::path& file, std::size_t line
     return file.lexically_relative(root).generic_string() + ":" + std::to_string(line) + ": ";
 }
 
-/// The documents a reader of the tree meets; CHANGELOG.md tells of the past, and may use its words.
+/// The documents, without CHANGELOG.md, which describes earlier states in their words.
 std::vector<fs::path> documents(const fs::path& root) {
     std::vector<fs::path> files = filesBelow(root / "docs", {".md"});
     for (const char* name : {"README.md", "CONTRIBUTING.md"})
@@ -101,11 +102,11 @@ std::vector<std::string> sourceViolations(const fs::path& root) {
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const std::string place = name + ":" + std::to_string(i + 1) + ": ";
             for (const std::string& mark : unfinished) {
-                if (holds(lines[i], mark, ""))
+                if (containsWord(lines[i], mark, ""))
                     violations.push_back(place + "a note of unfinished work, " + mark);
             }
             for (const std::string& folder : personalFolders) {
-                if (holds(lines[i], folder, "./-}"))
+                if (containsWord(lines[i], folder, "./-}"))
                     violations.push_back(place + "a path of one machine, " + folder);
             }
         }
@@ -137,9 +138,9 @@ std::vector<std::string> wordViolations(const fs::path& root, const std::vector<
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const std::string line = lowerCase(lines[i]);
             for (const BannedWord& word : words) {
-                if (!holds(line, word.word, "")) continue;
+                if (!containsWord(line, word.word, "")) continue;
                 violations.push_back(placeOf(root, file, i + 1) + "\"" + word.word + "\"; say " +
-                                     word.instead);
+                                     word.replacement);
             }
         }
     }

@@ -17,10 +17,10 @@ std::string joined(const std::vector<std::string>& lines) {
 
 TEST(SourceRules, OfThisTreeHold) {
     EXPECT_EQ(joined(sourceViolations(CANDELA_SOURCE_TREE)), "");
-    EXPECT_GT(sourceFiles(CANDELA_SOURCE_TREE).size(), 100u) << "the check means nothing without files";
+    EXPECT_GT(sourceFiles(CANDELA_SOURCE_TREE).size(), 100u) << "there have to be files to check";
 }
 
-TEST(SourceRules, WordsAreThoseOfTheField) {
+TEST(SourceRules, NoBannedWordIsUsed) {
     const std::vector<BannedWord> words = readBannedWords(CANDELA_SOURCE_TREE "/tests/tree/banned_words.txt");
     EXPECT_GT(words.size(), 10u);
     EXPECT_EQ(joined(wordViolations(CANDELA_SOURCE_TREE, words)), "");
@@ -30,9 +30,9 @@ TEST(SourceRules, FilesThatDocumentsNameExist) {
     EXPECT_EQ(joined(missingFilesOfDocuments(CANDELA_SOURCE_TREE)), "");
 }
 
-// A file holds an idea with all that belongs to it. Some ideas are short; their number must not grow
+// A file holds one subject with all that belongs to it. Some are short; their number must not grow
 // unnoticed.
-TEST(SourceRules, ShortFilesDoNotBecomeMore) {
+TEST(SourceRules, NumberOfShortFilesDoesNotGrow) {
     EXPECT_LE(shortFileCount(CANDELA_SOURCE_TREE), maxShortFiles);
 }
 
@@ -50,7 +50,7 @@ TEST_F(SourceRulesOfGeneratedTree, NotesOfUnfinishedWorkAreFound) {
                   "\nshaders/lib/lighting.glsl:1: a note of unfinished work, " + mark + "\n");
 }
 
-TEST_F(SourceRulesOfGeneratedTree, LongerWordsAreNoNotes) {
+TEST_F(SourceRulesOfGeneratedTree, LongerWordsAreAccepted) {
     write("lib/scene/scene.cpp", "int MAS" + mark + "N;\nint " + mark + "_;\n");
     EXPECT_EQ(joined(sourceViolations(root())), "");
 }
@@ -80,7 +80,7 @@ TEST_F(SourceRulesOfGeneratedTree, BannedWordsAreFoundInAnyCaseAndAsWholeWords) 
               "docs/page.md:1: \"odd word\"; say plain word\n");
 }
 
-TEST_F(SourceRulesOfGeneratedTree, FilesThatDocumentsNameAndLackAreFound) {
+TEST_F(SourceRulesOfGeneratedTree, MissingFilesOfDocumentsAreFound) {
     write("lib/scene/scene.cpp", "");
     write("docs/page.md", "`lib/scene/scene.cpp` and `lib/scene` and `lib/x.h`, `lib/NAME.h`, `a/b`\n");
     EXPECT_EQ(joined(missingFilesOfDocuments(root())), "docs/page.md:1: there is no lib/x.h\n");
@@ -92,7 +92,7 @@ TEST_F(SourceRulesOfGeneratedTree, ShortFilesAreCounted) {
     EXPECT_EQ(shortFileCount(root()), 1u);
 }
 
-TEST_F(SourceRulesOfGeneratedTree, BuildFoldersAreNotOurs) {
+TEST_F(SourceRulesOfGeneratedTree, BuildFoldersAreSkipped) {
     write("apps/hello/build/generated.cpp", "// " + mark);
     EXPECT_EQ(joined(sourceViolations(root())), "");
 }

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isPassedOver(const fs::path& folder) {
+bool isSkipped(const fs::path& folder) {
     const std::string name = folder.filename().string();
     return name.starts_with(".") || name.starts_with("build");
 }
@@ -37,7 +37,7 @@ std::vector<fs::path> filesBelow(const fs::path& folder, const std::vector<std::
     if (!fs::is_directory(folder)) return files;
     for (auto entry = fs::recursive_directory_iterator(folder); entry != fs::recursive_directory_iterator();
          ++entry) {
-        if (entry->is_directory() && isPassedOver(entry->path())) entry.disable_recursion_pending();
+        if (entry->is_directory() && isSkipped(entry->path())) entry.disable_recursion_pending();
         if (!entry->is_regular_file()) continue;
         const std::string name = entry->path().filename().string();
         const bool wanted =

@@ -1,4 +1,4 @@
-// What the hand does to the camera.
+// How pointer drags and keys move the camera.
 
 #include "camera_control.h"
 
@@ -15,14 +15,14 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-CameraControl standing(const glm::vec3& eye, const glm::vec3& target) {
+CameraControl cameraAt(const glm::vec3& eye, const glm::vec3& target) {
     CameraControl camera;
     camera.lookAt(eye, target);
     return camera;
 }
 
-/// Where a point lies in the picture: in heights of it from the middle, x to the right, y up.
-glm::vec2 inPicture(const CameraControl& camera, const glm::vec3& point) {
+/// The position of a point in the image, in image heights from the centre, x to the right, y up.
+glm::vec2 imagePosition(const CameraControl& camera, const glm::vec3& point) {
     const candela::CameraView view = camera.view();
     const glm::vec3 seen(glm::inverse(view.worldFromCamera) * glm::vec4(point, 1.0f));
     return glm::vec2(seen) / (-seen.z * 2.0f * std::tan(0.5f * view.verticalFov));
@@ -37,61 +37,61 @@ bool isFinite(const CameraControl& camera) {
 }
 
 TEST(Orbit, KeepsTargetAndDistance) {
-    CameraControl camera = standing({3.0f, 2.0f, 6.0f}, {1.0f, 0.0f, 0.0f});
+    CameraControl camera = cameraAt({3.0f, 2.0f, 6.0f}, {1.0f, 0.0f, 0.0f});
     const float distance = glm::distance(camera.eye(), camera.target());
     for (int i = 0; i < 1000; ++i) camera.orbit({0.013f, 0.007f * std::sin(0.1f * static_cast<float>(i))});
     EXPECT_EQ(camera.target(), glm::vec3(1.0f, 0.0f, 0.0f));
-    // A thousand turns, each rounded in single precision.
+    // A thousand rotations, each rounded in single precision.
     EXPECT_NEAR(glm::distance(camera.eye(), camera.target()), distance, 1.0e-3f);
 }
 
-TEST(Orbit, TurnsTheSceneWithThePointer) {
-    CameraControl camera = standing({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f));
+TEST(Orbit, RotatesTheSceneWithThePointer) {
+    CameraControl camera = cameraAt({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f));
     camera.orbit({0.1f, 0.0f});
-    // The near side of the scene follows to the right, so that the eye goes left.
+    // The near side of the scene follows to the right, so the eye moves left.
     EXPECT_LT(camera.eye().x, 0.0f);
-    EXPECT_GT(inPicture(camera, {0.0f, 0.0f, 1.0f}).x, 0.0f);
-    camera = standing({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f));
+    EXPECT_GT(imagePosition(camera, {0.0f, 0.0f, 1.0f}).x, 0.0f);
+    camera = cameraAt({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f));
     camera.orbit({0.0f, 0.1f});  // y grows downwards on a screen
     EXPECT_GT(camera.eye().y, 0.0f);
-    EXPECT_LT(inPicture(camera, {0.0f, 0.0f, 1.0f}).y, 0.0f);
+    EXPECT_LT(imagePosition(camera, {0.0f, 0.0f, 1.0f}).y, 0.0f);
 }
 
-TEST(Orbit, AHeightOfTheWindowIsHalfATurn) {
-    CameraControl camera = standing({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f));
+TEST(Orbit, ADragOverTheWindowsHeightIs180Degrees) {
+    CameraControl camera = cameraAt({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f));
     camera.orbit({1.0f, 0.0f});
     // Rounding of an angle in single precision, times 5 m.
     EXPECT_LT(glm::distance(camera.eye(), {0.0f, 0.0f, -5.0f}), 1.0e-5f);
 }
 
-TEST(Orbit, StopsAtThePolesWithoutAFlip) {
-    for (const float pull : {0.05f, -0.05f}) {
-        CameraControl camera = standing({0.0f, 1.0f, 5.0f}, glm::vec3(0.0f));
+TEST(Orbit, StopsAtThePolesWithoutFlipping) {
+    for (const float drag : {0.05f, -0.05f}) {
+        CameraControl camera = cameraAt({0.0f, 1.0f, 5.0f}, glm::vec3(0.0f));
         for (int i = 0; i < 100; ++i) {
             const glm::vec3 right(camera.view().worldFromCamera[0]);
-            camera.orbit({0.0f, pull});
+            camera.orbit({0.0f, drag});
             ASSERT_TRUE(isFinite(camera));
-            // The horizon stays where it is: right stays right.
+            // The camera does not flip: its right axis keeps its direction.
             ASSERT_GT(glm::dot(right, glm::vec3(camera.view().worldFromCamera[0])), 0.999f) << i;
         }
         // Nearly above, or below.
         EXPECT_GT(std::abs(camera.eye().y), 4.99f);
-        camera.orbit({0.0f, -10.0f * pull});
+        camera.orbit({0.0f, -10.0f * drag});
         EXPECT_LT(std::abs(camera.eye().y), 1.0f);
     }
 }
 
-TEST(Pan, CarriesTheTargetWithThePointer) {
-    CameraControl camera = standing({2.0f, 3.0f, 6.0f}, {0.5f, 1.0f, -1.0f});
+TEST(Pan, MovesTheTargetWithThePointer) {
+    CameraControl camera = cameraAt({2.0f, 3.0f, 6.0f}, {0.5f, 1.0f, -1.0f});
     const glm::vec3 target = camera.target(), back = camera.eye() - camera.target();
     camera.pan({0.2f, -0.1f});
     // y grows downwards on a screen and upwards in the picture. Rounding in single precision.
-    EXPECT_LT(glm::distance(inPicture(camera, target), {0.2f, 0.1f}), 1.0e-5f);
+    EXPECT_LT(glm::distance(imagePosition(camera, target), {0.2f, 0.1f}), 1.0e-5f);
     EXPECT_LT(glm::distance(camera.eye() - camera.target(), back), 1.0e-5f);
 }
 
-TEST(Dolly, NearsTheTargetButNeverReachesIt) {
-    CameraControl camera = standing({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f));
+TEST(Dolly, ApproachesTheTargetButNeverReachesIt) {
+    CameraControl camera = cameraAt({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f));
     camera.dolly(1.0f);
     EXPECT_LT(camera.eye().z, 5.0f);
     camera.dolly(-1.0f);
@@ -103,21 +103,21 @@ TEST(Dolly, NearsTheTargetButNeverReachesIt) {
     EXPECT_GT(camera.eye().z, 1.0f);
 }
 
-TEST(Turn, KeepsTheEye) {
-    CameraControl camera = standing({1.0f, 2.0f, 3.0f}, {0.0f, 2.0f, 0.0f});
+TEST(LookAround, KeepsTheEye) {
+    CameraControl camera = cameraAt({1.0f, 2.0f, 3.0f}, {0.0f, 2.0f, 0.0f});
     const glm::vec3 ahead = camera.target();
-    camera.turn({0.1f, 0.0f});
+    camera.lookAround({0.1f, 0.0f});
     EXPECT_EQ(camera.eye(), glm::vec3(1.0f, 2.0f, 3.0f));
-    // The head turns with the pointer, so that what lay ahead goes to the left.
-    EXPECT_LT(inPicture(camera, ahead).x, 0.0f);
-    camera.turn({-0.1f, 0.1f});
-    EXPECT_GT(inPicture(camera, ahead).y, 0.0f) << "it looks down";
-    for (int i = 0; i < 100; ++i) camera.turn({0.0f, 0.05f});
+    // The view rotates with the pointer, so the former target moves to the left.
+    EXPECT_LT(imagePosition(camera, ahead).x, 0.0f);
+    camera.lookAround({-0.1f, 0.1f});
+    EXPECT_GT(imagePosition(camera, ahead).y, 0.0f) << "it looks down";
+    for (int i = 0; i < 100; ++i) camera.lookAround({0.0f, 0.05f});
     EXPECT_TRUE(isFinite(camera));
 }
 
-TEST(Fly, GoesWhereTheCameraLooks) {
-    CameraControl camera = standing({0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 1.0f});
+TEST(Fly, MovesAlongTheViewDirection) {
+    CameraControl camera = cameraAt({0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 1.0f});
     camera.fly({0.0f, 0.0f, -1.0f}, 2.0f);
     EXPECT_LT(glm::distance(camera.eye(), {0.0f, 0.0f, 3.0f}), 1.0e-6f);      // rounding
     EXPECT_LT(glm::distance(camera.target(), {0.0f, 0.0f, -1.0f}), 1.0e-6f);  // rounding
@@ -132,11 +132,11 @@ candela::Bounds box(const glm::vec3& min, const glm::vec3& max) {
     return bounds;
 }
 
-TEST(Frame, BringsTheWholeBoxIntoThePicture) {
+TEST(Frame, FitsTheWholeBoxIntoTheView) {
     const candela::Bounds bounds = box({-3.0f, 1.0f, 2.0f}, {5.0f, 2.0f, 20.0f});
     for (const float aspect : {0.2f, 1.0f, 2.5f}) {
         for (const float fov : {10.0f, 45.0f, 120.0f}) {
-            CameraControl camera = standing({7.0f, 9.0f, -4.0f}, {1.0f, 0.0f, 0.0f});
+            CameraControl camera = cameraAt({7.0f, 9.0f, -4.0f}, {1.0f, 0.0f, 0.0f});
             camera.setVerticalFov(glm::radians(fov));
             const glm::vec3 ahead = glm::normalize(camera.target() - camera.eye());
             camera.frame(bounds, aspect);
@@ -144,18 +144,18 @@ TEST(Frame, BringsTheWholeBoxIntoThePicture) {
                 const glm::vec3 point(corner & 1 ? bounds.max.x : bounds.min.x,
                                       corner & 2 ? bounds.max.y : bounds.min.y,
                                       corner & 4 ? bounds.max.z : bounds.min.z);
-                const glm::vec2 place = inPicture(camera, point);
-                EXPECT_LE(std::abs(place.y), 0.5f) << fov << " degrees, " << aspect;
-                EXPECT_LE(std::abs(place.x), 0.5f * aspect) << fov << " degrees, " << aspect;
+                const glm::vec2 position = imagePosition(camera, point);
+                EXPECT_LE(std::abs(position.y), 0.5f) << fov << " degrees, " << aspect;
+                EXPECT_LE(std::abs(position.x), 0.5f * aspect) << fov << " degrees, " << aspect;
             }
-            // It looks the same way as before; rounding in single precision.
+            // The view direction is kept; rounding in single precision.
             EXPECT_GT(glm::dot(ahead, glm::normalize(camera.target() - camera.eye())), 0.99999f);
         }
     }
 }
 
-TEST(Frame, TakesAPointAndLeavesAnEmptyBoxAlone) {
-    CameraControl camera = standing({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f));
+TEST(Frame, AcceptsAPointAndIgnoresAnEmptyBox) {
+    CameraControl camera = cameraAt({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f));
     camera.frame(candela::Bounds(), 1.0f);
     EXPECT_EQ(camera.eye(), glm::vec3(0.0f, 0.0f, 5.0f));
     camera.frame(box(glm::vec3(2.0f), glm::vec3(2.0f)), 1.0f);
@@ -163,7 +163,7 @@ TEST(Frame, TakesAPointAndLeavesAnEmptyBoxAlone) {
     EXPECT_TRUE(isFinite(camera));
 }
 
-TEST(Set, TakesAViewOver) {
+TEST(Set, ReproducesAView) {
     const candela::CameraView view = candela::lookAt({1.0f, 2.0f, 3.0f}, {4.0f, 0.0f, -2.0f}, 0.3f * pi);
     CameraControl camera;
     camera.set(view, 7.0f);

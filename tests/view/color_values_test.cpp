@@ -19,7 +19,7 @@ glm::dvec2 chromaticityOf(const glm::vec3& color) {
 }
 
 TEST(ColorTemperature, LiesOnThePlanckianLocus) {
-    // x and y of black bodies: Planck's law seen by the CIE 1931 observer.
+    // x and y of black bodies: Planck's law for the CIE 1931 observer.
     struct Body {
         float kelvin;
         double x, y;
@@ -36,7 +36,7 @@ TEST(ColorTemperature, LiesOnThePlanckianLocus) {
     }
 }
 
-TEST(ColorTemperature, HasALargestChannelOfOneAndNoneBelowZero) {
+TEST(ColorTemperature, IsNormalisedAndNotNegative) {
     for (float kelvin = minTemperature; kelvin <= maxTemperature; kelvin += 53.0f) {
         const glm::vec3 color = colorOfTemperature(kelvin);
         EXPECT_EQ(std::max({color.r, color.g, color.b}), 1.0f) << kelvin;
@@ -51,7 +51,7 @@ TEST(ColorTemperature, GoesFromRedToBlue) {
     EXPECT_LT(colorOfTemperature(15000.0f).r, 0.8f);
 }
 
-TEST(ColorTemperature, IsContinuousWhereTheSplineHasItsKnots) {
+TEST(ColorTemperature, IsContinuousAtTheKnotsOfTheSpline) {
     for (const float knot : {2222.0f, 4000.0f}) {
         const glm::vec3 before = colorOfTemperature(knot - 0.5f), after = colorOfTemperature(knot + 0.5f);
         // A kelvin changes a channel by less than 0.0005 here; the spline's coefficients have as many digits.
@@ -59,7 +59,7 @@ TEST(ColorTemperature, IsContinuousWhereTheSplineHasItsKnots) {
     }
 }
 
-TEST(ColorTemperature, HoldsTemperaturesWithinItsEnds) {
+TEST(ColorTemperature, ClampsTemperaturesToItsRange) {
     EXPECT_EQ(colorOfTemperature(1.0f), colorOfTemperature(minTemperature));
     EXPECT_EQ(colorOfTemperature(1.0e9f), colorOfTemperature(maxTemperature));
 }
@@ -67,13 +67,13 @@ TEST(ColorTemperature, HoldsTemperaturesWithinItsEnds) {
 TEST(NearestTemperature, FindsTheTemperatureOfAColour) {
     for (const float kelvin : {1700.0f, 2222.0f, 2700.0f, 4000.0f, 5600.0f, 6500.0f, 9300.0f, 24000.0f}) {
         // At 24000 K single precision tells temperatures apart by about 3 K: 1e-7 over the slope of 3e-8 a
-        // kelvin. Half a percent is still less than anyone sees.
+        // kelvin. Half a percent is not visible.
         EXPECT_NEAR(nearestTemperature(colorOfTemperature(kelvin)), kelvin, 0.005f * kelvin);
         EXPECT_NEAR(nearestTemperature(30.0f * colorOfTemperature(kelvin)), kelvin, 0.005f * kelvin);
     }
 }
 
-TEST(NearestTemperature, TakesColoursThatNoBlackBodyHas) {
+TEST(NearestTemperature, AcceptsColoursThatNoBlackBodyHas) {
     EXPECT_NEAR(nearestTemperature({1.0f, 0.0f, 0.0f}), minTemperature, 1.0f);
     EXPECT_NEAR(nearestTemperature({0.0f, 0.0f, 1.0f}), maxTemperature, 1.0f);
 }

@@ -1,6 +1,6 @@
-// What is edited in the window changes the picture as if the scene had been made that way.
+// An edit in the window gives the image of a scene that has it from the start.
 
-#include "camera_options.h"
+#include "interaction.h"
 #include "sample_scene.h"
 #include "temporary_config.h"
 #include "view_session.h"
@@ -19,7 +19,7 @@ using Visibility = candela::GpuScene::Visibility;
 
 class EditSession : public ViewTest {
   protected:
-    /// The sample scene, with what `change` makes of it, as a file of this name.
+    /// Writes the sample scene, modified by `change`, as a file of this name.
     template <typename Change>
     void writeChanged(const std::string& name, Change&& change) const {
         nlohmann::json scene = nlohmann::json::parse(std::ifstream(folder / "square.gltf"));
@@ -36,7 +36,7 @@ class EditSession : public ViewTest {
     }
 };
 
-TEST_F(EditSession, AMaterialIsThatOfAFreshScene) {
+TEST_F(EditSession, AnEditedMaterialIsThatOfANewScene) {
     writeChanged("red.gltf", [](auto& scene) {
         auto& material = scene["materials"][0]["pbrMetallicRoughness"];
         material["baseColorFactor"] = {0.75, 0.0625, 0.03125, 1};
@@ -55,7 +55,7 @@ TEST_F(EditSession, AMaterialIsThatOfAFreshScene) {
     EXPECT_NE(session.document().changes()[0].find("material 0"), std::string::npos);
 }
 
-TEST_F(EditSession, AHiddenNodeIsGoneAndComesBack) {
+TEST_F(EditSession, ANodeIsHiddenAndShownAgain) {
     ViewSession session(small({"square.gltf"}));
     session.awaitScene();
     session.document().setVisibility(0, Visibility::hidden);
@@ -78,7 +78,7 @@ TEST_F(EditSession, ScatteredLightsAreThoseOfTheCommandLine) {
     EXPECT_TRUE(session.document().changes().empty());
 }
 
-TEST_F(EditSession, TimeMovesTheLightsOfNodesAmongStrewnOnes) {
+TEST_F(EditSession, TimeMovesTheLightsOfNodesAmongScatteredOnes) {
     ViewSession session(small({"square.gltf"}));
     session.awaitScene();
     session.model().options.time = 0.25;
@@ -91,7 +91,7 @@ TEST_F(EditSession, TimeMovesTheLightsOfNodesAmongStrewnOnes) {
     expectPicture(session, {"square.gltf", "--time", "0.75", "--scatter-lights", "30,1,0.5"});
 }
 
-TEST_F(EditSession, LightsAreStrewnAlikeAtEveryTime) {
+TEST_F(EditSession, LightsAreScatteredAlikeAtEveryTime) {
     // The square grows: its box at 1 s is another one than at the start.
     writeChanged("growing.gltf",
                  [](auto& scene) { scene["animations"][0]["channels"][0]["target"]["node"] = 0; });
@@ -104,30 +104,30 @@ TEST_F(EditSession, LightsAreStrewnAlikeAtEveryTime) {
                             "--time", "1"});
 }
 
-TEST_F(EditSession, TheHandTakesOverFromACameraThatMoves) {
+TEST_F(EditSession, TheUserTakesOverFromAnAnimatedCamera) {
     // "front" moves instead of the light: it stands at (0, 0, 5) after half a second.
-    writeChanged("ride.gltf",
+    writeChanged("moving_camera.gltf",
                  [](auto& scene) { scene["animations"][0]["channels"][0]["target"]["node"] = 2; });
-    ViewSession session(small({"ride.gltf"}));
+    ViewSession session(small({"moving_camera.gltf"}));
     session.awaitScene();
     session.model().options.time = 0.5;
     session.step();
-    expectPicture(session, {"ride.gltf", "--time", "0.5"});
+    expectPicture(session, {"moving_camera.gltf", "--time", "0.5"});
     EXPECT_EQ(session.model().camera.eye(), glm::vec3(0.0f, 0.0f, 5.0f));
 }
 
-TEST_F(EditSession, TheHandTakesOverFromAViewThatFramesTheScene) {
+TEST_F(EditSession, TheUserTakesOverFromAViewThatFramesTheScene) {
     folder.write("plain.gltf", sampleSceneWithoutCameras());
     ViewSession session(small({"plain.gltf"}));
     session.awaitScene();
     const glm::vec3 wide = session.model().camera.eye();
     session.resize(100, 300);
     const glm::vec3 narrow = session.model().camera.eye();
-    EXPECT_GT(glm::length(narrow), 1.5f * glm::length(wide)) << "a narrow window needs a step back";
+    EXPECT_GT(glm::length(narrow), 1.5f * glm::length(wide)) << "a narrow window moves the camera back";
     const PngPicture framed = session.picture();
-    giveCamera(session.model());
+    storeCamera(session.model());
     session.step();
-    // A camera by hand looks at the middle of what was framed: the same view but for rounding.
+    // The user's camera has the framed centre as its target: the same view but for rounding.
     EXPECT_LE(maxDifference(session.picture(), framed), 3);
 }
 
@@ -175,18 +175,18 @@ TEST_F(EditSession, ALightIsReplacedAddedAndRemoved) {
     expectPicture(session, {"square.gltf"});
 }
 
-TEST_F(EditSession, WhatIsNoLightIsRefusedAndChangesNothing) {
+TEST_F(EditSession, AnInvalidLightIsRejectedAndChangesNothing) {
     ViewSession session(small({"square.gltf"}));
     session.awaitScene();
     candela::WorldLight light = session.document().lights()[0];
     light.intensity = glm::vec3(-1.0f);
     EXPECT_THROW(session.document().setLight(0, light), candela::Error);
-    session.document().setLightMotion({});  // sends the lights once more
+    session.document().setLightMotion({});  // uploads the lights again
     expectPicture(session, {"square.gltf"});
     EXPECT_TRUE(session.document().changes().empty());
 }
 
-TEST_F(EditSession, MovingLightsMoveThePictureAndStop) {
+TEST_F(EditSession, MovingLightsChangeTheImageAndStop) {
     ViewSession session(small({"square.gltf"}));
     session.awaitScene();
     session.document().setLightMotion({.moving = true, .radius = 0.5f, .speed = 1.0f});
@@ -230,21 +230,21 @@ TEST_F(EditSession, DisplayViewAndExposureAreThoseOfTheCommandLine) {
     expectPicture(session, {"plaza:64", "--view", "Raw"});
     session.model().options.display = {"sRGB", "ACES 1.0 SDR", "", 0.0};
     session.step();
-    // Two runs may choose another form of this view, which differ by a quarter of a code and its rounding.
+    // Two runs may bake this view or not, which differ by a quarter of a code and its rounding.
     EXPECT_LE(maxDifference(session.picture(), rendered(small({"plaza:64", "--view", "ACES 1.0 SDR"}))), 1);
 }
 
-TEST_F(EditSession, AViewThatIsNotThereIsAMessageAndThePictureStays) {
+TEST_F(EditSession, AnUnknownViewIsAMessageAndKeepsTheImage) {
     ViewSession session(small({"square.gltf"}));
     session.awaitScene();
     const PngPicture before = session.picture();
-    session.model().options.display.view = "Sepia";
+    session.model().options.display.view = "Unknown";
     session.step(5);
     EXPECT_EQ(session.messages(Message::Kind::error), 1u);
     EXPECT_EQ(maxDifference(session.picture(), before), 0);
 }
 
-TEST_F(EditSession, AConfigBringsItsViewsAndItsWorkingSpace) {
+TEST_F(EditSession, AConfigChangesViewsAndWorkingSpace) {
     folder.write("aces.ocio",
                  configText("  aces_interchange: ACES2065-1\n  scene_linear: ACEScg\n",
                             "  - !<ColorSpace> {name: ACES2065-1, isdata: false}\n"
@@ -270,7 +270,7 @@ TEST_F(EditSession, AConfigBringsItsViewsAndItsWorkingSpace) {
     expectPicture(session, {"square.gltf"});
 }
 
-TEST_F(EditSession, WhatWasEditedOutlivesAnotherConfig) {
+TEST_F(EditSession, EditsSurviveAChangeOfTheConfig) {
     ViewSession session(small({"square.gltf", "--scatter-lights", "20"}));
     session.awaitScene();
     session.model().options.time = 0.5;

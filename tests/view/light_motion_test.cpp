@@ -24,13 +24,13 @@ std::vector<WorldLight> movedTo(double seconds, const LightMotion& motion) {
     return moved;
 }
 
-TEST(LightMotion, LeavesRestingLightsAlone) {
+TEST(LightMotion, DoesNotMoveLightsByDefault) {
     const std::vector<WorldLight> resting = someLights(), moved = movedTo(3.0, {});
     ASSERT_EQ(moved.size(), resting.size());
     for (std::size_t i = 0; i < moved.size(); ++i) EXPECT_EQ(moved[i].position, resting[i].position);
 }
 
-TEST(LightMotion, CirclesTheRestingPlace) {
+TEST(LightMotion, CirclesTheRestPosition) {
     const std::vector<WorldLight> resting = someLights();
     for (double seconds : {0.0, 0.3, 1.0, 1.0e6}) {
         const std::vector<WorldLight> moved =
@@ -44,17 +44,17 @@ TEST(LightMotion, CirclesTheRestingPlace) {
     }
 }
 
-TEST(LightMotion, ComesBackAfterATurn) {
+TEST(LightMotion, ReturnsAfterAPeriod) {
     const LightMotion motion{.moving = true, .radius = 1.0f, .speed = 0.25f};
-    const std::vector<WorldLight> start = movedTo(1.5, motion), turned = movedTo(5.5, motion),
+    const std::vector<WorldLight> start = movedTo(1.5, motion), later = movedTo(5.5, motion),
                                   half = movedTo(3.5, motion);
     for (const std::size_t i : {0u, 1u, 3u, 4u}) {
-        EXPECT_LT(glm::distance(start[i].position, turned[i].position), 1.0e-5f);  // rounding
+        EXPECT_LT(glm::distance(start[i].position, later[i].position), 1.0e-5f);  // rounding
         EXPECT_NEAR(glm::distance(start[i].position, half[i].position), 2.0f, 1.0e-5f);
     }
 }
 
-TEST(LightMotion, GivesEachLightAPhaseOfItsOwn) {
+TEST(LightMotion, HasADifferentPhaseForEachLight) {
     const std::vector<WorldLight> resting = someLights(),
                                   moved = movedTo(0.7, {.moving = true, .radius = 1.0f, .speed = 1.0f});
     for (const std::size_t i : {1u, 3u, 4u})

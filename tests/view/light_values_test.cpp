@@ -12,14 +12,14 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-TEST(SplitColor, GivesBackWhatItSplit) {
+TEST(SplitColor, IsInvertedByJoining) {
     const SplitColor split = splitColor({3.0f, 12.0f, 6.0f});
     EXPECT_EQ(split.strength, 12.0f);
     EXPECT_EQ(split.hue, glm::vec3(0.25f, 1.0f, 0.5f));
     EXPECT_EQ(split.joined(), glm::vec3(3.0f, 12.0f, 6.0f));
 }
 
-TEST(SplitColor, BlackKeepsTheHueItHad) {
+TEST(SplitColor, BlackKeepsTheGivenHue) {
     const SplitColor split = splitColor(glm::vec3(0.0f), {1.0f, 0.5f, 0.0f});
     EXPECT_EQ(split.strength, 0.0f);
     EXPECT_EQ(split.hue, glm::vec3(1.0f, 0.5f, 0.0f));
@@ -50,7 +50,7 @@ TEST(Lumen, StayFiniteForAConeWithoutWidth) {
     EXPECT_LT(candelaOf(spot, 1.0f), 1.0e7f);
 }
 
-TEST(DirectionAngles, GoBothWays) {
+TEST(DirectionAngles, RoundTrip) {
     for (const glm::vec3& direction :
          {glm::vec3(0.0f, 0.0f, -1.0f), glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(0.6f, -0.8f, 0.0f),
           glm::normalize(glm::vec3(-1.0f, 2.0f, 3.0f)), glm::vec3(0.0f, -1.0f, 0.0f)}) {
@@ -85,7 +85,7 @@ candela::WorldLight scatteredLight() {
     return light;
 }
 
-TEST(SpelledOut, LeavesOpenWhatTheCommandLineCanLeaveOpen) {
+TEST(CompletedScatterOptions, OmitTrailingValues) {
     const ScatterOptions options = completed({.count = 10, .range = {}, .candela = {}}, scatteredLight());
     EXPECT_FALSE(options.range);
     EXPECT_FALSE(options.candela);
@@ -94,13 +94,13 @@ TEST(SpelledOut, LeavesOpenWhatTheCommandLineCanLeaveOpen) {
     EXPECT_FALSE(ranged.candela);
 }
 
-TEST(SpelledOut, GivesARangeBeforeAnIntensity) {
+TEST(CompletedScatterOptions, HaveARangeBeforeAnIntensity) {
     const ScatterOptions options = completed({.count = 10, .range = {}, .candela = 8.0f}, scatteredLight());
     EXPECT_EQ(options.range, 3.5f);
     EXPECT_EQ(options.candela, 8.0f);
 }
 
-TEST(SpelledOut, GivesBothBeforeASeed) {
+TEST(CompletedScatterOptions, HaveBothBeforeASeed) {
     const ScatterOptions options =
         completed({.count = 10, .range = {}, .candela = {}, .seed = 7}, scatteredLight());
     EXPECT_EQ(options.range, 3.5f);

@@ -11,10 +11,10 @@ const std::string& takeOwnDisplay() {
         unsetenv("WAYLAND_DISPLAY");
         return candela::test::VirtualDisplay();
     }();
-    return display.whyNot();
+    return display.unavailableReason();
 }
 
-void useHand(const std::string& words) {
-    if (std::system(("xdotool " + words).c_str()) != 0)
-        throw std::runtime_error("xdotool is not installed, or fails with: " + words);
+void sendInput(const std::string& arguments) {
+    if (std::system(("xdotool " + arguments).c_str()) != 0)
+        throw std::runtime_error("xdotool is not installed, or fails with: " + arguments);
 }

@@ -2,10 +2,10 @@
 
 #include <string>
 
-/// Gives this process (and those it starts) an Xvfb of its own, even where there is a display already: what
-/// a test does with the pointer must meet no other window. Returns why there is none; empty when $DISPLAY
-/// names one, which ends with the process.
+/// Gives this process (and its children) an Xvfb of its own, even where there is a display already, so that
+/// pointer events of a test reach no other window. Returns why there is none; empty when $DISPLAY names one,
+/// which ends with the process.
 const std::string& takeOwnDisplay();
 
-/// Moves pointer and keys as a user does: xdotool with these words. Throws when it fails.
-void useHand(const std::string& words);
+/// Sends pointer and key events: xdotool with these arguments. Throws when it fails.
+void sendInput(const std::string& arguments);

@@ -1,4 +1,4 @@
-// The panels, used by the pointer: what is chosen in them reaches the picture.
+// The panels, used by pointer events: selections in them affect the image.
 
 #include "own_display.h"
 #include "view_session.h"
@@ -7,7 +7,7 @@
 
 namespace {
 
-/// A window with one panel open, large enough for all that it holds.
+/// A window with one panel open, large enough for its content.
 class PanelSession : public ViewTest {
   protected:
     void open(bool OpenPanels::*panel) {
@@ -21,24 +21,24 @@ class PanelSession : public ViewTest {
         session->step(3);
     }
 
-    /// Opens one list of a panel after another, from the top, and takes the last row of each, until `chosen`
-    /// holds.
-    bool chooseIn(const char* panel, const std::function<bool()>& chosen) {
+    /// Opens the lists of a panel one after another, from the top, and selects the last row of each, until
+    /// `selected` is true.
+    bool selectIn(const char* panel, const std::function<bool()>& selected) {
         const ImGuiWindow* window = ImGui::FindWindowByName(panel);
         if (!window) return false;
         const int x = static_cast<int>(window->Pos.x) + 20;
         const int end = static_cast<int>(window->Pos.y + window->Size.y);
-        for (int y = static_cast<int>(window->Pos.y) + 30; y < end && !chosen(); y += 10) {
+        for (int y = static_cast<int>(window->Pos.y) + 30; y < end && !selected(); y += 10) {
             session->click(x, y);
-            takeLastRow();
+            selectLastRow();
         }
-        return chosen();
+        return selected();
     }
 
     std::unique_ptr<ViewSession> session;
 
   private:
-    void takeLastRow() {
+    void selectLastRow() {
         const ImVector<ImGuiPopupData>& popups = GImGui->OpenPopupStack;
         if (popups.empty() || !popups.back().Window) return;
         const ImGuiWindow& list = *popups.back().Window;
@@ -47,23 +47,23 @@ class PanelSession : public ViewTest {
     }
 };
 
-TEST_F(PanelSession, DisplayAndViewAreChosenFromLists) {
+TEST_F(PanelSession, DisplayAndViewAreSelectedFromLists) {
     open(&OpenPanels::color);
     const PngPicture before = session->picture();
-    ASSERT_TRUE(chooseIn("Colour", [&] { return !session->model().options.display.display.empty(); }));
-    ASSERT_TRUE(chooseIn("Colour", [&] { return !session->model().options.display.view.empty(); }));
+    ASSERT_TRUE(selectIn("Colour", [&] { return !session->model().options.display.display.empty(); }));
+    ASSERT_TRUE(selectIn("Colour", [&] { return !session->model().options.display.view.empty(); }));
     const candela::DisplayOptions options = session->model().options.display;
     EXPECT_EQ(options.display, session->model().color.displays().back());
     EXPECT_EQ(options.view, session->model().color.views(options.display).back());
     const PngPicture shown = session->picture();
     EXPECT_GT(maxDifference(shown, before), 5);
-    // Two runs may choose another form of an ACES view, which differ by a quarter of a code and its rounding.
+    // Two runs may bake an ACES view or not, which differ by a quarter of a code and its rounding.
     EXPECT_LE(maxDifference(shown, renderedBy(session->copiedCommand())), 1);
 }
 
-TEST_F(PanelSession, TechniqueAndReflectionAreChosenFromLists) {
+TEST_F(PanelSession, TechniqueAndBrdfAreSelectedFromLists) {
     open(&OpenPanels::drawing);
-    ASSERT_TRUE(chooseIn("Drawing", [&] {
+    ASSERT_TRUE(selectIn("Drawing", [&] {
         return session->model().options.technique != candela::Technique::automatic &&
                session->model().options.brdf != candela::BrdfModel::course;
     }));
@@ -82,7 +82,7 @@ TEST_F(PanelSession, EveryPanelOpensFromTheMenu) {
     EXPECT_FALSE(session->model().panels.lights);
 }
 
-TEST_F(PanelSession, AllPanelsAtOnceLeaveNoErrorInAnySize) {
+TEST_F(PanelSession, AllPanelsAreDrawnWithoutErrorsInAnySize) {
     open(nullptr);
     session->model().panels = {true, true, true, true, true, true, true, true};
     session->model().pickedNode = 1;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::array allPanels{Panel::scene, Panel::materials, Panel::lights,     Panel::camera,
                                Panel::color, Panel::drawing,   Panel::statistics, Panel::probe};
 
-/// Places that only touch do not overlap; shares of a size are rounded.
+/// Rectangles that only touch do not overlap; positions are rounded.
 constexpr float touching = 0.01f;
 
 bool overlap(const PanelPlace& a, const PanelPlace& b) {
@@ -21,7 +21,7 @@ bool overlap(const PanelPlace& a, const PanelPlace& b) {
            b.position.y < a.position.y + a.size.y - touching;
 }
 
-void expectSoundPlaces(const PanelSpace& space) {
+void expectDisjointPanels(const PanelSpace& space) {
     for (std::size_t i = 0; i < allPanels.size(); ++i) {
         const PanelPlace place = firstPlace(allPanels[i], space);
         EXPECT_GE(place.position.x, 0.0f);
@@ -34,11 +34,11 @@ void expectSoundPlaces(const PanelSpace& space) {
     }
 }
 
-TEST(Layout, LaysNoPanelOverAnotherOrTheMiddle) {
-    expectSoundPlaces({});
-    expectSoundPlaces({{1920.0f, 1080.0f}, 19.0f, 13.0f});
-    expectSoundPlaces({{3840.0f, 2160.0f}, 38.0f, 26.0f});
-    expectSoundPlaces({{640.0f, 480.0f}, 19.0f, 13.0f});
+TEST(Layout, PanelsOverlapNeitherEachOtherNorTheFreeArea) {
+    expectDisjointPanels({});
+    expectDisjointPanels({{1920.0f, 1080.0f}, 19.0f, 13.0f});
+    expectDisjointPanels({{3840.0f, 2160.0f}, 38.0f, 26.0f});
+    expectDisjointPanels({{640.0f, 480.0f}, 19.0f, 13.0f});
 }
 
 TEST(Layout, LeavesHalfOfTheWidthToThePicture) {
@@ -51,7 +51,7 @@ FrameRecord frame(double milliseconds, std::vector<candela::PassTime> passes) {
     return {std::move(passes), milliseconds};
 }
 
-TEST(FrameSummary, HasNothingToSayOfNoFrame) {
+TEST(FrameSummary, IsEmptyWithoutFrames) {
     EXPECT_FALSE(summarise({}));
 }
 
@@ -93,7 +93,7 @@ TEST(Texts, GroupDigits) {
     EXPECT_EQ(groupedText(1234567), "1,234,567");
 }
 
-TEST(Texts, GiveBytesAUnit) {
+TEST(Texts, FormatBytesWithAUnit) {
     EXPECT_EQ(bytesText(512), "512 B");
     EXPECT_EQ(bytesText(1536), "1.5 KiB");
     EXPECT_EQ(bytesText(20u << 20), "20.0 MiB");
@@ -105,13 +105,13 @@ TEST(Texts, NameElements) {
     EXPECT_EQ(elementText("node", 0, ""), "node 0");
 }
 
-TEST(Texts, AddAnEndingOnce) {
+TEST(Texts, AddAnExtensionOnce) {
     EXPECT_EQ(withEnding("picture", ".png"), "picture.png");
     EXPECT_EQ(withEnding("picture.png", ".png"), "picture.png");
     EXPECT_EQ(withEnding("picture.exr", ".png"), "picture.exr.png");
 }
 
-TEST(Srgb, GoesBothWays) {
+TEST(Srgb, RoundTrips) {
     for (const float value : {0.0f, 0.002f, 0.0031308f, 0.01f, 0.18f, 0.5f, 1.0f}) {
         // Rounding of two powers in single precision.
         EXPECT_NEAR(linearFromSrgb(srgbFromLinear(glm::vec3(value))).r, value, 2.0e-6f);
@@ -120,7 +120,7 @@ TEST(Srgb, GoesBothWays) {
     EXPECT_NEAR(linearFromSrgb(glm::vec3(0.5f)).g, 0.214041f, 1.0e-6f);
 }
 
-TEST(Srgb, HoldsWhatIsBeyondTheDisplay) {
+TEST(Srgb, ClampsToTheDisplayRange) {
     EXPECT_EQ(srgbFromLinear(glm::vec3(7.0f)), srgbFromLinear(glm::vec3(1.0f)));
     EXPECT_EQ(srgbFromLinear(glm::vec3(-1.0f)), glm::vec3(0.0f));
 }

@@ -1,4 +1,4 @@
-// The copied command line: what a shell makes of it, and what the options of candela-render make of that.
+// The copied command line, parsed by a shell and then by the options of candela-render.
 
 #include "render_command_line.h"
 #include "common/program.h"
@@ -17,7 +17,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// The words that /bin/sh makes of a command.
+/// The arguments into which /bin/sh splits a command.
 Words wordsOf(const std::string& command) {
     const std::unique_ptr<FILE, int (*)(FILE*)> shell(popen(("printf '%s\\0' " + command).c_str(), "r"),
                                                       pclose);
@@ -35,7 +35,7 @@ Words wordsOf(const std::string& command) {
     return words;
 }
 
-/// What candela-render reads from a command.
+/// The options that candela-render parses from a command.
 SceneOptions readBack(const std::string& command) {
     CLI::App app;
     SceneOptions options;
@@ -61,12 +61,12 @@ SceneOptions someScene() {
     return options;
 }
 
-TEST(RenderCommandLine, NamesTheSceneTheSizeAndThePicture) {
+TEST(RenderCommandLine, NamesSceneSizeAndOutput) {
     EXPECT_EQ(renderCommandLine(someScene()),
               "candela-render plaza:64 --size 1280x720 --brdf course --technique auto -o candela.png");
 }
 
-TEST(RenderCommandLine, ReachesTheProgramThroughAShell) {
+TEST(RenderCommandLine, QuotesNamesForAShell) {
     for (const char* name :
          {"two words.gltf", "it's.gltf", "''", "$HOME.gltf", "`date`.gltf", "a\"b\\c.gltf", "~/x.gltf",
           "a\nb.gltf", "*.gltf", "a;b&c|d<e>f(g)h!.gltf", "#a.gltf", "Z\xc3\xbcrich.gltf", "-dash.gltf"}) {
@@ -78,7 +78,7 @@ TEST(RenderCommandLine, ReachesTheProgramThroughAShell) {
     }
 }
 
-TEST(RenderCommandLine, KeepsNamesThatLookLikeOptions) {
+TEST(RenderCommandLine, PreservesNamesThatLookLikeOptions) {
     SceneOptions options = someScene();
     options.camera = "--eye";
     options.display.look = "-o";
@@ -91,7 +91,7 @@ TEST(RenderCommandLine, KeepsNamesThatLookLikeOptions) {
     EXPECT_EQ(read.ocio, "my 'own'.ocio");
 }
 
-TEST(RenderCommandLine, KeepsNumbersToTheLastBit) {
+TEST(RenderCommandLine, PreservesNumbersExactly) {
     SceneOptions options = someScene();
     options.eye = EyeOptions{{-1.0f / 3.0f, 1.0e-9f, 123456.789f}, {0.1f, -0.0f, 16777216.0f}};
     options.time = 1.0 / 7.0;
@@ -112,27 +112,27 @@ TEST(RenderCommandLine, KeepsNumbersToTheLastBit) {
     EXPECT_EQ(read.scatter->seed, options.scatter->seed);
 }
 
-TEST(RenderCommandLine, KeepsEveryFieldOfView) {
-    // The option is in degrees: the way there and back must not lose a bit of the radians.
+TEST(RenderCommandLine, PreservesEveryFieldOfView) {
+    // The option is in degrees: the round trip must preserve the radians exactly.
     for (float radians = 0.01f; radians < std::numbers::pi_v<float> - 0.01f; radians *= 1.0071f) {
         SceneOptions options = someScene();
         options.verticalFov = radians;
         const std::string command = renderCommandLine(options);
         const std::size_t start = command.find("--fov ") + 6;
         const double degrees = std::stod(command.substr(start));
-        // As the option reader has it; a shell for each of these numbers would take long.
+        // As the option reader converts it; a shell for each of these numbers would take long.
         EXPECT_EQ(static_cast<float>(degrees * std::numbers::pi / 180.0), radians);
     }
 }
 
-TEST(RenderCommandLine, KeepsStrictness) {
+TEST(RenderCommandLine, PreservesStrictness) {
     SceneOptions options = someScene();
     EXPECT_EQ(readBack(options).strictness, candela::Strictness::tolerant);
     options.strictness = candela::Strictness::strict;
     EXPECT_EQ(readBack(options).strictness, candela::Strictness::strict);
 }
 
-TEST(RenderCommandLine, KeepsWords) {
+TEST(RenderCommandLine, PreservesEnumerationsAndLists) {
     SceneOptions options = someScene();
     options.width = 7;
     options.height = 16384;
@@ -164,7 +164,7 @@ TEST(RenderCommandLine, KeepsWords) {
     EXPECT_EQ(read.display.display, "Display P3");
 }
 
-TEST(RenderCommandLine, PutsTheHandsEyeBeforeACamera) {
+TEST(RenderCommandLine, PrefersAnEyeToACamera) {
     SceneOptions options = someScene();
     options.camera = "front";
     EXPECT_EQ(readBack(options).camera, "front");

@@ -1,4 +1,4 @@
-#include "resolution_scale.h"
+#include "viewport.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ class ResolutionScaleTest : public testing::Test {
     ResolutionScale scale;
 };
 
-TEST_F(ResolutionScaleTest, AFastDeviceStaysSharp) {
+TEST_F(ResolutionScaleTest, AFastDeviceKeepsFullResolution) {
     EXPECT_EQ(at(0, Motion::rests), 1);
     scale.tookMilliseconds(15.0);
     EXPECT_EQ(at(20, Motion::moves), 1);
@@ -31,12 +31,12 @@ TEST_F(ResolutionScaleTest, ASlowDeviceLowersTheResolutionWhileTheCameraMoves) {
     EXPECT_TRUE(scale.isReduced());
 }
 
-TEST_F(ResolutionScaleTest, SharpensAfterAShortRestOnly) {
+TEST_F(ResolutionScaleTest, RestoresFullResolutionAfterAShortDelay) {
     at(0, Motion::rests);
     scale.tookMilliseconds(400.0);
     EXPECT_EQ(at(20, Motion::moves), 4);
     scale.tookMilliseconds(25.0);
-    EXPECT_EQ(at(40, Motion::rests), 4) << "the hand has only paused";
+    EXPECT_EQ(at(40, Motion::rests), 4) << "the camera has only just stopped";
     EXPECT_EQ(at(60, Motion::moves), 4);
     EXPECT_EQ(at(500, Motion::rests), 1);
     EXPECT_FALSE(scale.isReduced());
@@ -48,7 +48,7 @@ TEST_F(ResolutionScaleTest, ScalesTheTimeOfALowResolutionFrameToFullResolution) 
     EXPECT_EQ(at(20, Motion::moves), 4);
     scale.tookMilliseconds(25.0);  // 16 times that at full size
     EXPECT_EQ(at(40, Motion::moves), 4);
-    scale.tookMilliseconds(2.0);  // the scene has become light
+    scale.tookMilliseconds(2.0);  // the scene has become cheap
     EXPECT_EQ(at(60, Motion::moves), 1);
 }
 

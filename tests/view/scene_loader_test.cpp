@@ -1,4 +1,4 @@
-// Scenes are read on a thread of their own, and reading them can be cancelled.
+// Scenes are read on a thread of their own; reading can be cancelled.
 
 #include "scene_loader.h"
 
@@ -37,7 +37,7 @@ class SceneLoaderTest : public testing::Test {
     SceneLoader loader;
 };
 
-TEST_F(SceneLoaderTest, HandsTheSceneOverOnce) {
+TEST_F(SceneLoaderTest, ReturnsTheSceneOnce) {
     wakes = 0;
     EXPECT_FALSE(loader.take());
     EXPECT_FALSE(loader.status());
@@ -48,12 +48,12 @@ TEST_F(SceneLoaderTest, HandsTheSceneOverOnce) {
     EXPECT_EQ(result.scene->scene.lights.size(), 21u);
     EXPECT_EQ(result.options.scene, "plaza:16");
     EXPECT_EQ(result.error, "");
-    EXPECT_GE(wakes, 1) << "the window has to learn of it";
+    EXPECT_GE(wakes, 1) << "the window has to be notified";
     EXPECT_FALSE(loader.take());
     EXPECT_FALSE(loader.status());
 }
 
-TEST_F(SceneLoaderTest, HandsTheReasonOverWhenItFails) {
+TEST_F(SceneLoaderTest, ReturnsTheErrorWhenItFails) {
     wakes = 0;
     start("absent.gltf");
     const SceneLoader::Result result = await();
@@ -62,7 +62,7 @@ TEST_F(SceneLoaderTest, HandsTheReasonOverWhenItFails) {
     EXPECT_GE(wakes, 1);
 }
 
-TEST_F(SceneLoaderTest, TellsHowFarItIs) {
+TEST_F(SceneLoaderTest, ReportsProgress) {
     start("plaza:300000");
     const std::optional<LoadStatus> status = loader.status();
     ASSERT_TRUE(status);
@@ -71,7 +71,7 @@ TEST_F(SceneLoaderTest, TellsHowFarItIs) {
     EXPECT_LE(status->share, 1.0);
 }
 
-TEST_F(SceneLoaderTest, ACancelledSceneDoesNotCome) {
+TEST_F(SceneLoaderTest, ACancelledSceneIsNotReturned) {
     start("plaza:300000");
     loader.cancel();
     EXPECT_FALSE(loader.status());
@@ -80,15 +80,15 @@ TEST_F(SceneLoaderTest, ACancelledSceneDoesNotCome) {
     EXPECT_EQ(result.error, "");
 }
 
-TEST_F(SceneLoaderTest, NorDoesOneThatWasCancelledAtTheLastMoment) {
+TEST_F(SceneLoaderTest, ASceneCancelledAfterReadingIsNotReturned) {
     start("plaza:1");
-    // It is read by now; were it not, the test would prove less but not fail.
+    // Usually read by now; if it is not, the test passes without covering this case.
     std::this_thread::sleep_for(500ms);
     loader.cancel();
     EXPECT_FALSE(await().scene);
 }
 
-TEST_F(SceneLoaderTest, AnotherSceneTakesThePlaceOfTheFirst) {
+TEST_F(SceneLoaderTest, ASecondSceneReplacesTheFirst) {
     start("plaza:300000");
     start("plaza:4");
     const SceneLoader::Result result = await();
@@ -97,7 +97,7 @@ TEST_F(SceneLoaderTest, AnotherSceneTakesThePlaceOfTheFirst) {
     EXPECT_FALSE(loader.take());
 }
 
-TEST_F(SceneLoaderTest, EndsWhileItReads) {
+TEST_F(SceneLoaderTest, CanBeDestroyedWhileReading) {
     start("plaza:300000");
 }
 

@@ -1,9 +1,9 @@
-// Scenes come into the window: by the command line and by dropping; and fail to; and go.
+// Scenes are opened by the command line and by dropping files, fail to open, and are closed.
 
 #include "view_session.h"
 
 #include <epoxy/gl.h>
-// After epoxy, which stands for the OpenGL headers that GLFW would include.
+// After epoxy, which replaces the OpenGL headers that GLFW would include.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -16,14 +16,14 @@ namespace {
 
 class SceneSession : public ViewTest {};
 
-TEST_F(SceneSession, ShowsThePictureOfCandelaRender) {
+TEST_F(SceneSession, ShowsTheImageOfCandelaRender) {
     ViewSession session({"plaza:64", "--size", smallSize});
     session.awaitScene();
     EXPECT_EQ(maxDifference(session.picture(), rendered({"plaza:64", "--size", smallSize})), 0);
-    EXPECT_TRUE(session.model().messages.size() == 1) << "the note of the picture that was written";
+    EXPECT_TRUE(session.model().messages.size() == 1) << "the note about the written file";
 }
 
-TEST_F(SceneSession, OpensWhatIsDroppedOnIt) {
+TEST_F(SceneSession, OpensADroppedFile) {
     ViewSession session({"--size", smallSize});
     session.step(3);
     EXPECT_FALSE(session.model().document);
@@ -36,7 +36,7 @@ TEST_F(SceneSession, OpensWhatIsDroppedOnIt) {
     EXPECT_EQ(session.model().recent, std::vector<std::string>{folder / "square.gltf"});
 }
 
-TEST_F(SceneSession, AnotherSceneBeginsWithItsOwnCameraAndLights) {
+TEST_F(SceneSession, AnotherSceneStartsWithItsOwnCameraAndLights) {
     ViewSession session({"plaza:64", "--size", smallSize, "--eye", "1,2,3", "--target", "0,0,0", "--fov",
                          "30", "--scatter-lights", "10", "--time", "0.5"});
     session.awaitScene();
@@ -44,7 +44,7 @@ TEST_F(SceneSession, AnotherSceneBeginsWithItsOwnCameraAndLights) {
     EXPECT_EQ(maxDifference(session.picture(), rendered({"square.gltf", "--size", smallSize})), 0);
 }
 
-TEST_F(SceneSession, LosesNothingWhenAFileFails) {
+TEST_F(SceneSession, KeepsTheSceneWhenAFileFails) {
     folder.write("broken.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"meshes\": 7}");
     folder.write("cut.glb", "glTF\2");
     folder.write("picture.jpg", "no plugin reads this");
@@ -64,7 +64,7 @@ TEST_F(SceneSession, LosesNothingWhenAFileFails) {
     }
 }
 
-TEST_F(SceneSession, GoesOnWithoutASceneWhenTheFirstFails) {
+TEST_F(SceneSession, ContinuesWithoutASceneWhenTheFirstFails) {
     ViewSession session({"absent.gltf", "--size", smallSize});
     session.awaitScene();
     EXPECT_EQ(session.messages(Message::Kind::error), 1u);
@@ -74,10 +74,10 @@ TEST_F(SceneSession, GoesOnWithoutASceneWhenTheFirstFails) {
 }
 
 TEST_F(SceneSession, AnUnknownCameraIsAMessageAndNoScene) {
-    ViewSession session({"square.gltf", "--size", smallSize, "--camera", "behind"});
+    ViewSession session({"square.gltf", "--size", smallSize, "--camera", "unknown"});
     session.awaitScene();
     ASSERT_EQ(session.messages(Message::Kind::error), 1u);
-    EXPECT_NE(session.model().messages.back().text.find("behind"), std::string::npos);
+    EXPECT_NE(session.model().messages.back().text.find("unknown"), std::string::npos);
     EXPECT_FALSE(session.model().document);
 }
 
@@ -94,7 +94,7 @@ TEST_F(SceneSession, LoadingCanBeCancelled) {
     EXPECT_TRUE(session.stepUntil([&] { return !session.model().loading; }));
     session.step(3);
     EXPECT_EQ(session.model().document.get(), document);
-    EXPECT_EQ(session.messages(Message::Kind::error), 0u) << "who cancels knows";
+    EXPECT_EQ(session.messages(Message::Kind::error), 0u) << "cancelling is no error";
 }
 
 TEST_F(SceneSession, TheLastOfTwoScenesWins) {
@@ -131,7 +131,7 @@ TEST_F(SceneSession, ClosingTheWindowEndsTheSessionAndKeepsItsSettings) {
     EXPECT_EQ(settings["panels"]["probe"], true);
 }
 
-TEST_F(SceneSession, ASettingsFileWithAMistakeIsAMessage) {
+TEST_F(SceneSession, AnInvalidSettingsFileIsAMessage) {
     std::filesystem::create_directories(folder / "config/candela");
     folder.write("config/candela/view.json", "{\"size\": \"large\"}");
     ViewSession session({"square.gltf"});
@@ -142,7 +142,7 @@ TEST_F(SceneSession, ASettingsFileWithAMistakeIsAMessage) {
     EXPECT_TRUE(session.model().document);
 }
 
-TEST_F(SceneSession, APictureThatCanNotBeWrittenIsAMessage) {
+TEST_F(SceneSession, AnImageThatCanNotBeWrittenIsAMessage) {
     ViewSession session({"square.gltf", "--size", smallSize});
     session.awaitScene();
     session.model().requests.savePng = folder / "nowhere/picture.png";
@@ -152,9 +152,9 @@ TEST_F(SceneSession, APictureThatCanNotBeWrittenIsAMessage) {
     EXPECT_GT(session.picture().colors(), 20u);
 }
 
-/// How many names of each kind of object the context has in use.
+/// The number of live objects of each kind in the context.
 std::array<int, 9> objectsInUse() {
-    // Names are given from 1 upwards and used again: far fewer than this are ever in use here.
+    // Names start at 1 and are reused: far fewer than this are ever in use here.
     constexpr GLuint maxName = 20'000;
     std::array<int, 9> counts{};
     for (GLuint name = 1; name <= maxName; ++name) {
@@ -171,10 +171,10 @@ std::array<int, 9> objectsInUse() {
     return counts;
 }
 
-TEST_F(SceneSession, LeavesNoObjectsOfAFormerSceneBehind) {
+TEST_F(SceneSession, DeletesAllObjectsOfAReplacedScene) {
     ViewSession session({"plaza:64", "--size", smallSize});
     session.awaitScene();
-    // One round makes what stays with the window, such as the programs of each kind of picture.
+    // The first round creates what lives as long as the window, such as programs.
     std::array<int, 9> first{};
     for (int round = 0; round < 4; ++round) {
         session.drop("square.gltf");
@@ -186,7 +186,7 @@ TEST_F(SceneSession, LeavesNoObjectsOfAFormerSceneBehind) {
         if (round == 0) first = objectsInUse();
     }
     EXPECT_EQ(objectsInUse(), first);
-    EXPECT_GT(first[0], 10) << "textures are there, so that the count means something";
+    EXPECT_GT(first[0], 10) << "there are textures to count";
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ std::vector<candela::Node> nodesOf(const std::vector<int>& parents) {
     return nodes;
 }
 
-/// The lines, each as its node after as many dots as it is deep.
+/// The rows, each as its node index after one dot per level.
 std::string linesOf(const SceneTree& tree) {
     std::string text;
     for (const SceneTree::Row& row : tree.rows())
@@ -25,15 +25,15 @@ std::string linesOf(const SceneTree& tree) {
     return text;
 }
 
-// 0 holds 1 and 3, 1 holds 2; 4 holds 5.
+// 0 has the children 1 and 3, 1 has 2; 4 has 5.
 const std::vector<candela::Node> twoTrees = nodesOf({-1, 0, 1, 0, -1, 4});
 
-TEST(SceneTree, ShowsTheTopAtFirstWhenThereIsNoRoom) {
+TEST(SceneTree, ShowsOnlyRootsWhenTheyExceedTheLimit) {
     EXPECT_EQ(linesOf(SceneTree(twoTrees, 2)), "0 4 ");
     EXPECT_EQ(linesOf(SceneTree({}, 2)), "");
 }
 
-TEST(SceneTree, OpensAsMuchAsThereIsRoomFor) {
+TEST(SceneTree, OpensBranchesUpToTheLimit) {
     EXPECT_EQ(linesOf(SceneTree(twoTrees, 5)), "0 .1 .3 4 .5 ");
     EXPECT_EQ(linesOf(SceneTree(twoTrees, 100)), "0 .1 ..2 .3 4 .5 ");
 }
@@ -48,21 +48,21 @@ TEST(SceneTree, OpensAndClosesBranches) {
     EXPECT_EQ(linesOf(tree), "0 4 ");
 }
 
-TEST(SceneTree, RevealsANodeAndTellsItsLine) {
+TEST(SceneTree, RevealsANodeAndReturnsItsRow) {
     SceneTree tree(twoTrees, 2);
     EXPECT_EQ(tree.reveal(2), 2u);
     EXPECT_EQ(linesOf(tree), "0 .1 ..2 .3 4 ");
     EXPECT_EQ(tree.reveal(4), 4u);
 }
 
-TEST(SceneTree, KnowsWhatHangsOnANode) {
+TEST(SceneTree, ListsTheSubtreeOfANode) {
     const SceneTree tree(twoTrees, 2);
     EXPECT_EQ(tree.subtree(0), (std::vector<std::uint32_t>{0, 1, 3, 2}));
     EXPECT_TRUE(tree.hasChildren(4));
     EXPECT_FALSE(tree.hasChildren(5));
 }
 
-TEST(SceneTree, BearsAChainOfManyNodes) {
+TEST(SceneTree, SupportsALongChainOfNodes) {
     constexpr int count = 100'000;
     std::vector<int> parents(count);
     for (int i = 0; i < count; ++i) parents[static_cast<std::size_t>(i)] = i - 1;
@@ -72,7 +72,7 @@ TEST(SceneTree, BearsAChainOfManyNodes) {
     EXPECT_EQ(tree.rows().back().depth, static_cast<std::uint32_t>(count - 1));
 }
 
-TEST(SceneFacts, NameWhatANodeCarries) {
+TEST(SceneFacts, NameTheObjectsOfANode) {
     candela::Scene scene;
     scene.nodes.resize(3);
     scene.nodes[0].mesh = 0;

@@ -1,4 +1,4 @@
-// view.json: written and read back, with mistakes in it, and forgotten.
+// view.json: written and read back, invalid files, and removal.
 
 #include "settings.h"
 #include "scoped_environment.h"
@@ -62,7 +62,7 @@ class SettingsTest : public testing::Test {
     TemporaryFolder folder;
 };
 
-TEST_F(SettingsTest, ComeBack) {
+TEST_F(SettingsTest, RoundTrip) {
     writeSettings(folder.path(), changedModel());
     const ViewModel read = this->read(), written = changedModel();
     EXPECT_TRUE(read.messages.empty());
@@ -83,7 +83,7 @@ TEST_F(SettingsTest, ComeBack) {
     EXPECT_EQ(read.recent, written.recent);
 }
 
-TEST_F(SettingsTest, GiveWayToTheCommandLine) {
+TEST_F(SettingsTest, AreOverriddenByTheCommandLine) {
     writeSettings(folder.path(), changedModel());
     ViewOptions given;
     given.sizeGiven = given.displayGiven = given.drawingGiven = given.subdivisionGiven = true;
@@ -104,7 +104,7 @@ TEST_F(SettingsTest, AreDefaultsWithoutAFile) {
     EXPECT_TRUE(model.messages.empty());
 }
 
-TEST_F(SettingsTest, WithMistakesAreNotUsed) {
+TEST_F(SettingsTest, WithErrorsAreNotUsed) {
     writeSettings(folder.path(), changedModel());
     const Json good = stored();
     expectRefused("");
@@ -126,14 +126,14 @@ TEST_F(SettingsTest, WithMistakesAreNotUsed) {
     expectRefused(unknown.dump());
 }
 
-TEST_F(SettingsTest, AreHeldWithinWhatTheOptionsTake) {
+TEST_F(SettingsTest, AreClampedToTheRangesOfTheOptions) {
     writeSettings(folder.path(), changedModel());
-    Json wild = stored();
-    wild["size"] = {-5, 1000000};
-    wild["exposure"] = 1.0e9;
-    wild["subdivision_edge"] = -1.0;
-    wild["subdivision_max_level"] = 99;
-    store(wild.dump());
+    Json extreme = stored();
+    extreme["size"] = {-5, 1000000};
+    extreme["exposure"] = 1.0e9;
+    extreme["subdivision_edge"] = -1.0;
+    extreme["subdivision_max_level"] = 99;
+    store(extreme.dump());
     const ViewModel model = read();
     EXPECT_TRUE(model.messages.empty());
     EXPECT_EQ(model.options.width, 1);
@@ -143,19 +143,19 @@ TEST_F(SettingsTest, AreHeldWithinWhatTheOptionsTake) {
     EXPECT_EQ(model.options.subdivision.maxLevel, candela::maxSubdivisionLevel);
 }
 
-TEST_F(SettingsTest, BearNamesThatAreNotUtf8) {
+TEST_F(SettingsTest, SupportNamesThatAreNotUtf8) {
     ViewModel model = changedModel();
     model.recent = {"latin-1 \xfc.gltf"};
     writeSettings(folder.path(), model);
     EXPECT_EQ(read().recent.size(), 1u);
 }
 
-TEST_F(SettingsTest, MakeTheirFolder) {
+TEST_F(SettingsTest, CreateTheirFolder) {
     writeSettings(folder.path() / "new" / "candela", changedModel());
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "new" / "candela" / "view.json"));
 }
 
-TEST_F(SettingsTest, ThatCanNotBeWrittenSayWhere) {
+TEST_F(SettingsTest, ThatCanNotBeWrittenAreAnErrorWithThePath) {
     folder.write("file", "no folder");
     try {
         writeSettings(folder.path() / "file", changedModel());
@@ -165,7 +165,7 @@ TEST_F(SettingsTest, ThatCanNotBeWrittenSayWhere) {
     }
 }
 
-TEST_F(SettingsTest, AreForgotten) {
+TEST_F(SettingsTest, AreRemoved) {
     writeSettings(folder.path(), changedModel());
     folder.write("view-layout.ini", "[Window]");
     folder.write("another", "stays");
@@ -175,7 +175,7 @@ TEST_F(SettingsTest, AreForgotten) {
     forgetSettings({});
 }
 
-TEST_F(SettingsTest, LieInTheUsersConfigFolder) {
+TEST_F(SettingsTest, AreInTheConfigFolderOfTheUser) {
     const ScopedEnvironment home("HOME", "/someone");
     {
         const ScopedEnvironment config("XDG_CONFIG_HOME", "/config");

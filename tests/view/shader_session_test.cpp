@@ -1,4 +1,4 @@
-// Shaders are read again when a file of CANDELA_SHADER_DIR changes.
+// Shaders are reloaded when a file of CANDELA_SHADER_DIR changes.
 
 #include "view_session.h"
 
@@ -9,7 +9,7 @@
 
 namespace {
 
-/// A copy of the shaders that the viewer takes them from.
+/// Copies the shaders into a folder from which the viewer loads them.
 class ShaderSession : public ViewTest {
   protected:
     ShaderSession() : variable_("CANDELA_SHADER_DIR", folder / "shaders") {
@@ -39,7 +39,7 @@ bool isRed(const PngPicture& picture) {
 constexpr const char* red = "    code = vec4(1.0, 0.0, 0.0, 1.0);\n";
 constexpr const char* wrong = "    this is no GLSL;\n";
 
-TEST_F(ShaderSession, AChangeShowsAnErrorKeepsTheLastGoodOneAndMendingHeals) {
+TEST_F(ShaderSession, ABrokenShaderIsAnErrorUntilItIsFixedAndTheLastGoodProgramStays) {
     ViewSession session({"square.gltf", "--size", smallSize});
     session.awaitScene();
     const PngPicture first = session.picture();
@@ -53,7 +53,7 @@ TEST_F(ShaderSession, AChangeShowsAnErrorKeepsTheLastGoodOneAndMendingHeals) {
     ASSERT_TRUE(session.stepUntil([&] { return !session.model().shaderError.empty(); }));
     EXPECT_NE(session.model().shaderError.find("display.frag"), std::string::npos)
         << session.model().shaderError;
-    EXPECT_TRUE(isRed(session.picture())) << "the last good program goes on";
+    EXPECT_TRUE(isRed(session.picture())) << "the last good program is kept";
     session.resize(200, 160);
     EXPECT_TRUE(isRed(session.picture()));
     session.resize(320, 240);
@@ -65,7 +65,7 @@ TEST_F(ShaderSession, AChangeShowsAnErrorKeepsTheLastGoodOneAndMendingHeals) {
     EXPECT_EQ(maxDifference(session.picture(), first), 0);
 }
 
-TEST_F(ShaderSession, FilesInFoldersAndFilesThatGoCountToo) {
+TEST_F(ShaderSession, IncludedAndRemovedFilesAreWatched) {
     ViewSession session({"square.gltf", "--size", smallSize});
     session.awaitScene();
     const PngPicture first = session.picture();
@@ -84,7 +84,7 @@ TEST_F(ShaderSession, FilesInFoldersAndFilesThatGoCountToo) {
     ASSERT_TRUE(session.stepUntil([&] { return session.model().shaderError.empty(); }));
 }
 
-TEST_F(ShaderSession, AProgramThatIsNeededLaterFailsWithAMessage) {
+TEST_F(ShaderSession, AProgramThatIsCompiledLaterFailsWithAMessage) {
     ViewSession session({"square.gltf", "--size", smallSize});
     session.awaitScene();
     const PngPicture first = session.picture();
@@ -99,7 +99,7 @@ TEST_F(ShaderSession, AProgramThatIsNeededLaterFailsWithAMessage) {
     EXPECT_EQ(maxDifference(session.picture(), first), 0);
 }
 
-TEST_F(ShaderSession, CagesAndWhatWasEditedOutliveIt) {
+TEST_F(ShaderSession, CagesAndEditsSurviveAReload) {
     ViewSession session({"sculpture:64", "--size", smallSize});
     session.awaitScene();
     session.document().scatterLights({.count = 40, .range = 9.0f, .candela = 20.0f, .seed = 2});
@@ -112,7 +112,7 @@ TEST_F(ShaderSession, CagesAndWhatWasEditedOutliveIt) {
     EXPECT_EQ(maxDifference(session.picture(), first), 0);
 }
 
-TEST_F(ShaderSession, WithoutASceneTheyAreReadToo) {
+TEST_F(ShaderSession, AreReloadedWithoutAScene) {
     ViewSession session({"--size", smallSize});
     const std::string good = text("display.frag");
     session.step(2);
@@ -121,7 +121,7 @@ TEST_F(ShaderSession, WithoutASceneTheyAreReadToo) {
     EXPECT_TRUE(session.stepUntil([&] { return isRed(session.picture()); }));
 }
 
-TEST_F(ShaderSession, AFolderThatIsNotThereIsAnError) {
+TEST_F(ShaderSession, AMissingFolderIsAnError) {
     const ScopedEnvironment variable("CANDELA_SHADER_DIR", folder / "nowhere");
     try {
         ViewSession session({"--size", smallSize});

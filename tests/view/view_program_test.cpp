@@ -1,4 +1,4 @@
-// The program candela-view as a user or a script meets it.
+// Tests of the program candela-view, interactive and scripted.
 
 #include "command.h"
 #include "own_display.h"
@@ -27,7 +27,7 @@ using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 using Clock = std::chrono::steady_clock;
 
-/// Runs of the program in a folder of their own, whose settings lie there too.
+/// Runs the program in a temporary folder, which holds its settings too.
 class ViewProgram : public testing::Test {
   protected:
     ViewProgram() { folder.write("square.gltf", sampleScene()); }
@@ -41,7 +41,7 @@ class ViewProgram : public testing::Test {
     CommandResult run(const Words& arguments) const { return runCommand(arguments, here()); }
     void render(Words arguments, const std::string& output) const {
         arguments.insert(arguments.end(), {"-o", output, "--quiet"});
-        expectDone(runCommand(arguments, {.folder = folder.path(), .program = CANDELA_RENDER}));
+        expectSuccess(runCommand(arguments, {.folder = folder.path(), .program = CANDELA_RENDER}));
     }
 
     /// Runs a session that is not scripted, until `ready`, and ends it by a signal.
@@ -51,7 +51,7 @@ class ViewProgram : public testing::Test {
         setting.whileRunning = [&](int child) {
             const auto end = Clock::now() + 60s;
             while (!ready(child) && Clock::now() < end) std::this_thread::sleep_for(20ms);
-            EXPECT_LT(Clock::now(), end) << "the session does not get there";
+            EXPECT_LT(Clock::now(), end) << "the session does not become ready";
             kill(child, signal);
         };
         return runCommand(arguments, setting);
@@ -72,9 +72,8 @@ double processorTime(int process) {
     return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-/// A session that has used no more than a fiftieth of a processor for a second has drawn its scene and
-/// sleeps.
-bool sleeps(int process) {
+/// Whether a session has drawn its scene and is idle: it uses no more than 2 % of a CPU for a second.
+bool isIdle(int process) {
     const double before = processorTime(process);
     std::this_thread::sleep_for(1s);
     return before > 0.05 && processorTime(process) - before <= 0.02;
@@ -87,7 +86,7 @@ std::string bytesOf(const std::string& file) {
 
 TEST_F(ViewProgram, HelpNamesItsOptions) {
     const CommandResult result = run({"--help"});
-    expectDone(result);
+    expectSuccess(result);
     EXPECT_EQ(result.err, "");
     for (const char* word : {"--screenshot", "--window-screenshot", "--frames", "--reset", "--scatter-lights",
                              "--eye", "--camera", "--ocio", "--display", "--technique", "--brdf", "SCENE"})
@@ -95,7 +94,7 @@ TEST_F(ViewProgram, HelpNamesItsOptions) {
     EXPECT_NE(run({"--version"}).out.find(CANDELA_VERSION), std::string::npos);
 }
 
-TEST_F(ViewProgram, WrongUsageIsToldInOneLine) {
+TEST_F(ViewProgram, WrongUsageIsAnErrorInOneLine) {
     expectUsageError(run({"--nonsense"}), "--nonsense");
     expectUsageError(run({"plaza:1", "--frames", "0"}), "--frames");
     expectUsageError(run({"plaza:1", "--screenshot", "a.jpg"}), ".png or .exr");
@@ -142,7 +141,7 @@ TEST_F(ViewProgram, ScreenshotsAreTheFilesOfCandelaRender) {
         render(arguments, "expected.png");
         arguments.insert(arguments.end(), {"--screenshot", "shown.png"});
         const CommandResult result = run(arguments);
-        expectDone(result);
+        expectSuccess(result);
         EXPECT_EQ(result.err, "");
         EXPECT_TRUE(bytesOf(folder / "shown.png") == bytesOf(folder / "expected.png"))
             << testing::PrintToString(arguments);
@@ -152,24 +151,24 @@ TEST_F(ViewProgram, ScreenshotsAreTheFilesOfCandelaRender) {
 
 TEST_F(ViewProgram, AnExrHoldsEveryChannelOfCandelaRender) {
     render({"square.gltf", "--size", "64x48", "--aov", "all"}, "expected.exr");
-    expectDone(run({"square.gltf", "--size", "64x48", "--screenshot", "shown.EXR"}));
+    expectSuccess(run({"square.gltf", "--size", "64x48", "--screenshot", "shown.EXR"}));
     const ExrPicture shown = readExr(folder / "shown.EXR"), expected = readExr(folder / "expected.exr");
     EXPECT_EQ(shown.channels, expected.channels);
     EXPECT_GT(shown.channels.size(), 15u);
 }
 
-TEST_F(ViewProgram, DrawsSizesThatTheScreenDoesNotHave) {
+TEST_F(ViewProgram, DrawsSizesBeyondTheScreen) {
     render({"square.gltf", "--size", "1001x703"}, "expected.png");
-    expectDone(run({"square.gltf", "--size", "1001x703", "--frames", "3", "--screenshot", "shown.png"}));
+    expectSuccess(run({"square.gltf", "--size", "1001x703", "--frames", "3", "--screenshot", "shown.png"}));
     EXPECT_TRUE(bytesOf(folder / "shown.png") == bytesOf(folder / "expected.png"));
 }
 
-TEST_F(ViewProgram, AScriptThatFailsSaysWhyAndWritesNothing) {
+TEST_F(ViewProgram, AFailedScriptReportsTheErrorAndWritesNothing) {
     folder.write("broken.gltf", "{");
     expectFault(run({"absent.gltf", "--screenshot", "a.png"}), "absent.gltf", "");
     expectFault(run({"broken.gltf", "--screenshot", "a.png"}), "broken.gltf", "");
     expectFault(run({"absent.gltf", "--frames", "2"}), "absent.gltf", "");
-    expectFault(run({"square.gltf", "--camera", "behind", "--frames", "2"}), "square.gltf", "behind");
+    expectFault(run({"square.gltf", "--camera", "unknown", "--frames", "2"}), "square.gltf", "unknown");
     expectFault(run({"square.gltf", "--screenshot", "nowhere/a.png"}), "nowhere/a.png", "does not exist");
     expectFault(run({"square.gltf", "--window-screenshot", "nowhere/a.png"}), "nowhere/a.png",
                 "does not exist");
@@ -177,8 +176,8 @@ TEST_F(ViewProgram, AScriptThatFailsSaysWhyAndWritesNothing) {
     EXPECT_EQ(folder.names(), (Words{"broken.gltf", "square.gltf"})) << "and no settings";
 }
 
-TEST_F(ViewProgram, AWindowScreenshotShowsPictureAndPanels) {
-    expectDone(
+TEST_F(ViewProgram, AWindowScreenshotShowsImageAndPanels) {
+    expectSuccess(
         run({"plaza:64", "--size", "640x400", "--window-screenshot", "window.png", "--screenshot", "p.png"}));
     const PngPicture window = readPng(folder / "window.png"), picture = readPng(folder / "p.png");
     ASSERT_EQ(window.width, 640);
@@ -195,22 +194,22 @@ TEST_F(ViewProgram, AWindowScreenshotShowsPictureAndPanels) {
     for (int y = 30; y < 110; ++y) EXPECT_FALSE(same(5, y)) << y;
 }
 
-TEST_F(ViewProgram, AWindowWithoutASceneHasAPictureToo) {
-    expectDone(run({"--size", "320x200", "--window-screenshot", "window.png"}));
+TEST_F(ViewProgram, AWindowWithoutASceneHasAScreenshotToo) {
+    expectSuccess(run({"--size", "320x200", "--window-screenshot", "window.png"}));
     EXPECT_EQ(readPng(folder / "window.png").width, 320);
-    expectDone(run({"--size", "320x200", "--frames", "2"}));
+    expectSuccess(run({"--size", "320x200", "--frames", "2"}));
 }
 
 TEST_F(ViewProgram, AnIdleWindowUsesNoProcessor) {
     double used = 1.0;
     const CommandResult result = session({"plaza:64", "--size", "320x240"}, [&](int child) {
-        if (!sleeps(child)) return false;
+        if (!isIdle(child)) return false;
         const double before = processorTime(child);
         std::this_thread::sleep_for(2s);
         used = processorTime(child) - before;
         return true;
     });
-    expectDone(result);
+    expectSuccess(result);
     // A clock tick is 0.01 s. One frame of the panels alone takes that long here: 0.02 s in 2 s leave room
     // for none or one.
     EXPECT_LE(used, 0.02);
@@ -218,7 +217,7 @@ TEST_F(ViewProgram, AnIdleWindowUsesNoProcessor) {
 
 TEST_F(ViewProgram, SettingsSurviveTheSession) {
     EXPECT_EQ(
-        session({"square.gltf", "--size", "333x222", "--exposure", "1.5", "--brdf", "gltf"}, sleeps).exitCode,
+        session({"square.gltf", "--size", "333x222", "--exposure", "1.5", "--brdf", "gltf"}, isIdle).exitCode,
         0);
     const Json first = Json::parse(bytesOf(folder / "config/candela/view.json"));
     EXPECT_EQ(first["size"], (Json{333, 222}));
@@ -227,48 +226,48 @@ TEST_F(ViewProgram, SettingsSurviveTheSession) {
     EXPECT_EQ(first["recent"], (Json{folder / "square.gltf"}));
     EXPECT_TRUE(std::filesystem::exists(folder / "config/candela/view-layout.ini"));
 
-    // What is not given comes from there; a script takes nothing of it and leaves it alone.
-    EXPECT_EQ(session({"plaza:16", "--exposure", "-1"}, sleeps, SIGINT).exitCode, 0);
+    // Values that are not given are read from the settings; a script neither reads nor writes them.
+    EXPECT_EQ(session({"plaza:16", "--exposure", "-1"}, isIdle, SIGINT).exitCode, 0);
     const std::string second = bytesOf(folder / "config/candela/view.json");
     EXPECT_EQ(Json::parse(second)["size"], (Json{333, 222}));
     EXPECT_EQ(Json::parse(second)["exposure"], -1.0);
     EXPECT_EQ(Json::parse(second)["brdf"], "gltf");
     EXPECT_EQ(Json::parse(second)["recent"], (Json{"plaza:16", folder / "square.gltf"}));
     render({"square.gltf", "--size", "64x64"}, "expected.png");
-    expectDone(run({"square.gltf", "--size", "64x64", "--screenshot", "shown.png"}));
+    expectSuccess(run({"square.gltf", "--size", "64x64", "--screenshot", "shown.png"}));
     EXPECT_TRUE(bytesOf(folder / "shown.png") == bytesOf(folder / "expected.png"));
     EXPECT_EQ(bytesOf(folder / "config/candela/view.json"), second);
 
-    EXPECT_EQ(session({"--reset"}, sleeps, SIGHUP).exitCode, 0);
+    EXPECT_EQ(session({"--reset"}, isIdle, SIGHUP).exitCode, 0);
     const Json third = Json::parse(bytesOf(folder / "config/candela/view.json"));
     EXPECT_EQ(third["size"], (Json{1280, 720}));
     EXPECT_EQ(third["brdf"], "course");
     EXPECT_TRUE(third["recent"].empty());
 }
 
-TEST_F(ViewProgram, BrokenSettingsStopNobody) {
+TEST_F(ViewProgram, InvalidSettingsDoNotStopTheProgram) {
     std::filesystem::create_directories(folder / "config/candela");
     folder.write("config/candela/view.json", "{\"size\": \"large\"}");
-    EXPECT_EQ(session({"square.gltf", "--size", "320x240"}, sleeps).exitCode, 0);
+    EXPECT_EQ(session({"square.gltf", "--size", "320x240"}, isIdle).exitCode, 0);
     EXPECT_EQ(Json::parse(bytesOf(folder / "config/candela/view.json"))["size"], (Json{320, 240}));
 }
 
-TEST_F(ViewProgram, ColoursOfTheLastSessionThatAreGoneStopNobody) {
+TEST_F(ViewProgram, AMissingConfigOfTheLastSessionDoesNotStopTheProgram) {
     folder.write("gone.ocio",
                  "ocio_profile_version: 2\n"
                  "roles:\n  default: raw\n  scene_linear: raw\n"
                  "displays:\n  Monitor:\n    - !<View> {name: Plain, colorspace: raw}\n"
                  "colorspaces:\n  - !<ColorSpace> {name: raw, isdata: true}\n");
-    EXPECT_EQ(session({"square.gltf", "--size", "320x240", "--ocio", "gone.ocio"}, sleeps).exitCode, 0);
+    EXPECT_EQ(session({"square.gltf", "--size", "320x240", "--ocio", "gone.ocio"}, isIdle).exitCode, 0);
     EXPECT_EQ(Json::parse(bytesOf(folder / "config/candela/view.json"))["ocio"], "gone.ocio");
     std::filesystem::remove(folder / "gone.ocio");
-    EXPECT_EQ(session({"square.gltf"}, sleeps).exitCode, 0);
+    EXPECT_EQ(session({"square.gltf"}, isIdle).exitCode, 0);
     EXPECT_EQ(Json::parse(bytesOf(folder / "config/candela/view.json"))["ocio"], "");
 }
 
 TEST_F(ViewProgram, SettingsThatCanNotBeWrittenAreANote) {
     folder.write("config", "no folder");
-    const CommandResult result = session({"square.gltf", "--size", "320x240"}, sleeps);
+    const CommandResult result = session({"square.gltf", "--size", "320x240"}, isIdle);
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_TRUE(result.err.starts_with("note: ")) << result.err;
     EXPECT_NE(result.err.find("config"), std::string::npos) << result.err;
@@ -282,7 +281,7 @@ TEST_F(ViewProgram, EndsCleanlyWhileASceneIsRead) {
 }
 
 TEST_F(ViewProgram, ASceneThatFailsLeavesTheWindowOpen) {
-    EXPECT_EQ(session({"absent.gltf", "--size", "320x240"}, sleeps).exitCode, 0);
+    EXPECT_EQ(session({"absent.gltf", "--size", "320x240"}, isIdle).exitCode, 0);
 }
 
 }  // namespace

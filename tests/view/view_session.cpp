@@ -5,7 +5,7 @@
 #include "sample_scene.h"
 
 #include <epoxy/gl.h>
-// After epoxy, which stands for the OpenGL headers that GLFW would include.
+// After epoxy, which replaces the OpenGL headers that GLFW would include.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -25,7 +25,7 @@ ViewOptions parsed(const std::vector<std::string>& arguments) {
     return parseViewOptions(static_cast<int>(words.size()), words.data()).value();
 }
 
-/// A shader that does not compile is no error of the window: its text is at fault.
+/// Ignores messages of the shader compiler: a test may write an invalid shader.
 void GLAPIENTRY report(GLenum source, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message,
                        const void* count) {
     if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
@@ -41,8 +41,8 @@ ViewSession::ViewSession(const std::vector<std::string>& arguments)
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(report, &glErrors_);
-    // The pointer of the last test is not this one's.
-    useHand("mousemove 639 479");
+    // Moves the pointer away from where the last test left it.
+    sendInput("mousemove 639 479");
     settle();
 }
 
@@ -76,7 +76,7 @@ void ViewSession::awaitScene() {
 }
 
 void ViewSession::settle() {
-    // The X server hands events over within a few milliseconds; panels see them a frame later.
+    // The X server delivers events within a few milliseconds; panels process them a frame later.
     for (int i = 0; i < 4; ++i) {
         std::this_thread::sleep_for(5ms);
         step();
@@ -84,7 +84,7 @@ void ViewSession::settle() {
 }
 
 void ViewSession::drop(const std::string& file) {
-    // GLFW tells its callback; this is who it would tell.
+    // Calls the drop callback as GLFW would.
     const GLFWdropfun dropped = glfwSetDropCallback(window_, nullptr);
     glfwSetDropCallback(window_, dropped);
     const char* files[] = {file.c_str()};
@@ -102,25 +102,25 @@ void ViewSession::resize(int width, int height) {
 void ViewSession::pointTo(int x, int y) {
     int left = 0, top = 0;
     glfwGetWindowPos(window_, &left, &top);
-    useHand("mousemove " + std::to_string(left + x) + " " + std::to_string(top + y));
+    sendInput("mousemove " + std::to_string(left + x) + " " + std::to_string(top + y));
     settle();
 }
 
 void ViewSession::drag(int button, int fromX, int fromY, int toX, int toY) {
     pointTo(fromX, fromY);
-    useHand("mousedown " + std::to_string(button));
+    sendInput("mousedown " + std::to_string(button));
     settle();
     pointTo((fromX + toX) / 2, (fromY + toY) / 2);
     pointTo(toX, toY);
-    useHand("mouseup " + std::to_string(button));
+    sendInput("mouseup " + std::to_string(button));
     settle();
 }
 
 void ViewSession::click(int x, int y) {
     pointTo(x, y);
-    useHand("mousedown 1");
+    sendInput("mousedown 1");
     settle();
-    useHand("mouseup 1");
+    sendInput("mouseup 1");
     settle();
 }
 
@@ -159,15 +159,15 @@ void ViewTest::SetUp() {
 
 PngPicture ViewTest::rendered(std::vector<std::string> arguments) const {
     arguments.insert(arguments.end(), {"-o", "rendered.png", "--quiet"});
-    expectDone(runCommand(arguments, {.folder = folder.path()}));
+    expectSuccess(runCommand(arguments, {.folder = folder.path()}));
     return readPng(folder / "rendered.png");
 }
 
 PngPicture ViewTest::renderedBy(const std::string& command) const {
     const std::string programs = std::filesystem::path(CANDELA_COMMAND).parent_path().string();
-    expectDone(runCommand({"-c", command}, {.folder = folder.path(),
-                                            .environment = {"PATH=" + programs + ":/usr/bin:/bin"},
-                                            .program = "/bin/sh"}));
+    expectSuccess(runCommand({"-c", command}, {.folder = folder.path(),
+                                               .environment = {"PATH=" + programs + ":/usr/bin:/bin"},
+                                               .program = "/bin/sh"}));
     return readPng(folder / "candela.png");
 }
 

@@ -14,8 +14,8 @@
 
 struct GLFWwindow;
 
-/// candela-view in this process, its loop turned by the test. A step fails the test when it leaves a GL error
-/// or the driver reports one.
+/// candela-view in this process, with its loop run by the test. A step fails the test when it causes a GL
+/// error.
 class ViewSession {
   public:
     /// `arguments` are those of the command line.
@@ -31,22 +31,22 @@ class ViewSession {
     void step(int times = 1);
     /// Iterates until `reached` holds; false when that takes a minute.
     bool stepUntil(const std::function<bool()>& reached);
-    /// Iterates until nothing is being read; the scene, or a message, is there then.
+    /// Iterates until loading has ended, with the scene or a message.
     void awaitScene();
-    /// Lets what the hand did arrive and take effect.
+    /// Waits until sent input has taken effect.
     void settle();
 
     void drop(const std::string& file);
     void resize(int width, int height);
     /// Moves the pointer to a pixel of the window.
     void pointTo(int x, int y);
-    /// Presses the button, moves the pointer through the places, and lets go.
+    /// Presses the button, moves the pointer, and releases it.
     void drag(int button, int fromX, int fromY, int toX, int toY);
     void click(int x, int y);
 
     /// The picture as "Save PNG" writes it.
     PngPicture picture();
-    /// What "Copy candela-render command" leaves in the clipboard.
+    /// The clipboard after "Copy candela-render command".
     std::string copiedCommand();
 
     std::size_t messages(Message::Kind kind);
@@ -66,9 +66,9 @@ class ViewTest : public testing::Test {
     ~ViewTest() override;
     void SetUp() override;
 
-    /// What candela-render makes of these arguments, given without -o.
+    /// The image that candela-render draws with these arguments, given without -o.
     PngPicture rendered(std::vector<std::string> arguments) const;
-    /// What the shell makes of a copied command.
+    /// The image that a copied command draws.
     PngPicture renderedBy(const std::string& command) const;
 
     TemporaryFolder folder;
@@ -78,7 +78,7 @@ class ViewTest : public testing::Test {
     ScopedEnvironment config_;
 };
 
-/// Small enough to be drawn fast, with a place for the panels at every side.
+/// Small enough to be drawn fast, large enough for the panels.
 constexpr const char* smallSize = "320x240";
 
 /// The largest difference of two pictures in code values; 256 when their sizes differ.

@@ -1,4 +1,4 @@
-#include "camera_options.h"
+#include "interaction.h"
 #include "panels/panel_values.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
@@ -39,7 +39,7 @@ void chooseCamera(ViewModel& model) {
     if (ImGui::BeginCombo("from", standpoint(model).c_str())) {
         for (std::uint32_t i = 0; i < scene.cameras.size(); ++i)
             if (listRow(i, Row::plain, nameOfCamera(scene, i)))
-                tryTo(model, [&] { chooseSceneCamera(model, i); });
+                tryTo(model, [&] { selectSceneCamera(model, i); });
         ImGui::EndCombo();
     }
     ImGui::EndDisabled();
@@ -54,7 +54,7 @@ void editPlace(ViewModel& model) {
     tryTo(model, [&] {
         candela::lookAt(eye, target, model.camera.verticalFov());  // refuses an eye in its target
         model.camera.lookAt(eye, target);
-        giveCamera(model);
+        storeCamera(model);
     });
 }
 

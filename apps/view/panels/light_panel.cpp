@@ -193,7 +193,7 @@ void drawMotion(ViewModel& model) {
     changed =
         dragNumber("radius", motion.radius, {.max = 1.0e6f, .speed = 0.01f, .format = "%.3f m"}) || changed;
     changed = dragNumber("speed", motion.speed,
-                         {.min = -10.0f, .max = 10.0f, .speed = 0.005f, .format = "%.3f turns/s"}) ||
+                         {.min = -10.0f, .max = 10.0f, .speed = 0.005f, .format = "%.3f rev/s"}) ||
               changed;
     if (changed) tryTo(model, [&] { model.document->setLightMotion(motion); });
     // The motion follows the scene time.

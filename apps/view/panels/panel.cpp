@@ -47,7 +47,7 @@ void addError(ViewModel& model, const char* text) {
 std::uint64_t sceneNumber(const ViewModel& model) {
     static const Document* last = nullptr;
     static std::uint64_t number = 0;
-    // The next document is made while the last one lives, so that their addresses differ.
+    // The next document is created while the last one lives, so that their addresses differ.
     if (model.document.get() != last || number == 0) {
         last = model.document.get();
         ++number;

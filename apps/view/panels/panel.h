@@ -12,7 +12,7 @@
 /// The ImGui window of one panel, open for the lifetime of the object. Its initial place is that of layout.h.
 class PanelWindow {
   public:
-    /// `open` turns false when the user closes the window.
+    /// `open` becomes false when the user closes the window.
     PanelWindow(Panel panel, const char* title, bool& open);
     PanelWindow(const PanelWindow&) = delete;
     PanelWindow& operator=(const PanelWindow&) = delete;

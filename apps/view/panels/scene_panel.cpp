@@ -20,7 +20,7 @@ struct Kept {
     SceneTree tree;
     std::vector<std::string> kinds;
     std::optional<std::uint32_t> shownPick;  ///< The picked node that the list was scrolled to.
-    bool made = false;
+    bool initialized = false;
 };
 
 class TreeList {
@@ -152,10 +152,10 @@ void drawScenePanel(ViewModel& model) {
     if (!window || !model.document) return;
     const Document& document = *model.document;
     auto& kept = keptOfScene<Kept>(model);
-    if (!kept.made) {
+    if (!kept.initialized) {
         kept.tree = SceneTree(document.scene().nodes, firstRows);
         kept.kinds = kindsOfNodes(document.scene());
-        kept.made = true;
+        kept.initialized = true;
     }
     ImGui::BeginChild("tree", {0.0f, -notesHeight(document.notes())});
     TreeList(model, kept).draw();

@@ -23,9 +23,9 @@ ImU32 drawColor(const glm::vec3& color) {
 glm::vec3 passColor(std::size_t index) {
     // Hues a golden angle apart: neighbours differ, however many there are.
     constexpr float step = 0.618034f;
-    const float turns = 0.58f + step * static_cast<float>(index);
+    const float hue = 0.58f + step * static_cast<float>(index);
     glm::vec3 color;
-    ImGui::ColorConvertHSVtoRGB(turns - static_cast<float>(static_cast<int>(turns)), 0.65f, 0.9f, color.r,
+    ImGui::ColorConvertHSVtoRGB(hue - static_cast<float>(static_cast<int>(hue)), 0.65f, 0.9f, color.r,
                                 color.g, color.b);
     return color;
 }

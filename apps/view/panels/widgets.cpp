@@ -15,12 +15,12 @@ ImGuiSliderFlags flagsOf(const NumberRange& range) {
     return ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
 }
 
-/// Takes what the user made of a number, unless it is none: typing can overflow.
+/// Stores an edited number, clamped to the range. Typed numbers can overflow: those are ignored.
 bool take(float& value, float edited, const NumberRange& range) {
     if (!std::isfinite(edited)) return false;
-    const float held = std::clamp(edited, range.min, range.max);
-    const bool changed = held != value;
-    value = held;
+    const float clamped = std::clamp(edited, range.min, range.max);
+    const bool changed = clamped != value;
+    value = clamped;
     return changed;
 }
 

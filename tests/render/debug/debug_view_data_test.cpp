@@ -25,20 +25,20 @@ constexpr int width = 72, height = 50;
 /// Spheres and a floor of all roughnesses under point lights, an emissive surface, an unlit one, and
 /// background.
 LitScene everything() {
-    LitScene made = plazaLike();
-    Material glowing;
-    glowing.emission = {0.02f, 0.4f, 3.0f};
-    place(made.scene, makeQuad(0.7f), glowing, glm::translate(glm::mat4(1.0f), {-2, 2, 3}));
+    LitScene lit = spheresOnAFloor();
+    Material emissive;
+    emissive.emission = {0.02f, 0.4f, 3.0f};
+    place(lit.scene, makeQuad(0.7f), emissive, glm::translate(glm::mat4(1.0f), {-2, 2, 3}));
     Material unlit;
     unlit.baseColor = {0.2f, 0.5f, 0.7f, 1};
     unlit.unlit = true;
-    place(made.scene, makeQuad(0.6f), unlit, glm::translate(glm::mat4(1.0f), {2, 2.5f, 3}));
-    made.view = lookAt({0, 1.5f, 9}, {0, 1.8f, 0}, 0.8f);
-    return made;
+    place(lit.scene, makeQuad(0.6f), unlit, glm::translate(glm::mat4(1.0f), {2, 2.5f, 3}));
+    lit.view = lookAt({0, 1.5f, 9}, {0, 1.8f, 0}, 0.8f);
+    return lit;
 }
 
-FrameRequest frameOf(const LitScene& made, DebugView debugView = DebugView::none) {
-    FrameRequest inputs{width, height, made.view, BrdfModel::course, Technique::tiles};
+FrameRequest frameOf(const LitScene& lit, DebugView debugView = DebugView::none) {
+    FrameRequest inputs{width, height, lit.view, BrdfModel::course, Technique::tiles};
     inputs.debugView = debugView;
     return inputs;
 }
@@ -60,9 +60,9 @@ glm::vec3 srgb(const glm::vec3& linear) {
 
 class DebugViewDataTest : public DrawingTest {
   protected:
-    void SetUp() override { scene_ = upload(made_.scene, made_.lights); }
+    void SetUp() override { scene_ = upload(lit_.scene, lit_.lights); }
 
-    HdrImage view(DebugView debugView) { return drawn(scene_, frameOf(made_, debugView)); }
+    HdrImage view(DebugView debugView) { return drawn(scene_, frameOf(lit_, debugView)); }
 
     /// Compares the view with `expected` at the pixels with a surface, and with black at the others.
     void expectView(DebugView debugView,
@@ -75,17 +75,17 @@ class DebugViewDataTest : public DrawingTest {
             for (int x = 0; x < width; ++x) {
                 const bool isSurface = reader.scalar("Z", x, y) > 0.0f;
                 surfaces += isSurface;
-                const glm::vec3 wanted = isSurface ? expected(reader, x, y) : glm::vec3(0.0f);
-                const glm::vec3 off = glm::abs(pixelOf(picture, x, y) - wanted);
+                const glm::vec3 expectedColor = isSurface ? expected(reader, x, y) : glm::vec3(0.0f);
+                const glm::vec3 off = glm::abs(pixelOf(picture, x, y) - expectedColor);
                 ASSERT_LE(std::max({off.r, off.g, off.b}), isSurface ? tolerance : 0.0f)
                     << toString(debugView) << " at " << x << ", " << y;
             }
         }
         EXPECT_GT(surfaces, width * height / 2);
-        EXPECT_LT(surfaces, width * height) << "no background to look at";
+        EXPECT_LT(surfaces, width * height) << "there has to be a background";
     }
 
-    LitScene made_ = everything();
+    LitScene lit_ = everything();
     GpuScene scene_ = upload(Scene{});
 };
 
@@ -137,8 +137,8 @@ TEST_F(DebugViewDataTest, emission) {
         [](const AovReader& r, int x, int y) { return srgb(r.vector("emission", x, y)); }, powerRounding);
 }
 
-TEST_F(DebugViewDataTest, emissionOfASceneThatEmitsNothingIsBlackAfterALitPicture) {
-    const LitScene plaza = plazaLike();
+TEST_F(DebugViewDataTest, emissionOfASceneWithoutEmissionIsBlackAfterALitFrame) {
+    const LitScene plaza = spheresOnAFloor();
     GpuScene scene = upload(plaza.scene, plaza.lights);
     drawn(scene, frameOf(plaza));
     const HdrImage picture = drawn(scene, frameOf(plaza, DebugView::emission));
@@ -165,8 +165,8 @@ TEST_F(DebugViewDataTest, lightCountIsAHeatMapUpToTheMaximumOfTheFrame) {
 }
 
 TEST_F(DebugViewDataTest, lightCountWithoutLightsIsBlack) {
-    GpuScene dark = upload(made_.scene);
-    const HdrImage picture = drawn(dark, frameOf(made_, DebugView::lightCount));
+    GpuScene dark = upload(lit_.scene);
+    const HdrImage picture = drawn(dark, frameOf(lit_, DebugView::lightCount));
     EXPECT_EQ(lastFrame().maxLightCount(), 0u);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) ASSERT_EQ(pixelOf(picture, x, y), glm::vec3(0.0f));
@@ -179,13 +179,13 @@ TEST_F(DebugViewDataTest, levelOfMeshesIsGrey) {
 }
 
 TEST_F(DebugViewDataTest, levelOfCagesIsItsColor) {
-    Scene made =
+    Scene description =
         sceneOfCage(makeSharpCubeCage(1.0f), Material{}, glm::translate(glm::mat4(1.0f), {-1.5f, 0, 0}));
-    place(made, makeQuad(1.0f), Material{}, glm::translate(glm::mat4(1.0f), {1.5f, 0, 0}));
-    FrameRequest inputs = frameOf(made_, DebugView::level);
+    place(description, makeQuad(1.0f), Material{}, glm::translate(glm::mat4(1.0f), {1.5f, 0, 0}));
+    FrameRequest inputs = frameOf(lit_, DebugView::level);
     inputs.view = lookAt({0, 0, 6}, {0, 0, 0}, 0.8f);
     const auto expectColors = [&](const GpuSceneOptions& options, std::uint32_t level) {
-        GpuScene scene(context(), made, options);
+        GpuScene scene(context(), description, options);
         const HdrImage picture = drawn(scene, inputs);
         EXPECT_EQ(pixelOf(picture, width / 2 - 13, height / 2), levelColor(level));
         EXPECT_EQ(pixelOf(picture, width / 2 + 13, height / 2), glm::vec3(0.5f));
@@ -198,7 +198,7 @@ TEST_F(DebugViewDataTest, levelOfCagesIsItsColor) {
 TEST_F(DebugViewDataTest, emptyScenesAreBlack) {
     GpuScene empty = upload(Scene{});
     for (const DebugView debugView : debugViews()) {
-        const HdrImage picture = drawn(empty, frameOf(made_, debugView));
+        const HdrImage picture = drawn(empty, frameOf(lit_, debugView));
         for (const float value : picture.rgba) ASSERT_EQ(value, 0.0f) << toString(debugView);
     }
 }
@@ -219,11 +219,11 @@ TEST_F(DebugViewDataTest, displayCopiesTheCodes) {
     }
 }
 
-TEST_F(DebugViewDataTest, baseColorsOfTheDisplayAreTheGBuffersCodes) {
+TEST_F(DebugViewDataTest, displayedBaseColorsAreTheCodesOfTheGBuffer) {
     Material material;
     material.baseColor = {0.25f, 0.5f, 0.75f, 1};
-    LitScene made{"", sceneOf(makeQuad(9.0f), material), {}, lookAt({0, 0, 3}, {0, 0, 0}, 0.5f)};
-    drawn(upload(made.scene), frameOf(made, DebugView::baseColor));
+    LitScene lit{"", sceneOf(makeQuad(9.0f), material), {}, lookAt({0, 0, 3}, {0, 0, 0}, 0.5f)};
+    drawn(upload(lit.scene), frameOf(lit, DebugView::baseColor));
     const std::vector<std::uint8_t> codes = lastFrame().displayPicture(transformOf());
     for (std::size_t c = 0; c < 3; ++c)
         EXPECT_EQ(codes[c], std::lround(255.0f * srgb(material.baseColor[int(c)])));
@@ -241,8 +241,8 @@ TEST_F(DebugViewDataTest, lightingIsNotRun) {
     }
 }
 
-TEST_F(DebugViewDataTest, aovsAndPairsAreThoseOfThePicture) {
-    drawn(scene_, frameOf(made_));
+TEST_F(DebugViewDataTest, aovsAndPairsAreThoseOfTheLitFrame) {
+    drawn(scene_, frameOf(lit_));
     const std::vector<Aov> expected = lastFrame().aovs(Renderer::aovNames());
     const PairCounts pairs = lastFrame().countPairs();
     EXPECT_GT(pairs.pairsEvaluated, 0u);
@@ -257,9 +257,9 @@ TEST_F(DebugViewDataTest, aovsAndPairsAreThoseOfThePicture) {
     }
 }
 
-TEST_F(DebugViewDataTest, pictureIsTheSameAfterADebugView) {
+TEST_F(DebugViewDataTest, litFrameIsTheSameAfterADebugView) {
     for (const Technique technique : techniques) {
-        FrameRequest inputs = frameOf(made_);
+        FrameRequest inputs = frameOf(lit_);
         inputs.technique = technique;
         const std::vector<float> before = drawn(scene_, inputs).rgba;
         for (const DebugView debugView : debugViews()) {
@@ -270,10 +270,10 @@ TEST_F(DebugViewDataTest, pictureIsTheSameAfterADebugView) {
     }
 }
 
-TEST_F(DebugViewDataTest, sizesMayChangeFromViewToView) {
+TEST_F(DebugViewDataTest, sizesMayChangeBetweenViews) {
     for (const auto& [w, h] : {std::pair{7, 5}, {1, 1}, {130, 3}, {7, 5}}) {
         for (const DebugView debugView : debugViews()) {
-            FrameRequest inputs = frameOf(made_, debugView);
+            FrameRequest inputs = frameOf(lit_, debugView);
             inputs.width = w;
             inputs.height = h;
             EXPECT_TRUE(allFinite(drawn(scene_, inputs))) << toString(debugView);
@@ -282,13 +282,13 @@ TEST_F(DebugViewDataTest, sizesMayChangeFromViewToView) {
     }
 }
 
-TEST(ColorScales, heatRunsFromBlackOverBlueGreenAndYellowToRed) {
+TEST(ColorScales, heatIsBlackBlueGreenYellowRed) {
     EXPECT_EQ(heatColor(0.0f), glm::vec3(0, 0, 0));
     EXPECT_EQ(heatColor(0.25f), glm::vec3(0, 0, 1));
     EXPECT_EQ(heatColor(0.5f), glm::vec3(0, 1, 0));
     EXPECT_EQ(heatColor(0.75f), glm::vec3(1, 1, 0));
     EXPECT_EQ(heatColor(1.0f), glm::vec3(1, 0, 0));
-    EXPECT_EQ(heatColor(0.125f), glm::vec3(0, 0, 0.5f)) << "in between it blends";
+    EXPECT_EQ(heatColor(0.125f), glm::vec3(0, 0, 0.5f)) << "interpolated between the stops";
     EXPECT_EQ(heatColor(-1.0f), heatColor(0.0f));
     EXPECT_EQ(heatColor(7.0f), heatColor(1.0f));
     EXPECT_EQ(heatColor(std::numeric_limits<float>::quiet_NaN()), heatColor(0.0f));

@@ -1,4 +1,4 @@
-// From radiance to a picture: dither, exposure and sizes, through the renderer.
+// From radiance to a displayed image: dither, exposure and sizes, through the renderer.
 
 #include "support/drawing_test.h"
 #include "support/procedural_scene.h"
@@ -24,23 +24,23 @@ FrameRequest frame(int w = width, int h = height) {
     return {w, h, lookAt({0, 0, 3}, {0, 0, 0}, 0.5f), BrdfModel::course, Technique::fullscreen};
 }
 
-/// A surface that fills the picture with one radiance.
-Scene glowing(const glm::vec3& radiance) {
+/// A surface that fills the image with one radiance.
+Scene emitting(const glm::vec3& radiance) {
     Material material;
     material.emission = radiance;
     material.baseColor = {0, 0, 0, 1};
     return sceneOf(makeQuad(9.0f), material);
 }
 
-class ShowTest : public DrawingTest {
+class DisplayedFrameTest : public DrawingTest {
   protected:
     static std::vector<std::uint8_t> displayed(const glm::vec3& radiance, double exposure = 0.0) {
-        render(upload(glowing(radiance)), frame());
+        render(upload(emissive(radiance)), frame());
         return lastFrame().displayPicture(transformOf(exposure));
     }
 };
 
-TEST_F(ShowTest, everyPixelIsOneOfTheTwoCodesAroundItsValue) {
+TEST_F(DisplayedFrameTest, everyPixelIsANeighbouringCodeOfItsValue) {
     for (const float radiance : {0.001f, 0.0173f, 0.2f, 0.7f, 0.99f}) {
         std::vector<float> value{radiance, 0.5f * radiance, 0.1f * radiance, 1.0f};
         transformOf().apply(value);
@@ -57,7 +57,7 @@ TEST_F(ShowTest, everyPixelIsOneOfTheTwoCodesAroundItsValue) {
     }
 }
 
-TEST_F(ShowTest, meanOfADimAreaIsItsValue) {
+TEST_F(DisplayedFrameTest, meanOfADimAreaIsItsValue) {
     for (const float radiance : {0.0008f, 0.003f, 0.01f}) {
         std::vector<float> value{radiance, radiance, radiance, 1.0f};
         transformOf().apply(value);
@@ -69,7 +69,7 @@ TEST_F(ShowTest, meanOfADimAreaIsItsValue) {
     }
 }
 
-TEST_F(ShowTest, blackAndWhiteHaveNoNoise) {
+TEST_F(DisplayedFrameTest, blackAndWhiteHaveNoNoise) {
     render(upload(Scene{}), frame());
     const std::vector<std::uint8_t> background = lastFrame().displayPicture(transformOf());
     const std::vector<std::uint8_t> black = displayed(glm::vec3(0)), white = displayed(glm::vec3(1000));
@@ -80,7 +80,7 @@ TEST_F(ShowTest, blackAndWhiteHaveNoNoise) {
     }
 }
 
-TEST_F(ShowTest, exposureIsAFactorBeforeTheTransform) {
+TEST_F(DisplayedFrameTest, exposureIsAFactorBeforeTheTransform) {
     for (const double stops : {-3.0, 1.0, 5.0}) {
         const auto scale = float(std::exp2(stops));
         EXPECT_EQ(displayed({0.02f, 0.01f, 0.03f}, stops),
@@ -89,13 +89,13 @@ TEST_F(ShowTest, exposureIsAFactorBeforeTheTransform) {
     }
 }
 
-TEST_F(ShowTest, pictureIsTheSameEachTime) {
+TEST_F(DisplayedFrameTest, imageIsReproducible) {
     const std::vector<std::uint8_t> first = displayed({0.1f, 0.2f, 0.3f});
     EXPECT_EQ(displayed({0.1f, 0.2f, 0.3f}), first);
 }
 
-TEST_F(ShowTest, rowsRunFromTheTop) {
-    // The upper half glows.
+TEST_F(DisplayedFrameTest, rowsRunFromTheTop) {
+    // The upper half emits.
     Material material;
     material.emission = glm::vec3(1000);
     glm::mat4 up(1.0f);
@@ -110,8 +110,8 @@ TEST_F(ShowTest, rowsRunFromTheTop) {
     EXPECT_GT(aovs(width).scalar("Z", 3, 0), 0.0f);
 }
 
-TEST_F(ShowTest, sizesMayChangeFromFrameToFrame) {
-    GpuScene scene = upload(glowing({0.3f, 0.3f, 0.3f}));
+TEST_F(DisplayedFrameTest, sizesMayChangeBetweenFrames) {
+    GpuScene scene = upload(emissive({0.3f, 0.3f, 0.3f}));
     for (const auto& [w, h] : {std::pair{7, 5}, {1, 1}, {130, 3}, {7, 5}}) {
         render(scene, frame(w, h));
         EXPECT_EQ(lastFrame().displayPicture(transformOf()).size(), std::size_t(4 * w * h));
@@ -120,7 +120,7 @@ TEST_F(ShowTest, sizesMayChangeFromFrameToFrame) {
     }
 }
 
-TEST_F(ShowTest, impossibleSizesAreErrors) {
+TEST_F(DisplayedFrameTest, invalidSizesAreErrors) {
     GpuScene scene = upload(Scene{});
     for (const auto& [w, h] : {std::pair{0, 5}, {5, 0}, {-3, 4}})
         EXPECT_THROW(render(scene, frame(w, h)), Error);
@@ -132,11 +132,11 @@ TEST_F(ShowTest, impossibleSizesAreErrors) {
         EXPECT_NE(std::string(error.what()).find("1x1048576"), std::string::npos) << error.what();
     }
     render(scene, frame());
-    EXPECT_EQ(lastFrame().radiance().width, width) << "the renderer goes on after an error";
+    EXPECT_EQ(lastFrame().radiance().width, width) << "the renderer is usable after an error";
 }
 
-TEST_F(ShowTest, passesAreTimedInTheirOrder) {
-    render(upload(glowing(glm::vec3(1))), frame());
+TEST_F(DisplayedFrameTest, passesAreTimedInTheirOrder) {
+    render(upload(emissive(glm::vec3(1))), frame());
     lastFrame().displayPicture(transformOf());
     std::vector<std::string> names;
     for (const PassTime& pass : lastFrame().passTimes()) {

@@ -1,4 +1,4 @@
-// Lines over the picture: those of the wireframe that are in view are there whole, and nothing else is.
+// Lines over the image: visible lines of the wireframe are drawn whole, and nothing else is.
 
 #include "support/cage_scenes.h"
 #include "support/drawing_test.h"
@@ -27,7 +27,7 @@ FrameRequest frameOf(const CameraView& view, const Overlays& overlays) {
     return inputs;
 }
 
-/// A pixel's place in a picture, rows from the top.
+/// The coordinates of a pixel, y from the top.
 struct Pixel {
     int x, y;
     auto operator<=>(const Pixel&) const = default;
@@ -95,8 +95,8 @@ class OverlayTest : public DrawingTest {
     static constexpr Overlays wireframe{.wireframe = true};
 };
 
-/// Where an edge runs in the picture, in pixels from its upper left corner: points less than a tenth of a
-/// pixel apart, where it lies before the near plane.
+/// The projection of an edge, in pixels from the upper left corner: points less than a tenth of a pixel
+/// apart, of the part in front of the near plane.
 std::vector<glm::vec2> project(const CameraView& view, const Edge& edge) {
     const glm::mat4 clipFromWorld =
         projection(view, float(width) / float(height)) * glm::inverse(view.worldFromCamera);
@@ -137,7 +137,7 @@ void expectWhole(const Pixels& lines, const std::vector<glm::vec2>& points) {
     }
 }
 
-/// All edges are drawn whole, and no pixel is that lies more than one off all edges.
+/// All edges are drawn whole, and no pixel more than one away from all edges is drawn.
 void expectLines(const Pixels& lines, const CameraView& view, const std::vector<Edge>& edges) {
     Pixels near;
     for (const Edge& edge : edges) {
@@ -165,7 +165,7 @@ TEST_F(OverlayTest, cubeHidesItsBackEdges) {
 }
 
 TEST_F(OverlayTest, roomShowsItsEdgesFromInside) {
-    // Turned inside out: its faces meet in valleys.
+    // Inverted: its edges are concave.
     Mesh room = makeCube();
     for (std::size_t i = 0; i < room.indices.size(); i += 3) std::swap(room.indices[i], room.indices[i + 1]);
     for (glm::vec3& normal : room.normals) normal = -normal;
@@ -176,12 +176,12 @@ TEST_F(OverlayTest, roomShowsItsEdgesFromInside) {
 }
 
 TEST_F(OverlayTest, surfacesInFrontHideLines) {
-    Scene made = sceneOf(makeCube(), Material{});
-    place(made, makeQuad(3.0f), Material{}, at({0, 0, 2}));
+    Scene description = sceneOf(makeCube(), Material{});
+    place(description, makeQuad(3.0f), Material{}, at({0, 0, 2}));
     const CameraView view = lookAt({0, 0, 8}, {0, 0, 0}, 0.3f);
     EXPECT_GT(lines(upload(sceneOf(makeCube(), Material{})), view, wireframe).size(), 100u);
-    // The diagonal of the sheet in front is all there is: it goes from corner to corner of what is in view.
-    const Pixels seen = lines(upload(made), view, wireframe);
+    // Only the diagonal of the quad in front is visible, from corner to corner of the image.
+    const Pixels seen = lines(upload(description), view, wireframe);
     for (const Pixel& pixel : seen) {
         const float off = float(pixel.x - width / 2) + float(pixel.y - height / 2);
         EXPECT_LE(std::abs(off), 2.0f) << pixel.x << ", " << pixel.y;
@@ -189,7 +189,7 @@ TEST_F(OverlayTest, surfacesInFrontHideLines) {
     EXPECT_GE(seen.size(), std::size_t(height - 2));
 }
 
-TEST_F(OverlayTest, linesOnGrazedAndDistantSurfacesAreWhole) {
+TEST_F(OverlayTest, linesOnGrazingAndDistantSurfacesAreWhole) {
     Mesh grid;
     for (int z = 0; z <= 20; ++z) {
         for (int x = 0; x <= 4; ++x) grid.positions.emplace_back(float(x) - 2.0f, 0.0f, -5.0f * float(z));
@@ -209,8 +209,8 @@ TEST_F(OverlayTest, linesOnGrazedAndDistantSurfacesAreWhole) {
     }
 }
 
-TEST_F(OverlayTest, pictureBorderIsNoEdge) {
-    // The picture lies inside one triangle.
+TEST_F(OverlayTest, imageBorderIsNoEdge) {
+    // The image lies inside one triangle.
     Mesh triangle;
     triangle.positions = {{-50, -50, 0}, {50, -50, 0}, {0, 80, 0}};
     triangle.normals.assign(3, {0, 0, 1});
@@ -219,7 +219,7 @@ TEST_F(OverlayTest, pictureBorderIsNoEdge) {
     EXPECT_EQ(lines(scene, lookAt({0, 0, 3}, {0, 0, 0}, 0.6f), wireframe), Pixels{});
 }
 
-TEST_F(OverlayTest, liesOverDataViewsToo) {
+TEST_F(OverlayTest, isDrawnOverDebugViewsToo) {
     GpuScene scene = upload(sceneOf(makeCube(), Material{}));
     const CameraView view = lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f);
     const Pixels over = lines(scene, view, wireframe);
@@ -227,7 +227,7 @@ TEST_F(OverlayTest, liesOverDataViewsToo) {
         EXPECT_EQ(lines(scene, view, wireframe, debugView), over) << toString(debugView);
 }
 
-TEST_F(OverlayTest, radianceAndAovsDoNotKnowIt) {
+TEST_F(OverlayTest, doesNotAffectRadianceAndAovs) {
     GpuScene scene = upload(sceneOf(makeCube(), Material{}));
     const CameraView view = lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f);
     const HdrImage without = drawn(scene, frameOf(view, {}));
@@ -247,7 +247,7 @@ TEST_F(OverlayTest, frameIsDisplayedAfterItsSceneIsDestroyed) {
     EXPECT_EQ(lastFrame().displayPicture(ColorConfig::builtIn().displayTransform({})), expected);
 }
 
-/// The lines that part each face of a cage of squares which faces the eye into `cells` × `cells`, with the
+/// The lines that divide each face that faces the eye, of a cage of squares, into `cells` × `cells`, with the
 /// face's own edges.
 std::vector<Edge> frontGrid(const Cage& cage, int cells, const glm::vec3& eye) {
     std::vector<Edge> edges;
@@ -266,26 +266,26 @@ std::vector<Edge> frontGrid(const Cage& cage, int cells, const glm::vec3& eye) {
 
 TEST_F(OverlayTest, refinedCagesShowTheEdgesOfTheirFaces) {
     const Cage cube = makeSharpCubeCage(1.0f);
-    const Scene made = sceneOfCage(cube, Material{});
+    const Scene description = sceneOfCage(cube, Material{});
     const glm::vec3 eye(3, 2.5f, 5);
     const CameraView view = lookAt(eye, {0, 0, 0}, 0.7f);
     for (const std::uint32_t level : {1u, 2u, 3u}) {
-        GpuScene scene(context(), made, subdividing(level));
+        GpuScene scene(context(), description, subdividing(level));
         expectLines(lines(scene, view, wireframe), view, frontGrid(cube, 1 << level, eye));
     }
 }
 
 TEST_F(OverlayTest, controlPolyhedronHidesItsBackEdges) {
     const Cage cube = makeSharpCubeCage(1.0f);
-    const glm::mat4 turned = glm::rotate(at({0.2f, 0, 0}), 0.4f, glm::vec3(0, 1, 0));
+    const glm::mat4 rotated = glm::rotate(at({0.2f, 0, 0}), 0.4f, glm::vec3(0, 1, 0));
     const glm::vec3 eye(3, 2.5f, 5);
     const CameraView view = lookAt(eye, {0, 0, 0}, 0.7f);
-    std::vector<Edge> edges = frontGrid(cube, 1, glm::vec3(glm::inverse(turned) * glm::vec4(eye, 1)));
+    std::vector<Edge> edges = frontGrid(cube, 1, glm::vec3(glm::inverse(rotated) * glm::vec4(eye, 1)));
     for (Edge& edge : edges) {
-        edge.from = glm::vec3(turned * glm::vec4(edge.from, 1));
-        edge.to = glm::vec3(turned * glm::vec4(edge.to, 1));
+        edge.from = glm::vec3(rotated * glm::vec4(edge.from, 1));
+        edge.to = glm::vec3(rotated * glm::vec4(edge.to, 1));
     }
-    GpuScene scene(context(), sceneOfCage(cube, Material{}, turned), subdividing(2));
+    GpuScene scene(context(), sceneOfCage(cube, Material{}, rotated), subdividing(2));
     expectLines(lines(scene, view, {.cage = true}), view, edges);
 }
 
@@ -304,7 +304,7 @@ TEST_F(OverlayTest, meshesHaveNoCageAndEmptyScenesNoLines) {
     EXPECT_EQ(lines(upload(Scene{}), view, {.wireframe = true, .cage = true}), Pixels{});
 }
 
-TEST_F(OverlayTest, isAPassOfItsOwn) {
+TEST_F(OverlayTest, isASeparatePass) {
     GpuScene scene = upload(sceneOf(makeCube(), Material{}));
     FrameRequest inputs = frameOf(lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f), wireframe);
     inputs.technique = Technique::fullscreen;
@@ -314,7 +314,7 @@ TEST_F(OverlayTest, isAPassOfItsOwn) {
     EXPECT_EQ(names, (std::vector<std::string>{"geometry", "lighting", "overlays", "display"}));
 }
 
-TEST_F(OverlayTest, sizesMayChangeFromFrameToFrame) {
+TEST_F(OverlayTest, sizesMayChangeBetweenFrames) {
     GpuScene scene = upload(sceneOf(makeCube(), Material{}));
     for (const auto& [w, h] : {std::pair{7, 5}, {1, 1}, {130, 3}, {7, 5}}) {
         FrameRequest inputs = frameOf(lookAt({3, 2.5f, 5}, {0, 0, 0}, 0.7f), wireframe);

@@ -57,40 +57,40 @@ class ProbeTest : public DrawingTest {
 };
 
 TEST_F(ProbeTest, equalsTheAovsOfEveryKindOfSurface) {
-    for (LitScene made : litScenes()) {
+    for (LitScene lit : litScenes()) {
         Material unlit;
         unlit.unlit = true;
         unlit.baseColor = {0.2f, 0.5f, 0.7f, 1};
-        place(made.scene, makeQuad(0.1f), unlit, made.view.worldFromCamera * at({0.2f, 0.1f, -1}));
-        GpuScene scene = upload(made.scene, made.lights);
-        render(scene, frameOf(made.view));
-        EXPECT_GT(expectAovs(7), 100) << made.name;
+        place(lit.scene, makeQuad(0.1f), unlit, lit.view.worldFromCamera * at({0.2f, 0.1f, -1}));
+        GpuScene scene = upload(lit.scene, lit.lights);
+        render(scene, frameOf(lit.view));
+        EXPECT_GT(expectAovs(7), 100) << lit.name;
     }
 }
 
-TEST_F(ProbeTest, equalsTheAovsOfDataViews) {
-    const LitScene made = textured();
-    GpuScene scene = upload(made.scene, made.lights);
+TEST_F(ProbeTest, equalsTheAovsOfDebugViews) {
+    const LitScene lit = textured();
+    GpuScene scene = upload(lit.scene, lit.lights);
     for (const DebugView debugView :
          {DebugView::normals, DebugView::emission, DebugView::level, DebugView::lightCount}) {
-        render(scene, frameOf(made.view, debugView));
+        render(scene, frameOf(lit.view, debugView));
         EXPECT_GT(expectAovs(29), 10) << toString(debugView);
     }
 }
 
-TEST_F(ProbeTest, changesNothingOfTheFrame) {
-    const LitScene made = textured();
-    GpuScene scene = upload(made.scene, made.lights);
-    const HdrImage before = drawn(scene, frameOf(made.view));
+TEST_F(ProbeTest, doesNotAffectTheFrame) {
+    const LitScene lit = textured();
+    GpuScene scene = upload(lit.scene, lit.lights);
+    const HdrImage before = drawn(scene, frameOf(lit.view));
     lastFrame().probe(width / 2, height / 2);
     EXPECT_EQ(lastFrame().radiance().rgba, before.rgba);
-    EXPECT_EQ(drawn(scene, frameOf(made.view)).rgba, before.rgba);
+    EXPECT_EQ(drawn(scene, frameOf(lit.view)).rgba, before.rgba);
 }
 
 /// Red of the base colour encodes the index of the node.
 Material numbered(std::uint32_t node) {
     Material material;
-    // Codes 20 apart, half of them to the next one, so that filtering and rounding can not turn one into
+    // Codes 20 apart, half of them to the next one, so that filtering and rounding can not change one to
     // another.
     const float code = (20.0f * float(node) + 10.0f) / 255.0f;
     material.baseColor = {std::pow((code + 0.055f) / 1.055f, 2.4f), 0, 0, 1};
@@ -102,10 +102,10 @@ std::uint32_t numberOf(const glm::vec3& baseColor) {
     return static_cast<std::uint32_t>(code * 255.0f / 20.0f);
 }
 
-/// Overlapping spheres, some mirrored, and a sheet with holes before them.
+/// Overlapping spheres, some mirrored, behind a sheet with holes.
 Scene overlapping() {
     Scene scene;
-    scene.nodes.resize(2);  // Nodes that show nothing: instances and nodes are counted differently.
+    scene.nodes.resize(2);  // Nodes without meshes, so that instance and node indices differ.
     for (std::uint32_t node = 2; node < 9; ++node) {
         const glm::vec3 position(hashed(1, node) - 0.5f, hashed(2, node) - 0.5f, hashed(3, node) - 0.5f);
         const glm::mat4 transform =
@@ -122,7 +122,7 @@ Scene overlapping() {
         masked.alphaMode = AlphaMode::mask;
         masked.doubleSided = true;
         Mesh sheet = makeQuad(1.0f);
-        if (node == 10) sheet.colors.assign(4, glm::vec4(1, 1, 1, 0.4f));  // Under the cut-off everywhere.
+        if (node == 10) sheet.colors.assign(4, glm::vec4(1, 1, 1, 0.4f));  // Below the cutoff everywhere.
         place(scene, sheet, masked, glm::rotate(at({0, 0, 0.6f}), 2.8f, glm::vec3(0, 1, 0)));
     }
     return scene;
@@ -142,15 +142,15 @@ TEST_F(ProbeTest, namesTheNode) {
         }
     }
     for (std::uint32_t node = 2; node < 10; ++node) EXPECT_GT(pixels[node], 0) << "node " << node;
-    EXPECT_EQ(pixels[10], 0) << "cut away wholly";
+    EXPECT_EQ(pixels[10], 0) << "masked everywhere";
 }
 
 TEST_F(ProbeTest, namesTheNodeOfACage) {
-    Scene made;
-    made.nodes.resize(1);
-    const std::uint32_t cage = placeCage(made, makeCubeCage(0.8f), Material{}, at({-0.8f, 0, 0}));
-    const std::uint32_t mesh = place(made, makeSphere(0.5f), Material{}, at({0.9f, 0, 0}));
-    GpuScene scene(context(), made, subdividing(3));
+    Scene description;
+    description.nodes.resize(1);
+    const std::uint32_t cage = placeCage(description, makeCubeCage(0.8f), Material{}, at({-0.8f, 0, 0}));
+    const std::uint32_t mesh = place(description, makeSphere(0.5f), Material{}, at({0.9f, 0, 0}));
+    GpuScene scene(context(), description, subdividing(3));
     const std::vector<WorldLight> lights{pointLight({0, 1, 3}, 4.0f, {9, 9, 9})};
     scene.setLights(lights);
     const CameraView view = lookAt({0, 0, 5}, {0, 0, 0}, 0.6f);
@@ -161,9 +161,9 @@ TEST_F(ProbeTest, namesTheNodeOfACage) {
 }
 
 TEST_F(ProbeTest, followsNodesThatMove) {
-    Scene made = sceneOf(makeQuad(1.0f), Material{});
-    place(made, makeQuad(1.0f), Material{}, at({0, 0, -1}));
-    GpuScene scene = upload(made);
+    Scene description = sceneOf(makeQuad(1.0f), Material{});
+    place(description, makeQuad(1.0f), Material{}, at({0, 0, -1}));
+    GpuScene scene = upload(description);
     const CameraView view = lookAt({0, 0, 4}, {0, 0, 0}, 0.4f);
     render(scene, frameOf(view));
     EXPECT_EQ(lastFrame().probe(30, 20)->node, 0u);

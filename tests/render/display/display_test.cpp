@@ -45,7 +45,7 @@ class DisplayPassTest : public testing::Test {
         return drawn<std::uint8_t>(rgba, transform, GL_RGBA8, GL_UNSIGNED_BYTE);
     }
 
-    /// What the pass adds to each channel, found by showing a grey through a transform that does nothing.
+    /// What the pass adds to each channel, measured with a grey and the identity transform.
     std::vector<float> dither(int height) {
         std::vector<float> added = displayed(filled(height, 0.5f), builtIn("sRGB", "Raw"));
         for (float& value : added) value -= 0.5f;
@@ -102,8 +102,8 @@ class DisplayPassTest : public testing::Test {
 };
 
 // An eighth of an 8-bit code. GPUs promise powers and logarithms to some 16 units in the last place. Near
-// black ACES subtracts numbers of 4e-4 and leaves an error of 4e-10 at worst, of which a display of gamma 2.6
-// makes 2.5e-4; twice that for the other steps.
+// black ACES subtracts numbers of 4e-4 and leaves an error of 4e-10 at worst, which a display of gamma 2.6
+// amplifies to 2.5e-4; twice that for the other steps.
 constexpr double chainRounding = 5e-4;
 
 TEST_F(DisplayPassTest, gpuAgreesWithCpuOnEveryBuiltInView) {
@@ -159,7 +159,7 @@ TEST_F(DisplayPassTest, blackAndWhiteHaveNoNoise) {
     }
 }
 
-/// The ACES views: all of the built-in config's that baking serves.
+/// The ACES views: those of the built-in config that can be baked.
 std::vector<DisplayOptions> bakedOptions() {
     std::vector<DisplayOptions> baked;
     for (const std::string& display : ColorConfig::builtIn().displays())
@@ -167,7 +167,7 @@ std::vector<DisplayOptions> bakedOptions() {
     return baked;
 }
 
-// A quarter of a code is what `BakedTransform` allows its tables; the exact steps' rounding is on top.
+// A quarter of a code is what `BakedTransform` allows its tables; plus the rounding of the exact steps.
 constexpr double bakedTolerance = 0.25 / 255.0 + chainRounding;
 
 TEST_F(DisplayPassTest, bakedShaderAgreesWithCpu) {
@@ -181,7 +181,7 @@ TEST_F(DisplayPassTest, bakedShaderAgreesWithCpu) {
     }
 }
 
-TEST_F(DisplayPassTest, bakingIsLimitedToTransformsThatGainByIt) {
+TEST_F(DisplayPassTest, bakingIsLimitedToExpensiveTransforms) {
     const DisplayTransform aces = builtIn("sRGB", "ACES 1.0 SDR"), plain = builtIn("sRGB", "Un-tone-mapped"),
                            raw = builtIn("sRGB", "Raw");
     displayed(filled(16, 0.5f), aces);

@@ -31,7 +31,7 @@ inline float srgbEncode(float linear) {
     return linear < 0.0031308f ? linear * 12.92f : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
-/// Colours as the G-buffer's codes see them, in codes.
+/// Compares colours in codes of the G-buffer.
 inline void expectColor(const glm::vec3& actual, const glm::vec3& expected, float codes = 0.51f) {
     for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(255.0f * srgbEncode(actual[c]), 255.0f * srgbEncode(expected[c]), codes)

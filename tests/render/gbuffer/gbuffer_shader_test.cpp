@@ -1,4 +1,4 @@
-// The G-buffer's encoding in GLSL against C++, over many surfaces, in a program that does nothing else.
+// The G-buffer's encoding in GLSL against C++, over many surfaces, in a minimal program.
 
 #include "support/procedural_scene.h"
 
@@ -93,7 +93,7 @@ class GBufferShaderTest : public testing::Test {
     Context context_ = Context::createHeadless();
 };
 
-TEST_F(GBufferShaderTest, packsWhatCppPacks) {
+TEST_F(GBufferShaderTest, packsLikeCpp) {
     std::vector<Record> records;
     for (std::uint32_t i = 0; i < 100000; ++i) records.push_back(randomSurface(i));
     for (const glm::vec3 normal :
@@ -119,11 +119,12 @@ TEST_F(GBufferShaderTest, packsWhatCppPacks) {
             moved += difference(record.words.y, expected.y, shift, bits);
         }
     }
-    // pow may err by 16 units of 6e-8 of a value times 255 codes: in one of some 2,000 colours it decides.
+    // pow may err by 16 units of 6e-8 of a value times 255 codes: in one of some 2,000 colours it changes the
+    // code.
     EXPECT_LT(moved, 200);
 }
 
-TEST_F(GBufferShaderTest, unpacksWhatCppUnpacks) {
+TEST_F(GBufferShaderTest, unpacksLikeCpp) {
     std::vector<Record> records;
     for (std::uint32_t i = 0; i < 100000; ++i) {
         Record record = randomSurface(i);

@@ -1,4 +1,4 @@
-// What materials and meshes put into the G-buffer, each in a small scene with a closed-form expectation.
+// Materials and meshes in the G-buffer, each in a small scene with a closed-form expectation.
 
 #include "gbuffer/gbuffer_drawing.h"
 
@@ -31,11 +31,12 @@ TEST_F(GBufferTest, plainAndTexturedProgramsAgree) {
         material.baseColor = {hashed(85, i), hashed(86, i), hashed(87, i), 1.0f};
         material.metallic = hashed(88, i);
         material.roughness = hashed(89, i);
-        const glm::mat4 turned = glm::rotate(glm::mat4(1.0f), 0.9f * hashed(90, i), glm::vec3(0.6f, 0.8f, 0));
-        Material masked = material;  // The mask, which every texel passes, asks for the other program.
+        const glm::mat4 rotated =
+            glm::rotate(glm::mat4(1.0f), 0.9f * hashed(90, i), glm::vec3(0.6f, 0.8f, 0));
+        Material masked = material;  // The mask, which every texel passes, selects the textured program.
         masked.alphaMode = AlphaMode::mask;
-        const AovReader plain = surfaces(sceneOf(makeQuad(1.0f), material, turned));
-        const AovReader textured = surfaces(sceneOf(makeQuad(1.0f), masked, turned));
+        const AovReader plain = surfaces(sceneOf(makeQuad(1.0f), material, rotated));
+        const AovReader textured = surfaces(sceneOf(makeQuad(1.0f), masked, rotated));
         expectColor(textured.vector("base_color", middle, middle), plain.vector("base_color", middle, middle),
                     1.01f);
         EXPECT_EQ(textured.scalar("roughness", middle, middle), plain.scalar("roughness", middle, middle));
@@ -108,7 +109,7 @@ void expectOuterSphere(const AovReader& reader, float tolerance) {
     EXPECT_GT(covered, size * size / 2);
 }
 
-TEST_F(GBufferTest, mirroredInstanceIsNotInsideOut) {
+TEST_F(GBufferTest, mirroredInstanceKeepsItsWinding) {
     // Interpolated normals differ from the polyhedron's positions by less than half a segment squared.
     constexpr float facets = 0.02f;
     for (const glm::vec3 scale :
@@ -128,7 +129,7 @@ TEST_F(GBufferTest, scaleOfAnyMagnitudeKeepsNormalsAndWinding) {
     }
 }
 
-TEST_F(GBufferTest, unevenScaleTiltsNormalsAsTheSurfaceDoes) {
+TEST_F(GBufferTest, nonUniformScaleTransformsNormalsByTheInverseTranspose) {
     // An ellipsoid: the normal is the gradient of x²/a² + y²/b² + z²/c².
     const glm::vec3 axes(0.9f, 0.4f, 0.7f);
     const AovReader reader =
@@ -142,7 +143,7 @@ TEST_F(GBufferTest, unevenScaleTiltsNormalsAsTheSurfaceDoes) {
 }
 
 TEST_F(GBufferTest, flattenedInstanceKeepsItsOtherNormals) {
-    // Flattened along z, the normal of one corner has no length left; those of the others remain.
+    // Flattened along z, the normal of one corner becomes zero; the others remain.
     const glm::mat4 flat = glm::scale(glm::mat4(1.0f), glm::vec3(1, 1, 0));
     Mesh quad = makeQuad(1.0f);
     quad.normals[1] = {1, 0, 0};
@@ -156,13 +157,13 @@ TEST_F(GBufferTest, flattenedInstanceKeepsItsOtherNormals) {
     }
 }
 
-TEST_F(GBufferTest, instanceWithoutExtentDrawsNothingAndHarmsNothing) {
+TEST_F(GBufferTest, degenerateInstanceIsNotDrawn) {
     Scene scene = sceneOf(makeSphere(0.5f), Material{}, glm::mat4(glm::mat3(0.0f)));
     place(scene, makeQuad(1.0f), Material{});
     expectNormal(surfaces(scene).vector("N", middle, middle), {0, 0, 1});
 }
 
-TEST_F(GBufferTest, maskCutsBelowItsCutoff) {
+TEST_F(GBufferTest, maskDiscardsBelowItsCutoff) {
     Scene scene;
     // Alpha 0, 127, 128, 255 from the left; 128 / 255 is the cutoff exactly.
     scene.images = {makeImage(4, 1, [](std::uint32_t x, std::uint32_t) {
@@ -183,7 +184,7 @@ TEST_F(GBufferTest, maskCutsBelowItsCutoff) {
     EXPECT_TRUE(hasSurface(surfaces(scene), 4, middle)) << "opaque surfaces have no mask";
 }
 
-TEST_F(GBufferTest, maskSeesTheAlphaOfFactorAndVertexColour) {
+TEST_F(GBufferTest, maskUsesTheAlphaOfFactorAndVertexColour) {
     Material material;
     material.alphaMode = AlphaMode::mask;
     material.baseColor.a = 0.8f;
@@ -199,7 +200,7 @@ TEST_F(GBufferTest, maskSeesTheAlphaOfFactorAndVertexColour) {
     }
 }
 
-TEST_F(GBufferTest, unlitIsItsBaseColourAndNoLightFallsOnIt) {
+TEST_F(GBufferTest, unlitIsItsBaseColourWithoutLighting) {
     Material material;
     material.unlit = true;
     material.baseColor = {0.5f, 0.25f, 1.0f, 1.0f};
@@ -240,19 +241,19 @@ TEST_F(GBufferTest, emissionIsFactorTimesDecodedTexture) {
 }
 
 TEST_F(GBufferTest, emissionIsOccludedBySurfacesInFrontOnly) {
-    Material glowing, dark;
-    glowing.emission = {3, 2, 1};
+    Material emissive, dark;
+    emissive.emission = {3, 2, 1};
     const auto at = [](float z) { return glm::translate(glm::mat4(1.0f), {0, 0, z}); };
-    const auto emitted = [&](float glowingAt, float darkAt, bool glowingFirst) {
+    const auto emitted = [&](float emissiveAt, float darkAt, bool emissiveFirst) {
         Scene scene;
-        if (glowingFirst) place(scene, makeQuad(0.9f), glowing, at(glowingAt));
+        if (emissiveFirst) place(scene, makeQuad(0.9f), emissive, at(emissiveAt));
         place(scene, makeQuad(0.9f), dark, at(darkAt));
-        if (!glowingFirst) place(scene, makeQuad(0.9f), glowing, at(glowingAt));
+        if (!emissiveFirst) place(scene, makeQuad(0.9f), emissive, at(emissiveAt));
         return pixelOf(drawn(upload(scene), frameOf(front)), middle, middle);
     };
-    for (const bool glowingFirst : {true, false}) {
-        EXPECT_EQ(emitted(0.0f, 0.3f, glowingFirst), glm::vec3(0)) << "behind";
-        EXPECT_EQ(emitted(0.3f, 0.0f, glowingFirst), glm::vec3(3, 2, 1)) << "before";
+    for (const bool emissiveFirst : {true, false}) {
+        EXPECT_EQ(emitted(0.0f, 0.3f, emissiveFirst), glm::vec3(0)) << "behind";
+        EXPECT_EQ(emitted(0.3f, 0.0f, emissiveFirst), glm::vec3(3, 2, 1)) << "before";
     }
 }
 
@@ -269,7 +270,7 @@ TEST_F(GBufferTest, emissiveSurfacesOccludeEachOther) {
     }
 }
 
-TEST_F(GBufferTest, coloursOfTheSceneAreTakenIntoTheWorkingSpace) {
+TEST_F(GBufferTest, coloursOfTheSceneAreConvertedToTheWorkingSpace) {
     Material material;
     material.unlit = true;
     material.baseColor = {0.8f, 0.4f, 0.2f, 1.0f};
@@ -313,7 +314,7 @@ TEST_F(GBufferTest, backgroundIsEmpty) {
     for (const float value : picture.rgba) ASSERT_EQ(value, 0.0f);
 }
 
-TEST_F(GBufferTest, unknownAovIsAnErrorThatNamesThoseThereAre) {
+TEST_F(GBufferTest, unknownAovIsAnErrorThatListsTheExistingOnes) {
     GpuScene scene = upload(Scene{});
     render(scene, frameOf(front));
     try {
@@ -327,7 +328,7 @@ TEST_F(GBufferTest, unknownAovIsAnErrorThatNamesThoseThereAre) {
     }
 }
 
-TEST_F(GBufferTest, layoutMayHaveFurtherWords) {
+TEST_F(GBufferTest, layoutMayHaveAdditionalWords) {
     context().makeCurrent();
     constexpr std::array layout{baseWordTextures[0],
                                 GBufferWordTexture{"further words", GL_R32UI, GL_RED_INTEGER, 1, 7, 2}};

@@ -1,4 +1,4 @@
-// What packing costs in shading; prints the tables of docs/gbuffer.md.
+// The error of shading by packing; prints the tables of docs/gbuffer.md.
 
 #include "support/procedural_scene.h"
 
@@ -18,7 +18,7 @@
 namespace candela::test {
 namespace {
 
-/// What of a surface is packed; the rest stays exact.
+/// The part of a surface that is packed; the rest stays exact.
 enum class Part { everything, normal, baseColor, metallic, roughness };
 
 GBufferSurface packedIn(Part part, const GBufferSurface& exact) {
@@ -44,8 +44,8 @@ struct Measured {
 };
 
 /// The light that a random surface sends from a random light to a random eye, exact and packed: the relative
-/// difference of the green channel. None where light or eye is less than 3 degrees above the surface: little
-/// is seen there, and ratios mean nothing.
+/// difference of the green channel. None where light or eye is less than 3 degrees above the surface:
+/// relative errors are meaningless there.
 std::optional<double> shadingError(const Measured& measured, std::uint32_t index) {
     const auto uniform = [&](std::uint32_t seed) { return double(hashed(seed, index)); };
     GBufferSurface surface;
@@ -96,7 +96,7 @@ TEST(PackingError, ofEverythingByRoughness) {
             std::printf("| %.2f to %.2f | %.2f %% | %.2f %% | %.1f %% | %.1f %% |\n", band.low, band.high,
                         100.0 * errors.mean, 100.0 * errors.median, 100.0 * errors.percentile99,
                         100.0 * errors.largest);
-            // Loose: less than twice what docs/gbuffer.md states. A bit less in any channel goes beyond.
+            // Loose: less than twice what docs/gbuffer.md states. One bit less in any channel exceeds them.
             EXPECT_LT(errors.mean, band.low < 0.1 ? 0.04 : band.low < 0.2 ? 0.025 : 0.014);
             EXPECT_LT(errors.median, 0.01);
             EXPECT_GT(errors.count, 20000u);

@@ -28,7 +28,7 @@ GBufferSurface roundTrip(const GBufferSurface& surface) {
     return unpackSurface(packSurface(surface));
 }
 
-TEST(Packing, normalsAreHeldToASixteenthOfADegree) {
+TEST(Packing, normalsHaveAnErrorBelowASixteenthOfADegree) {
     // Rounding moves each coordinate on the octahedron by half a step of 1/2047 at most, and the third by
     // both: sqrt(6) / 2 steps in all, on a face that is nowhere nearer to the origin than 1 / sqrt(3).
     constexpr double bound = 0.5 * 2.4495 / 2047.0 * 1.7321 + 1.0e-6;
@@ -65,7 +65,7 @@ TEST(Packing, unpackedNormalsHaveUnitLength) {
     }
 }
 
-TEST(Packing, everyColourCodeSurvives) {
+TEST(Packing, everyColourCodeIsPreserved) {
     for (std::uint32_t code = 0; code < 256; ++code) {
         const GBufferTexel texel{code | code << 8 | code << 16 | code << 24, 0x01800800u | code << 24};
         const GBufferTexel again = packSurface(unpackSurface(texel));
@@ -74,7 +74,7 @@ TEST(Packing, everyColourCodeSurvives) {
     }
 }
 
-TEST(Packing, valuesAreHeldToHalfACode) {
+TEST(Packing, valuesHaveAnErrorOfHalfACode) {
     // Half a code of 255, and the rounding of the arithmetic.
     constexpr float half = 0.5f / 255.0f + 1e-6f;
     const auto encoded = [](float linear) {
@@ -82,20 +82,20 @@ TEST(Packing, valuesAreHeldToHalfACode) {
     };
     for (std::uint32_t i = 0; i <= 1000; ++i) {
         const float value = float(i) / 1000.0f;
-        const GBufferSurface held =
+        const GBufferSurface unpacked =
             roundTrip({.lobes = {glm::vec3(value, 0.5f, 1.0f - value), value, value}});
-        ASSERT_NEAR(held.lobes.metallic, value, half);
-        ASSERT_NEAR(held.lobes.roughness, value, half);
-        ASSERT_NEAR(encoded(held.lobes.baseColor.r), encoded(value), half);
-        ASSERT_NEAR(encoded(held.lobes.baseColor.b), encoded(1.0f - value), half);
+        ASSERT_NEAR(unpacked.lobes.metallic, value, half);
+        ASSERT_NEAR(unpacked.lobes.roughness, value, half);
+        ASSERT_NEAR(encoded(unpacked.lobes.baseColor.r), encoded(value), half);
+        ASSERT_NEAR(encoded(unpacked.lobes.baseColor.b), encoded(1.0f - value), half);
     }
 }
 
 TEST(Packing, valuesBeyondTheirRangeAreClamped) {
-    const GBufferSurface held = roundTrip({.lobes = {{-1.0f, 2.0f, 0.0f}, 3.0f, -0.5f}});
-    EXPECT_EQ(held.lobes.baseColor, glm::vec3(0, 1, 0));
-    EXPECT_EQ(held.lobes.metallic, 1.0f);
-    EXPECT_EQ(held.lobes.roughness, 0.0f);
+    const GBufferSurface unpacked = roundTrip({.lobes = {{-1.0f, 2.0f, 0.0f}, 3.0f, -0.5f}});
+    EXPECT_EQ(unpacked.lobes.baseColor, glm::vec3(0, 1, 0));
+    EXPECT_EQ(unpacked.lobes.metallic, 1.0f);
+    EXPECT_EQ(unpacked.lobes.roughness, 0.0f);
 }
 
 TEST(Packing, secondWordIsNeverZeroForASurface) {
@@ -127,7 +127,7 @@ std::vector<std::vector<std::string>> documentedRows() {
     return rows;
 }
 
-TEST(ChannelTable, isThatOfTheDocument) {
+TEST(ChannelTable, matchesTheDocumentation) {
     std::vector<std::vector<std::string>> expected;
     for (const GBufferChannel& channel : gbufferChannels())
         expected.push_back(
@@ -135,7 +135,7 @@ TEST(ChannelTable, isThatOfTheDocument) {
     EXPECT_EQ(documentedRows(), expected);
 }
 
-TEST(ChannelTable, namesOfFilesBeginWithTheChannels) {
+TEST(ChannelTable, exrNamesBeginWithTheNameOfTheChannel) {
     for (const GBufferChannel& channel : gbufferChannels()) {
         const std::vector<std::string> names = exrChannelNames(channel);
         EXPECT_FALSE(names.empty());

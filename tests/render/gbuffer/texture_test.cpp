@@ -26,7 +26,7 @@ Scene bumpy(const glm::u8vec3& code, float scale, const glm::mat4& transform = g
     return scene;
 }
 
-TEST_F(TextureTest, normalMapLeansAlongTangentAndBitangent) {
+TEST_F(TextureTest, normalMapIsInTheTangentFrame) {
     const auto decoded = [](const glm::u8vec3& code) { return glm::vec3(code) / 127.5f - 1.0f; };
     for (const glm::u8vec3 code :
          {glm::u8vec3(200, 128, 220), glm::u8vec3(128, 210, 200), glm::u8vec3(40, 90, 180)}) {
@@ -34,21 +34,21 @@ TEST_F(TextureTest, normalMapLeansAlongTangentAndBitangent) {
             // The quad's tangent is +X and its bitangent, against growing v, +Y.
             const glm::vec3 expected = decoded(code) * glm::vec3(scale, scale, 1.0f);
             expectNormal(surfaces(bumpy(code, scale)).vector("N", middle, middle), expected, 2e-3f);
-            const glm::mat4 turned = glm::rotate(glm::mat4(1.0f), 0.7f, glm::normalize(glm::vec3(1, 2, -1)));
-            expectNormal(surfaces(bumpy(code, scale, turned)).vector("N", middle, middle),
-                         glm::mat3(turned) * expected, 2e-3f);
+            const glm::mat4 rotated = glm::rotate(glm::mat4(1.0f), 0.7f, glm::normalize(glm::vec3(1, 2, -1)));
+            expectNormal(surfaces(bumpy(code, scale, rotated)).vector("N", middle, middle),
+                         glm::mat3(rotated) * expected, 2e-3f);
         }
     }
 }
 
-TEST_F(TextureTest, bumpsOfTheBackSideAreThoseOfTheFrontTurnedRound) {
+TEST_F(TextureTest, normalMapOfTheBackFaceIsThatOfTheFrontNegated) {
     const CameraView behind = lookAt({0, 0, -3}, {0, 0, 0}, front.verticalFov);
     const Scene scene = bumpy({200, 90, 220}, 1.0f);
     expectNormal(surfaces(scene, behind).vector("N", middle, middle),
                  -surfaces(scene).vector("N", middle, middle), 2e-3f);
 }
 
-TEST_F(TextureTest, bumpsOfAMirroredInstanceAreMirrored) {
+TEST_F(TextureTest, normalMapOfAMirroredInstanceIsMirrored) {
     for (const glm::vec3 mirror : {glm::vec3(-1, 1, 1), glm::vec3(1, -1, 1)}) {
         const glm::u8vec3 code(210, 170, 200);
         const glm::vec3 plain = surfaces(bumpy(code, 1.0f)).vector("N", middle, middle);
@@ -123,7 +123,7 @@ TEST_F(TextureTest, textureTransform) {
     });
 }
 
-TEST_F(TextureTest, textureTransformOfTheExtensionsExample) {
+TEST_F(TextureTest, textureTransformOfTheSpecificationsExample) {
     // KHR_texture_transform's own example: "only the lower left quadrant of the source image, rotated
     // clockwise 90 degrees".
     Scene scene;
@@ -135,7 +135,7 @@ TEST_F(TextureTest, textureTransformOfTheExtensionsExample) {
     material.baseColorTexture->scale = {0.5f, 0.5f};
     place(scene, makeQuad(1.0f), material);
     const AovReader reader = surfaces(scene);
-    // The picture's upper left shows the quadrant's lower left, its upper right the quadrant's upper left.
+    // The image's upper left shows the quadrant's lower left, its upper right the quadrant's upper left.
     expectColor(reader.vector("base_color", 2, 2), tileAt(0.1f, 0.9f));
     expectColor(reader.vector("base_color", 30, 2), tileAt(0.1f, 0.6f));
     expectColor(reader.vector("base_color", 2, 30), tileAt(0.4f, 0.9f));
@@ -220,7 +220,7 @@ TEST_F(TextureTest, vertexColoursMultiplyAndInterpolateLinearly) {
     }
 }
 
-TEST_F(TextureTest, smallPicturesOfFineTexturesShowTheMean) {
+TEST_F(TextureTest, minifiedTexturesShowTheMean) {
     Scene scene;
     scene.images = {makeImage(256, 256, [](std::uint32_t x, std::uint32_t y) {
         const std::uint8_t code = (x + y) % 2 == 0 ? 255 : 0;

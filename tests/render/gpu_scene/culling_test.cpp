@@ -1,4 +1,4 @@
-// Which instances culling selects, and how their draws are batched.
+// Which instances pass culling, and how their draws are batched.
 
 #include "support/drawing_test.h"
 #include "support/procedural_scene.h"
@@ -39,7 +39,7 @@ class CullingTest : public DrawingTest {
     static bool isDrawn(const glm::vec3& center, float radius) {
         const glm::mat4 there = glm::translate(glm::mat4(1.0f), center);
         Material material;
-        material.doubleSided = true;  // The near plane may leave the far half of a sphere only.
+        material.doubleSided = true;  // The near plane may cut off all but the far half of a sphere.
         return commandsOf(upload(sceneOf(makeSphere(radius), material, there))) == 1;
     }
 
@@ -51,7 +51,7 @@ class CullingTest : public DrawingTest {
     }
 };
 
-TEST_F(CullingTest, objectsJustOutsideAreNotDrawnAndThoseAcrossAre) {
+TEST_F(CullingTest, objectsOutsideAPlaneAreCulledAndThoseAcrossItAreNot) {
     constexpr float depth = 10.0f, radius = 0.5f;
     struct Side {
         glm::vec3 onPlane, outwards;
@@ -75,12 +75,12 @@ TEST_F(CullingTest, objectsJustOutsideAreNotDrawnAndThoseAcrossAre) {
     }
 }
 
-TEST_F(CullingTest, whatIsBehindIsNotDrawn) {
+TEST_F(CullingTest, objectsBehindTheCameraAreCulled) {
     EXPECT_FALSE(isDrawn({0, 0, 10}, 1.0f));
     EXPECT_FALSE(isDrawn({100, 0, 3}, 1.0f));
 }
 
-TEST_F(CullingTest, nothingThatIsSeenIsCulled) {
+TEST_F(CullingTest, visibleObjectsAreNotCulled) {
     // Random spheres, some mirrored, scaled unevenly and sheared.
     int seen = 0;
     for (std::uint32_t i = 0; i < 60; ++i) {
@@ -111,7 +111,7 @@ TEST_F(CullingTest, nothingThatIsSeenIsCulled) {
     EXPECT_LT(seen, 60);
 }
 
-TEST_F(CullingTest, movedInstanceIsCulledAtItsNewPlace) {
+TEST_F(CullingTest, movedInstanceIsCulledAtItsNewPosition) {
     GpuScene scene =
         upload(sceneOf(makeSphere(0.5f), Material{}, glm::translate(glm::mat4(1.0f), {0, 0, -5})));
     EXPECT_EQ(commandsOf(scene), 1u);
@@ -135,11 +135,11 @@ TEST_F(CullingTest, drawsOfOneStateAreBatched) {
     EXPECT_EQ(selectionOf(uploaded).batches().size(), 4u);
 }
 
-TEST_F(CullingTest, selectionsOfSeveralViewsAreAliveAtOnce) {
+TEST_F(CullingTest, selectionsOfSeveralViewsAreIndependent) {
     Scene scene = sceneOf(makeSphere(0.5f), Material{}, glm::translate(glm::mat4(1.0f), {0, 0, -5}));
-    Material glowing;
-    glowing.emission = glm::vec3(1.0f);
-    place(scene, makeSphere(0.5f), glowing, glm::translate(glm::mat4(1.0f), {0, 0, 5}));
+    Material emissive;
+    emissive.emission = glm::vec3(1.0f);
+    place(scene, makeSphere(0.5f), emissive, glm::translate(glm::mat4(1.0f), {0, 0, 5}));
     GpuScene uploaded = upload(scene);
     EXPECT_EQ(commandsOf(uploaded), 1u);
     const DrawSelection ahead = selectionOf(uploaded);

@@ -1,5 +1,4 @@
-// Edits of an uploaded scene: what they cost, what they refuse, and that the picture is that of a fresh
-// scene.
+// Edits of an uploaded scene: their cost, their errors, and that the image is that of a newly uploaded scene.
 
 #include "support/cage_scenes.h"
 #include "support/drawing_test.h"
@@ -27,15 +26,15 @@ glm::mat4 at(float x, float y = 0.0f) {
     return glm::translate(glm::mat4(1.0f), {x, y, 0.0f});
 }
 
-constexpr std::uint32_t families = 100, children = 9, nodesOfFamily = 1 + children;
+constexpr std::uint32_t groups = 100, children = 9, nodesPerGroup = 1 + children;
 
-/// Families of a parent and its children, which show the same mesh. Family i has material i, and every
-/// child at an odd place has a light.
-Scene sceneOfFamilies() {
+/// Groups of a parent and its children, which show the same mesh. Group i has material i, and every child of
+/// an odd index has a light.
+Scene sceneOfGroups() {
     Scene scene;
-    for (std::uint32_t family = 0; family < families; ++family) {
-        const std::uint32_t parent = place(scene, makeQuad(0.05f), Material{},
-                                           at(0.1f * float(family % 10), 0.1f * float(family / 10)));
+    for (std::uint32_t group = 0; group < groups; ++group) {
+        const std::uint32_t parent =
+            place(scene, makeQuad(0.05f), Material{}, at(0.1f * float(group % 10), 0.1f * float(group / 10)));
         for (std::uint32_t child = 0; child < children; ++child) {
             Node node;
             node.parent = parent;
@@ -58,58 +57,58 @@ class EditTest : public DrawingTest {
         scene.state().update();
         return scene.state().lastUpdate;
     }
-    /// The text of the error that `edit` has to throw.
-    static std::string refusal(const std::function<void()>& edit) {
+    /// The message of the error that `edit` has to throw.
+    static std::string errorOfEdit(const std::function<void()>& edit) {
         try {
             edit();
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::badInput);
             return error.what();
         }
-        ADD_FAILURE() << "is not refused";
+        ADD_FAILURE() << "no error was thrown";
         return "";
     }
 };
 
 TEST_F(EditTest, uploadLeavesNothingToUpdate) {
-    GpuScene scene(context(), sceneOfFamilies());
+    GpuScene scene(context(), sceneOfGroups());
     GpuScene::State::UpdateCounts counts = updated(scene);
     EXPECT_EQ(counts.nodes + counts.instances + counts.lights + counts.materials + counts.draws, 0u);
 }
 
 TEST_F(EditTest, movedNodeCostsItsSubtree) {
-    GpuScene scene(context(), sceneOfFamilies());
+    GpuScene scene(context(), sceneOfGroups());
     scene.setTransform(1, at(0.3f));
     GpuScene::State::UpdateCounts counts = updated(scene);
     EXPECT_EQ(counts.nodes, 1u);
     EXPECT_EQ(counts.instances, 1u);
     EXPECT_EQ(counts.lights, 0u);
     EXPECT_EQ(counts.draws, 0u);
-    scene.setTransform(nodesOfFamily, at(0.3f));
-    scene.setTransform(nodesOfFamily + 3, at(0.3f));  // Below the other: counts once.
+    scene.setTransform(nodesPerGroup, at(0.3f));
+    scene.setTransform(nodesPerGroup + 3, at(0.3f));  // A child of the other: counts once.
     counts = updated(scene);
-    EXPECT_EQ(counts.nodes, std::size_t{nodesOfFamily});
-    EXPECT_EQ(counts.instances, std::size_t{nodesOfFamily});
+    EXPECT_EQ(counts.nodes, std::size_t{nodesPerGroup});
+    EXPECT_EQ(counts.instances, std::size_t{nodesPerGroup});
     EXPECT_EQ(counts.lights, std::size_t{children / 2});
     EXPECT_EQ(counts.draws, 0u);
 }
 
 TEST_F(EditTest, mirroredNodeCostsItsDraws) {
-    GpuScene scene(context(), sceneOfFamilies());
+    GpuScene scene(context(), sceneOfGroups());
     scene.setTransform(0, glm::scale(glm::mat4(1.0f), glm::vec3(-1, 1, 1)));
-    EXPECT_EQ(updated(scene).draws, std::size_t{nodesOfFamily});
+    EXPECT_EQ(updated(scene).draws, std::size_t{nodesPerGroup});
 }
 
 TEST_F(EditTest, visibilityCostsNothingToUpdate) {
-    GpuScene scene(context(), sceneOfFamilies());
-    for (std::uint32_t node = 0; node < families * nodesOfFamily; node += 2)
+    GpuScene scene(context(), sceneOfGroups());
+    for (std::uint32_t node = 0; node < groups * nodesPerGroup; node += 2)
         scene.setVisibility(node, GpuScene::Visibility::hidden);
     GpuScene::State::UpdateCounts counts = updated(scene);
     EXPECT_EQ(counts.nodes + counts.instances + counts.lights + counts.draws, 0u);
 }
 
 TEST_F(EditTest, materialCostsItsRecordAndItsDrawsWhereTheirStateChanges) {
-    GpuScene scene(context(), sceneOfFamilies());
+    GpuScene scene(context(), sceneOfGroups());
     Material material;
     material.roughness = 0.3f;
     scene.setMaterial(5, material);
@@ -121,7 +120,7 @@ TEST_F(EditTest, materialCostsItsRecordAndItsDrawsWhereTheirStateChanges) {
     scene.setMaterial(5, material);
     counts = updated(scene);
     EXPECT_EQ(counts.materials, 1u);
-    EXPECT_EQ(counts.draws, std::size_t{nodesOfFamily});
+    EXPECT_EQ(counts.draws, std::size_t{nodesPerGroup});
     EXPECT_EQ(counts.instances, 0u);
 }
 
@@ -135,12 +134,12 @@ void animate(Scene& scene, std::uint32_t node) {
 }
 
 TEST_F(EditTest, timeCostsTheAnimatedSubtrees) {
-    Scene animated = sceneOfFamilies();
+    Scene animated = sceneOfGroups();
     animate(animated, 0);
-    animate(animated, nodesOfFamily + 1);
+    animate(animated, nodesPerGroup + 1);
     GpuScene scene(context(), animated);
     scene.setTime(0.5);
-    EXPECT_EQ(updated(scene).nodes, std::size_t{nodesOfFamily + 1});
+    EXPECT_EQ(updated(scene).nodes, std::size_t{nodesPerGroup + 1});
     scene.setTime(7.0);
     updated(scene);
     scene.setTime(9.0);
@@ -166,8 +165,8 @@ TEST_F(EditTest, matrixReplacesTheAnimationOfANode) {
     }
 }
 
-TEST_F(EditTest, manyEditsGiveThePictureOfAFreshScene) {
-    Scene edited = sceneOfFamilies();
+TEST_F(EditTest, manyEditsGiveTheImageOfANewScene) {
+    Scene edited = sceneOfGroups();
     GpuScene scene(context(), edited);
     for (std::uint32_t step = 0; step < 40; ++step) {
         const auto node = static_cast<std::uint32_t>(hashed(step, 1) * float(edited.nodes.size() - 1));
@@ -176,7 +175,7 @@ TEST_F(EditTest, manyEditsGiveThePictureOfAFreshScene) {
             glm::scale(at(hashed(step, 2) - 0.5f, hashed(step, 3) - 0.5f), glm::vec3(mirror, 2, 2));
         edited.nodes[node].transform = matrix;
         scene.setTransform(node, matrix);
-        const auto index = static_cast<std::uint32_t>(hashed(step, 4) * float(families - 1));
+        const auto index = static_cast<std::uint32_t>(hashed(step, 4) * float(groups - 1));
         Material& material = edited.materials[index];
         material.baseColor = {hashed(step, 5), hashed(step, 6), 0.5f, 1.0f};
         material.doubleSided = step % 2 == 0;
@@ -187,22 +186,24 @@ TEST_F(EditTest, manyEditsGiveThePictureOfAFreshScene) {
     }
 }
 
-TEST_F(EditTest, indicesOutOfRangeAreRefused) {
+TEST_F(EditTest, indicesOutOfRangeAreErrors) {
     GpuScene scene(context(), sceneOfCage(makeCubeCage(1.0f), Material{}), subdividing(1));
     const std::vector<glm::vec3> points = makeCubeCage(1.0f).positions;
     constexpr std::uint32_t last = std::numeric_limits<std::uint32_t>::max();
     for (const std::uint32_t index : {1u, last}) {
-        EXPECT_NE(refusal([&] { scene.setTransform(index, at(1)); }).find("node " + std::to_string(index)),
+        EXPECT_NE(
+            errorOfEdit([&] { scene.setTransform(index, at(1)); }).find("node " + std::to_string(index)),
+            std::string::npos);
+        EXPECT_NE(errorOfEdit([&] { scene.setVisibility(index, GpuScene::Visibility::hidden); }).find("node"),
                   std::string::npos);
-        EXPECT_NE(refusal([&] { scene.setVisibility(index, GpuScene::Visibility::hidden); }).find("node"),
-                  std::string::npos);
-        EXPECT_NE(refusal([&] { scene.setCagePoints(index, points); }).find("node"), std::string::npos);
-        EXPECT_NE(refusal([&] { scene.setMaterial(index, {}); }).find("material " + std::to_string(index)),
-                  std::string::npos);
+        EXPECT_NE(errorOfEdit([&] { scene.setCagePoints(index, points); }).find("node"), std::string::npos);
+        EXPECT_NE(
+            errorOfEdit([&] { scene.setMaterial(index, {}); }).find("material " + std::to_string(index)),
+            std::string::npos);
     }
 }
 
-TEST_F(EditTest, brokenMatricesAndTimesAreRefusedAndChangeNothing) {
+TEST_F(EditTest, invalidMatricesAndTimesAreErrorsAndChangeNothing) {
     Scene animated = sceneOf(makeSphere(0.5f), Material{});
     animated.nodes[0].name = "ball";
     animate(animated, 0);
@@ -213,14 +214,14 @@ TEST_F(EditTest, brokenMatricesAndTimesAreRefusedAndChangeNothing) {
     glm::mat4 projective(1.0f), unknown(1.0f);
     projective[2][3] = 1.0f;
     unknown[3][0] = nan;
-    EXPECT_NE(refusal([&] { scene.setTransform(0, unknown); }).find("ball"), std::string::npos);
-    EXPECT_NE(refusal([&] { scene.setTransform(0, projective); }).find("affine"), std::string::npos);
-    refusal([&] { scene.setTime(infinite); });
-    refusal([&] { scene.setTime(double{nan}); });
+    EXPECT_NE(errorOfEdit([&] { scene.setTransform(0, unknown); }).find("ball"), std::string::npos);
+    EXPECT_NE(errorOfEdit([&] { scene.setTransform(0, projective); }).find("affine"), std::string::npos);
+    errorOfEdit([&] { scene.setTime(infinite); });
+    errorOfEdit([&] { scene.setTime(double{nan}); });
     EXPECT_EQ(drawn(scene, inputs).rgba, before.rgba);
 }
 
-TEST_F(EditTest, refusedLightsChangeNothing) {
+TEST_F(EditTest, invalidLightsAreErrorsAndChangeNothing) {
     Scene lit = sceneOf(makeSphere(1.0f), Material{});
     GpuScene scene(context(), lit);
     const WorldLight good = pointLight({1, 3, 5}, 30.0f, glm::vec3(30.0f));
@@ -228,25 +229,25 @@ TEST_F(EditTest, refusedLightsChangeNothing) {
     const HdrImage before = drawn(scene, inputs);
     std::vector<WorldLight> lights(40, good);
     lights[39].range = -1.0f;
-    EXPECT_NE(refusal([&] { scene.setLights(lights); }).find("light 39"), std::string::npos);
+    EXPECT_NE(errorOfEdit([&] { scene.setLights(lights); }).find("light 39"), std::string::npos);
     EXPECT_EQ(scene.lightReport().lights, 1u);
     EXPECT_EQ(drawn(scene, inputs).rgba, before.rgba);
 }
 
-TEST_F(EditTest, movedFromSceneIsRefused) {
+TEST_F(EditTest, movedFromSceneIsAnError) {
     GpuScene scene(context(), sceneOf(makeSphere(1.0f), Material{}));
     GpuScene taken = std::move(scene);
-    // NOLINTBEGIN(bugprone-use-after-move): that is what is tested.
-    EXPECT_NE(refusal([&] { scene.setTime(1.0); }).find("moved from"), std::string::npos);
-    refusal([&] { scene.setTransform(0, at(1)); });
-    refusal([&] { scene.setLights({}); });
-    refusal([&] { scene.triangleCount(); });
-    refusal([&] { drawn(scene, inputs); });
+    // NOLINTBEGIN(bugprone-use-after-move): use after move is what is tested.
+    EXPECT_NE(errorOfEdit([&] { scene.setTime(1.0); }).find("moved from"), std::string::npos);
+    errorOfEdit([&] { scene.setTransform(0, at(1)); });
+    errorOfEdit([&] { scene.setLights({}); });
+    errorOfEdit([&] { scene.triangleCount(); });
+    errorOfEdit([&] { drawn(scene, inputs); });
     // NOLINTEND(bugprone-use-after-move)
     EXPECT_EQ(taken.triangleCount(), candela::triangleCount(sceneOf(makeSphere(1.0f), Material{})));
 }
 
-TEST_F(EditTest, editsThatNeedTheContextSaySo) {
+TEST_F(EditTest, editsWithoutTheContextAreErrors) {
     GpuScene scene(context(), sceneOfCage(makeCubeCage(1.0f), Material{}), subdividing(1));
     const std::vector<glm::vec3> points = makeCubeCage(1.0f).positions;
     const std::function<void()> edits[] = {[&] { scene.setLights({}); },

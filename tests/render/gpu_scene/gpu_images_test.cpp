@@ -1,4 +1,4 @@
-// Images on their way to the device and back.
+// Upload of images, and reading them back.
 
 #include "support/drawing_test.h"
 #include "support/procedural_scene.h"
@@ -39,7 +39,7 @@ std::vector<float> texelsOf(GLuint texture) {
 
 class GpuImagesTest : public DrawingTest {};
 
-TEST_F(GpuImagesTest, runsOfRowsGiveTheWholeImage) {
+TEST_F(GpuImagesTest, uploadInBlocksOfRowsGivesTheWholeImage) {
     const gl::StateGuard guard(*context().state().binding, "a test");
     for (const PixelFormat format : {PixelFormat::rgba8, PixelFormat::rgba16, PixelFormat::rgba32f}) {
         const std::vector<Image> source{imageOf(format)};
@@ -49,21 +49,21 @@ TEST_F(GpuImagesTest, runsOfRowsGiveTheWholeImage) {
             // Less than a row, two rows, and all but one.
             for (const std::size_t maxBytes : {std::size_t{1}, std::size_t{2} * 5 * texelSize(format),
                                                std::size_t{6} * 5 * texelSize(format)}) {
-                GpuImages inRuns(source, maxBytes);
-                EXPECT_EQ(texelsOf(inRuns.get(Texture{}, encoding).texture), expected);
-                // The other encoding is made from what can be read back of this one.
-                inRuns.releaseSources();
+                GpuImages inBlocks(source, maxBytes);
+                EXPECT_EQ(texelsOf(inBlocks.get(Texture{}, encoding).texture), expected);
+                // The other encoding is uploaded from the read-back of this one.
+                inBlocks.releaseSources();
                 const auto other =
                     encoding == TexelEncoding::color ? TexelEncoding::data : TexelEncoding::color;
-                EXPECT_EQ(texelsOf(inRuns.get(Texture{}, other).texture),
+                EXPECT_EQ(texelsOf(inBlocks.get(Texture{}, other).texture),
                           texelsOf(atOnce.get(Texture{}, other).texture));
             }
         }
     }
 }
 
-TEST_F(GpuImagesTest, imageThatTheDeviceHasNoMemoryForIsNamed) {
-    if (!context().isSoftware()) GTEST_SKIP() << "the device may have as much";
+TEST_F(GpuImagesTest, imageBeyondTheDeviceMemoryIsNamed) {
+    if (!context().isSoftware()) GTEST_SKIP() << "the device may have enough memory";
     GLint side = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
     const auto size = static_cast<std::uint32_t>(side);
@@ -72,7 +72,7 @@ TEST_F(GpuImagesTest, imageThatTheDeviceHasNoMemoryForIsNamed) {
     GpuImages images(source);
     try {
         images.get(Texture{}, TexelEncoding::data);
-        FAIL() << "is not refused";
+        FAIL() << "no error was thrown";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::limit);
         EXPECT_NE(std::string(error.what()).find("image 0 'panorama'"), std::string::npos) << error.what();

@@ -1,4 +1,4 @@
-// A scene with a replaced material gives the picture of a scene that is uploaded with the new material.
+// A scene with a replaced material gives the image of a scene that is uploaded with the new material.
 
 #include "support/cage_scenes.h"
 #include "support/drawing_test.h"
@@ -23,7 +23,7 @@ Texture textureOf(std::uint32_t image) {
     return texture;
 }
 
-/// The texels of an 8-bit picture in 16 bits, with something in the low ones.
+/// The texels of an 8-bit image in 16 bits, with varying low bits.
 Image widened(const Image& narrow) {
     Image wide{"wide", narrow.width, narrow.height, PixelFormat::rgba16, {}};
     wide.pixels.resize(2 * narrow.pixels.size());
@@ -71,16 +71,16 @@ struct Change {
 };
 
 std::vector<Change> changes() {
-    Material coloured, glowing, doubleSided, unlit;
+    Material coloured, emissive, doubleSided, unlit;
     coloured.baseColor = {0.8f, 0.3f, 0.1f, 1.0f};
     coloured.roughness = 0.4f;
     coloured.metallic = 0.7f;
-    glowing.emission = {0.5f, 0.2f, 3.0f};
+    emissive.emission = {0.5f, 0.2f, 3.0f};
     doubleSided.doubleSided = true;
     unlit.unlit = true;
     unlit.baseColor = {0.3f, 0.9f, 0.4f, 1.0f};
     std::vector<Change> result{
-        {"coloured", coloured}, {"glowing", glowing}, {"double-sided", doubleSided}, {"unlit", unlit}};
+        {"coloured", coloured}, {"emissive", emissive}, {"double-sided", doubleSided}, {"unlit", unlit}};
     for (std::uint32_t image = 0; image < 5; ++image) {
         Material color, data, masked;
         color.baseColorTexture = textureOf(image);
@@ -89,10 +89,10 @@ std::vector<Change> changes() {
         masked.baseColorTexture = textureOf(image);
         masked.alphaMode = AlphaMode::mask;
         result.push_back({"textured", color});
-        result.push_back({"rough and bumpy", data});
+        result.push_back({"metallic-roughness and normal map", data});
         result.push_back({"masked", masked});
     }
-    result.push_back({"as at first", Material{}});
+    result.push_back({"original", Material{}});
     return result;
 }
 
@@ -105,7 +105,7 @@ class MaterialChangeTest : public DrawingTest {
         uploaded.setLights({&light, 1});
         return uploaded;
     }
-    static void expectFreshPictures(Scene changing) {
+    static void expectImagesOfNewScenes(Scene changing) {
         GpuScene changed = uploadLit(changing);
         HdrImage last = drawn(changed, inputs);
         for (const Change& change : changes()) {
@@ -121,15 +121,15 @@ class MaterialChangeTest : public DrawingTest {
     static inline const WorldLight light = pointLight({1, 3, 5}, 30.0f, glm::vec3(30.0f));
 };
 
-TEST_F(MaterialChangeTest, anyChangeGivesThePictureOfAFreshScene) {
-    expectFreshPictures(scene());
+TEST_F(MaterialChangeTest, anyChangeGivesTheImageOfANewScene) {
+    expectImagesOfNewScenes(scene());
 }
 
-TEST_F(MaterialChangeTest, imagesThatOtherMaterialsUseOtherwiseDoToo) {
-    expectFreshPictures(sceneOfUsedImages());
+TEST_F(MaterialChangeTest, imagesUsedByOtherMaterialsWithAnotherEncodingDoToo) {
+    expectImagesOfNewScenes(sceneOfUsedImages());
 }
 
-TEST_F(MaterialChangeTest, surfaceWithoutCoordinatesCanGlow) {
+TEST_F(MaterialChangeTest, surfaceWithoutCoordinatesCanEmit) {
     Scene changing = scene();
     changing.images.clear();
     GpuScene changed = uploadLit(changing);
@@ -140,7 +140,7 @@ TEST_F(MaterialChangeTest, surfaceWithoutCoordinatesCanGlow) {
 }
 
 TEST_F(MaterialChangeTest, emissionIsDrawnLastAfterAChange) {
-    // A surface in front hides an emissive one, whichever of the two has been made emissive.
+    // A surface in front hides an emissive one, whichever of the two became emissive.
     Material white;
     Scene twoQuads = sceneOf(makeQuad(1.0f), white);
     place(twoQuads, makeQuad(1.0f), white, glm::translate(glm::mat4(1.0f), {0, 0, 1}));
@@ -150,10 +150,10 @@ TEST_F(MaterialChangeTest, emissionIsDrawnLastAfterAChange) {
     EXPECT_EQ(drawn(changed, inputs).rgba, drawn(uploadLit(twoQuads), inputs).rgba);
 }
 
-TEST_F(MaterialChangeTest, brokenMaterialsAreRefusedAndChangeNothing) {
+TEST_F(MaterialChangeTest, invalidMaterialsAreErrorsAndChangeNothing) {
     GpuScene uploaded = uploadLit(scene());
     const HdrImage before = drawn(uploaded, inputs);
-    const auto refusal = [&](std::uint32_t index, const Material& material) -> std::string {
+    const auto errorOfEdit = [&](std::uint32_t index, const Material& material) -> std::string {
         try {
             uploaded.setMaterial(index, material);
         } catch (const Error& error) {
@@ -167,11 +167,11 @@ TEST_F(MaterialChangeTest, brokenMaterialsAreRefusedAndChangeNothing) {
     tooRough.roughness = 1.5f;
     otherSet.baseColorTexture = textureOf(0);
     otherSet.baseColorTexture->uvSet = 1;
-    EXPECT_NE(refusal(0, noImage).find("image"), std::string::npos);
-    EXPECT_NE(refusal(0, tooRough).find("roughness"), std::string::npos);
-    EXPECT_NE(refusal(0, otherSet).find("coordinates 1"), std::string::npos);
+    EXPECT_NE(errorOfEdit(0, noImage).find("image"), std::string::npos);
+    EXPECT_NE(errorOfEdit(0, tooRough).find("roughness"), std::string::npos);
+    EXPECT_NE(errorOfEdit(0, otherSet).find("coordinates 1"), std::string::npos);
     otherSet.baseColorTexture->uvSet = 0;
-    EXPECT_NE(refusal(1, otherSet).find("coordinates 0"), std::string::npos) << "the sphere has none";
+    EXPECT_NE(errorOfEdit(1, otherSet).find("coordinates 0"), std::string::npos) << "the sphere has none";
     EXPECT_EQ(drawn(uploaded, inputs).rgba, before.rgba);
 }
 

@@ -1,4 +1,4 @@
-// A hidden node gives the picture of a scene whose node shows nothing.
+// A hidden node gives the image of a scene whose node has no mesh or cage.
 
 #include "support/cage_scenes.h"
 #include "support/drawing_test.h"
@@ -18,9 +18,9 @@ glm::mat4 at(float x) {
 
 /// A sphere, a cage, and another sphere whose parent is the first.
 Scene threeObjects() {
-    Material glowing;
-    glowing.emission = {0.2f, 0.5f, 0.1f};
-    Scene scene = sceneOf(makeSphere(0.8f), glowing, at(-2.0f));
+    Material emissive;
+    emissive.emission = {0.2f, 0.5f, 0.1f};
+    Scene scene = sceneOf(makeSphere(0.8f), emissive, at(-2.0f));
     placeCage(scene, makeCubeCage(0.8f), Material{});
     place(scene, makeSphere(0.8f), Material{}, at(4.0f));
     scene.nodes[2].parent = 0;
@@ -37,7 +37,7 @@ class VisibilityTest : public DrawingTest {
     static inline const WorldLight light = pointLight({0, 3, 5}, 30.0f, glm::vec3(20.0f));
 };
 
-TEST_F(VisibilityTest, hiddenNodeIsAsIfItShowedNothing) {
+TEST_F(VisibilityTest, hiddenNodeIsNotDrawn) {
     const Scene scene = threeObjects();
     GpuScene changed = uploadLit(scene);
     const HdrImage all = drawn(changed, inputs);
@@ -65,7 +65,7 @@ TEST_F(VisibilityTest, hiddenCageIsNotEvaluated) {
     EXPECT_NE(scene.cageReport().evaluator, "");
 }
 
-TEST_F(VisibilityTest, nodeThatShowsNothingCanBeHidden) {
+TEST_F(VisibilityTest, nodeWithoutMeshOrCageCanBeHidden) {
     Scene scene = threeObjects();
     scene.nodes.emplace_back();
     GpuScene uploaded = uploadLit(scene);

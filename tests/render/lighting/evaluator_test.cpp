@@ -1,7 +1,7 @@
 // Pixels against the double-precision evaluator of candela/brdf.h, fed with the AOVs of the same frame.
 
 #include "support/drawing_test.h"
-#include "support/evaluated_picture.h"
+#include "support/evaluated_image.h"
 #include "support/lit_scenes.h"
 #include "support/procedural_scene.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int width = 96, height = 54;
 
-/// The worst pixel of a comparison.
+/// The largest errors of a comparison.
 struct Worst {
     double ofTolerance = 0.0;  ///< Error over the pixel's tolerance.
     double relative = 0.0;  ///< Error relative to the pixel; of pixels brighter than a millionth of the mean.
@@ -54,7 +54,7 @@ class EvaluatorTest : public DrawingTest {
         FrameRequest inputs{width, height, lit.view, model, Technique::fullscreen};
         render(scene, inputs);
         const std::vector<ExpectedPixel> expected =
-            evaluatedPicture(model, aovs(width), width, height, lit.view.eye(), withRanges(lit.lights));
+            evaluatedImage(model, aovs(width), width, height, lit.view.eye(), withRanges(lit.lights));
         for (const Technique technique : techniques) {
             inputs.technique = technique;
             const Worst worst = compare(drawn(scene, inputs), expected);
@@ -64,7 +64,7 @@ class EvaluatorTest : public DrawingTest {
             EXPECT_LE(worst.ofTolerance, 1.0)
                 << lit.name << ", " << toString(model) << ", " << toString(technique) << ", pixel " << worst.x
                 << ", " << worst.y;
-            EXPECT_GT(worst.litPixels, width * height / 3) << "the scene has to be lit to prove anything";
+            EXPECT_GT(worst.litPixels, width * height / 3) << "the scene has to be lit";
         }
     }
 };
@@ -75,13 +75,13 @@ TEST_F(EvaluatorTest, everyPixelOfEverySceneAgrees) {
     }
 }
 
-TEST_F(EvaluatorTest, comparisonFindsALightThatIsOnePerMilleTooBright) {
-    LitScene lit = plazaLike();
+TEST_F(EvaluatorTest, comparisonDetectsALightThatIsOnePerMilleTooBright) {
+    LitScene lit = spheresOnAFloor();
     GpuScene scene = upload(lit.scene, lit.lights);
     render(scene, {width, height, lit.view, BrdfModel::course, Technique::fullscreen});
     for (WorldLight& light : lit.lights) light.intensity *= 1.001f;
     const auto expected =
-        evaluatedPicture(BrdfModel::course, aovs(width), width, height, lit.view.eye(), lit.lights);
+        evaluatedImage(BrdfModel::course, aovs(width), width, height, lit.view.eye(), lit.lights);
     EXPECT_GT(compare(lastFrame().radiance(), expected).ofTolerance, 1.0);
 }
 
@@ -149,8 +149,8 @@ TEST_F(FinitePixelsTest, grazingEyeAndLight) {
 }
 
 TEST_F(FinitePixelsTest, lightOppositeToTheEye) {
-    // The normal map turns the normal until the light behind the surface, seen straight through it, is above
-    // its horizon: there l = -v, which has no half vector.
+    // The normal map rotates the normal until the light behind the surface, seen straight through it, is
+    // above its horizon: there l = -v, which has no half vector.
     Scene scene;
     scene.images = {
         makeImage(1, 1, [](std::uint32_t, std::uint32_t) { return glm::u8vec4(255, 128, 90, 255); })};

@@ -1,4 +1,4 @@
-// Lights in pictures against closed forms, and what GpuScene makes of lights.
+// Lights in images against closed forms, and the light report of GpuScene.
 
 #include "support/drawing_test.h"
 #include "support/procedural_scene.h"
@@ -34,7 +34,7 @@ Material white(float roughness = 1.0f) {
 }
 
 /// f(n, n) of a white dielectric of roughness 1: 0.96 / pi, and a lobe of 0.04 / (4 pi) for D = 1 / pi.
-constexpr float headOn = (0.96f + 0.01f) / pi;
+constexpr float normalIncidence = (0.96f + 0.01f) / pi;
 
 class LightTest : public DrawingTest {
   protected:
@@ -51,12 +51,11 @@ TEST_F(LightTest, inverseSquareAndWindowOnTheAxis) {
         for (const float distance : {0.002f, 0.1f, 1.0f, 2.0f, 7.0f, 9.9f}) {
             constexpr float range = 10.0f, candela = 12.0f;
             const float window = 1.0f - std::pow(distance / range, 4.0f);
-            const float expected = headOn * candela / (distance * distance) * window;
+            const float expected = normalIncidence * candela / (distance * distance) * window;
             const auto picture =
                 lit(scene, {pointLight({0, 0, distance}, range, glm::vec3(candela))}, technique);
-            // The surface, 3 m away, is known to 3.6e-7 m: twice that over the distance is what the inverse
-            // square makes of it. The window cancels near its end: a rounding of 1 there is 25 of what is
-            // left.
+            // The surface, 3 m away, is known to 3.6e-7 m: twice that over the distance is the error of the
+            // inverse square. The window cancels near its end: a rounding of 1 there is 25 of the remainder.
             const float tolerance = rounding / window + 2.0f * 3.6e-7f / distance;
             EXPECT_NEAR(middleOf(picture), expected, tolerance * expected) << distance;
         }
@@ -70,7 +69,7 @@ TEST_F(LightTest, unitIsTheRadianceOfAWhiteLambertSurfaceAtOneMetre) {
     EXPECT_NEAR(middleOf(picture), 0.97f, 1e-5f);
 }
 
-TEST_F(LightTest, modelsHeadOn) {
+TEST_F(LightTest, modelsAtNormalIncidence) {
     for (const float metallic : {0.0f, 1.0f}) {
         Material material = white();
         material.metallic = metallic;
@@ -132,7 +131,7 @@ TEST_F(LightTest, directionalLightIsTheSameEverywhereAndComesFromItsDirection) {
     const Scene nearer = sceneOf(makeQuad(1.0f), white());
     for (const Technique technique : techniques) {
         const WorldLight sun = directionalLight({0, 0, -1}, glm::vec3(3));
-        EXPECT_NEAR(middleOf(lit(nearer, {sun}, technique)), 3.0f * headOn, rounding);
+        EXPECT_NEAR(middleOf(lit(nearer, {sun}, technique)), 3.0f * normalIncidence, rounding);
         WorldLight elsewhere = sun;
         elsewhere.position = {1e6f, 0, -1e6f};
         elsewhere.range = 0.001f;
@@ -161,7 +160,7 @@ TEST_F(LightTest, lightsAddUp) {
     }
 }
 
-TEST_F(LightTest, coloursAreTakenIntoTheWorkingSpace) {
+TEST_F(LightTest, coloursAreConvertedToTheWorkingSpace) {
     GpuSceneOptions options;
     options.workingFromRec709 = glm::dmat3(0.5, 0.0, 0.25, 0.25, 1.0, 0.5, 0.0, 0.0, 2.0);
     const glm::vec3 intensity(0.9f, 0.5f, 0.1f), working(options.workingFromRec709 * glm::dvec3(intensity));
@@ -196,7 +195,7 @@ TEST_F(LightTest, assignedRangeIsWhereTheIrradianceFallsToTheThreshold) {
                 return middleOf(drawn(uploaded, {size, size, front(), BrdfModel::course, technique}));
             };
             const float window = 1.0f - std::pow(0.5f, 4.0f);
-            EXPECT_NEAR(at(0.5f * range), headOn * 8.0f * window / (0.25f * range * range),
+            EXPECT_NEAR(at(0.5f * range), normalIncidence * 8.0f * window / (0.25f * range * range),
                         1e-5f * threshold * 4.0f);
             EXPECT_GT(at(0.999f * range), 0.0f);
             EXPECT_EQ(at(1.001f * range), 0.0f);
@@ -222,10 +221,10 @@ TEST_F(LightTest, reportCountsWhatAssignedRangesCut) {
     EXPECT_NEAR(scene.lightReport().irradianceCut, 5 * 0.005, 1e-9);
     lights.assign(3, pointLight({0, 0, 1}, 0.0f, glm::vec3(0)));
     scene.setLights(lights);
-    EXPECT_EQ(scene.lightReport().irradianceCut, 0.0) << "lights that give nothing lose nothing";
+    EXPECT_EQ(scene.lightReport().irradianceCut, 0.0) << "black lights lose nothing";
 }
 
-TEST_F(LightTest, reportedCutIsABoundOfWhatIsLost) {
+TEST_F(LightTest, reportedCutBoundsTheLostIrradiance) {
     // The same lights with ranges assigned and with ranges without end: the white surface facing them shows
     // irradiance / pi times 0.97.
     const Scene scene = sceneOf(makeQuad(1.0f), white());
@@ -236,9 +235,9 @@ TEST_F(LightTest, reportedCutIsABoundOfWhatIsLost) {
     GpuScene uploaded = upload(scene, lights);
     const double cut = uploaded.lightReport().irradianceCut;
     const FrameRequest inputs{size, size, front(), BrdfModel::course, Technique::fullscreen};
-    const double kept = middleOf(drawn(uploaded, inputs)) / headOn;
+    const double kept = middleOf(drawn(uploaded, inputs)) / normalIncidence;
     for (WorldLight& light : lights) light.range = 1e9f;
-    const double all = middleOf(drawn(upload(scene, lights), inputs)) / headOn;
+    const double all = middleOf(drawn(upload(scene, lights), inputs)) / normalIncidence;
     EXPECT_GT(all - kept, 0.01 * cut);
     EXPECT_LE(all - kept, cut + 1e-5 * all);
 }
@@ -262,7 +261,7 @@ TEST_F(LightTest, badNumbersNameTheLight) {
     const WorldLight good = spotLight({0, 0, 1}, {0, 0, 0}, 1.0f, glm::vec3(1), 0.1f, 0.5f);
     struct Case {
         const char* word;
-        std::function<void(WorldLight&)> breakIt;
+        std::function<void(WorldLight&)> change;
     };
     const std::vector<Case> cases{
         {"position", [](WorldLight& l) { l.position.x = nan; }},
@@ -289,14 +288,14 @@ TEST_F(LightTest, badNumbersNameTheLight) {
     };
     for (const Case& one : cases) {
         WorldLight bad = good;
-        one.breakIt(bad);
+        one.change(bad);
         const std::string text = errorOf(scene, bad);
         EXPECT_NE(text.find("light 2: its " + std::string(one.word)), std::string::npos) << text;
     }
     EXPECT_EQ(errorOf(scene, good), "no error");
 }
 
-TEST_F(LightTest, refusedLightsLeaveTheOldOnes) {
+TEST_F(LightTest, invalidLightsKeepTheOldOnes) {
     GpuScene scene =
         upload(sceneOf(makeQuad(1.0f), white()), std::vector{pointLight({0, 0, 1}, 9, glm::vec3(1))});
     const FrameRequest inputs{size, size, front(), BrdfModel::course, Technique::volumes};
@@ -307,7 +306,7 @@ TEST_F(LightTest, refusedLightsLeaveTheOldOnes) {
     EXPECT_EQ(scene.lightReport().lights, 1u);
 }
 
-TEST_F(LightTest, thresholdHasToBeOverZero) {
+TEST_F(LightTest, thresholdHasToBePositive) {
     for (const float threshold : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN()}) {
         GpuSceneOptions options;
         options.irradianceThreshold = threshold;
@@ -315,10 +314,10 @@ TEST_F(LightTest, thresholdHasToBeOverZero) {
     }
 }
 
-/// A quad with a node that carries a point light, and its picture.
+/// A quad with a node that has a point light, and its image.
 class MovingTest : public DrawingTest {
   protected:
-    static Scene withLightOnANode(const glm::vec3& at) {
+    static Scene sceneWithLightOnANode(const glm::vec3& at) {
         Scene scene = sceneOf(makeQuad(1.0f), white(0.5f));
         Node node;
         node.transform = Transform{.translation = at};
@@ -330,61 +329,61 @@ class MovingTest : public DrawingTest {
         scene.lights.push_back(light);
         return scene;
     }
-    static std::vector<float> pictureOf(GpuScene& scene) {
+    static std::vector<float> imageOf(GpuScene& scene) {
         return drawn(scene, {size, size, front(), BrdfModel::course, Technique::volumes}).rgba;
     }
-    static std::vector<float> pictureOf(GpuScene&& scene) { return pictureOf(scene); }
-    static std::vector<float> pictureOf(const Scene& scene) { return pictureOf(GpuScene(context(), scene)); }
+    static std::vector<float> imageOf(GpuScene&& scene) { return imageOf(scene); }
+    static std::vector<float> imageOf(const Scene& scene) { return imageOf(GpuScene(context(), scene)); }
 };
 
 TEST_F(MovingTest, setTransformMovesLightsAndMeshes) {
-    GpuScene scene(context(), withLightOnANode({0, 0, 1}));
-    const std::vector<float> before = pictureOf(scene);
-    EXPECT_EQ(before, pictureOf(withLightOnANode({0, 0, 1})));
+    GpuScene scene(context(), sceneWithLightOnANode({0, 0, 1}));
+    const std::vector<float> before = imageOf(scene);
+    EXPECT_EQ(before, imageOf(sceneWithLightOnANode({0, 0, 1})));
     scene.setTransform(1, glm::translate(glm::mat4(1.0f), {0.5f, 0.2f, 0.7f}));
-    EXPECT_NE(pictureOf(scene), before);
-    EXPECT_EQ(pictureOf(scene), pictureOf(withLightOnANode({0.5f, 0.2f, 0.7f})));
-    const glm::mat4 turned = glm::rotate(glm::mat4(1.0f), 0.4f, glm::vec3(0, 1, 0));
-    scene.setTransform(0, turned);
-    Scene expected = withLightOnANode({0.5f, 0.2f, 0.7f});
-    expected.nodes[0].transform = turned;
-    EXPECT_EQ(pictureOf(scene), pictureOf(expected));
+    EXPECT_NE(imageOf(scene), before);
+    EXPECT_EQ(imageOf(scene), imageOf(sceneWithLightOnANode({0.5f, 0.2f, 0.7f})));
+    const glm::mat4 rotated = glm::rotate(glm::mat4(1.0f), 0.4f, glm::vec3(0, 1, 0));
+    scene.setTransform(0, rotated);
+    Scene expected = sceneWithLightOnANode({0.5f, 0.2f, 0.7f});
+    expected.nodes[0].transform = rotated;
+    EXPECT_EQ(imageOf(scene), imageOf(expected));
 }
 
 TEST_F(MovingTest, setTransformMovesChildren) {
-    Scene description = withLightOnANode({0, 0, 1});
+    Scene description = sceneWithLightOnANode({0, 0, 1});
     description.nodes[1].parent = 0;
     GpuScene scene(context(), description);
     const glm::mat4 moved = glm::translate(glm::mat4(1.0f), {0.3f, 0.2f, -0.5f});
     scene.setTransform(0, moved);
     description.nodes[0].transform = moved;
-    EXPECT_EQ(pictureOf(scene), pictureOf(description));
-    EXPECT_NE(pictureOf(scene), pictureOf(withLightOnANode({0, 0, 1})));
+    EXPECT_EQ(imageOf(scene), imageOf(description));
+    EXPECT_NE(imageOf(scene), imageOf(sceneWithLightOnANode({0, 0, 1})));
 }
 
 TEST_F(MovingTest, setTimePosesAnimatedNodes) {
-    Scene description = withLightOnANode({0, 0, 1});
+    Scene description = sceneWithLightOnANode({0, 0, 1});
     AnimationChannel channel{
         1, AnimationPath::translation, Interpolation::linear, {0, 2}, {0, 0, 1, 1, 0, 1}};
     description.animations.push_back({"slide", {channel}});
     GpuScene scene(context(), description);
-    const std::vector<float> start = pictureOf(scene);
+    const std::vector<float> start = imageOf(scene);
     scene.setTime(1.0);
-    EXPECT_EQ(pictureOf(scene), pictureOf(withLightOnANode({0.5f, 0, 1})));
+    EXPECT_EQ(imageOf(scene), imageOf(sceneWithLightOnANode({0.5f, 0, 1})));
     scene.setTime(0.0);
-    EXPECT_EQ(pictureOf(scene), start);
+    EXPECT_EQ(imageOf(scene), start);
 }
 
-TEST_F(MovingTest, setLightsReplacesThoseOfTheSceneForGood) {
-    GpuScene scene(context(), withLightOnANode({0, 0, 1}));
+TEST_F(MovingTest, setLightsReplacesThoseOfTheScenePermanently) {
+    GpuScene scene(context(), sceneWithLightOnANode({0, 0, 1}));
     const WorldLight other = pointLight({0.2f, 0.2f, 0.5f}, 2.0f, {0, 1, 2});
     scene.setLights(std::vector{other});
-    const std::vector<float> replaced = pictureOf(scene);
-    EXPECT_EQ(replaced, pictureOf(upload(sceneOf(makeQuad(1.0f), white(0.5f)), std::vector{other})));
+    const std::vector<float> replaced = imageOf(scene);
+    EXPECT_EQ(replaced, imageOf(upload(sceneOf(makeQuad(1.0f), white(0.5f)), std::vector{other})));
     scene.setTransform(1, glm::translate(glm::mat4(1.0f), {0.5f, 0.2f, 0.7f}));
-    EXPECT_EQ(pictureOf(scene), replaced);
+    EXPECT_EQ(imageOf(scene), replaced);
     scene.setLights({});
-    const std::vector<float> dark = pictureOf(scene);
+    const std::vector<float> dark = imageOf(scene);
     for (std::size_t i = 0; i < dark.size(); ++i) {
         if (i % 4 == 3) continue;
         ASSERT_EQ(dark[i], 0.0f);
@@ -403,7 +402,7 @@ TEST_F(MovingTest, lightsGrowAndShrinkInNumber) {
     for (const std::size_t count : {10u, 5000u, 3u, 700u}) {
         const std::vector<WorldLight> some(lights.begin(), lights.begin() + std::ptrdiff_t(count));
         scene.setLights(some);
-        EXPECT_EQ(pictureOf(scene), pictureOf(upload(sceneOf(makeQuad(1.0f), white(0.5f)), some))) << count;
+        EXPECT_EQ(imageOf(scene), imageOf(upload(sceneOf(makeQuad(1.0f), white(0.5f)), some))) << count;
     }
 }
 

@@ -1,7 +1,7 @@
-// All techniques give the same picture, and what they count agrees with counting by hand.
+// All techniques give the same image, and their counts agree with reference counts.
 
 #include "support/drawing_test.h"
-#include "support/evaluated_picture.h"
+#include "support/evaluated_image.h"
 #include "support/lit_scenes.h"
 #include "support/procedural_scene.h"
 
@@ -37,9 +37,8 @@ class TechniqueTest : public DrawingTest {
         return 4.0 / 16777216.0 * brightest;
     }
 
-    static void expectSamePictures(const Scene& scene, std::span<const WorldLight> lights,
-                                   const CameraView& view, const char* what, int width = 96,
-                                   int height = 54) {
+    static void expectSameImages(const Scene& scene, std::span<const WorldLight> lights,
+                                 const CameraView& view, const char* what, int width = 96, int height = 54) {
         GpuScene uploaded = upload(scene, lights);
         for (const BrdfModel model : models) {
             FrameRequest inputs{width, height, view, model, Technique::fullscreen};
@@ -110,21 +109,21 @@ std::vector<WorldLight> mixedLights(std::uint32_t count, float range) {
 const CameraView front = lookAt({0, 0, 9}, {0, 0, 0}, 0.8f);
 
 TEST_F(TechniqueTest, sceneOfTheEvaluatorsTest) {
-    for (const LitScene& lit : {plazaLike(), textured(), grazing()})
-        expectSamePictures(lit.scene, lit.lights, lit.view, lit.name.c_str());
+    for (const LitScene& lit : {spheresOnAFloor(), textured(), grazing()})
+        expectSameImages(lit.scene, lit.lights, lit.view, lit.name.c_str());
 }
 
 TEST_F(TechniqueTest, cameraOutsideInsideAndAcrossVolumes) {
     const std::vector<WorldLight> lights = mixedLights(90, 2.5f);
-    expectSamePictures(room(), lights, lookAt({0, 1, 30}, {0, 0, 0}, 0.5f), "outside");
-    expectSamePictures(room(), lights, lookAt({0, 0.5f, 2}, {0.3f, 0, -6}, 1.0f), "among them");
+    expectSameImages(room(), lights, lookAt({0, 1, 30}, {0, 0, 0}, 0.5f), "outside");
+    expectSameImages(room(), lights, lookAt({0, 0.5f, 2}, {0.3f, 0, -6}, 1.0f), "among the volumes");
     for (std::uint32_t i = 0; i < 6; ++i) {
         const glm::vec3 eye = lights[i].position;
-        expectSamePictures(room(), lights, lookAt(eye, eye + glm::vec3(0.3f, 0, -1), 1.2f), "at a centre");
+        expectSameImages(room(), lights, lookAt(eye, eye + glm::vec3(0.3f, 0, -1), 1.2f), "at a centre");
         // On the rim: part of the volume lies before the eye, part behind, and the near plane cuts it.
         const glm::vec3 rim = eye + 2.5f * glm::normalize(glm::vec3(1, 0.2f, 0.5f));
-        expectSamePictures(room(), lights, lookAt(rim, eye, 1.2f), "on the rim, inwards");
-        expectSamePictures(room(), lights, lookAt(rim, 2.0f * rim - eye, 1.2f), "on the rim, outwards");
+        expectSameImages(room(), lights, lookAt(rim, eye, 1.2f), "on the rim, inwards");
+        expectSameImages(room(), lights, lookAt(rim, 2.0f * rim - eye, 1.2f), "on the rim, outwards");
     }
 }
 
@@ -132,20 +131,20 @@ TEST_F(TechniqueTest, farNearPlaneCutsVolumes) {
     CameraView view = front;
     for (const float nearPlane : {0.001f, 2.0f, 8.0f, 9.5f}) {
         view.nearPlane = nearPlane;
-        expectSamePictures(room(), mixedLights(60, 3.0f), view, "near plane");
+        expectSameImages(room(), mixedLights(60, 3.0f), view, "near plane");
     }
 }
 
-TEST_F(TechniqueTest, lightsBehindTheCameraReachBeforeIt) {
+TEST_F(TechniqueTest, lightsBehindTheCameraLightSurfacesInFront) {
     std::vector<WorldLight> lights;
     for (std::uint32_t i = 0; i < 30; ++i) {
         const glm::vec3 position(8 * hashed(51, i) - 4, 8 * hashed(52, i) - 4, 9 + 8 * hashed(53, i));
         lights.push_back(pointLight(position, 4.0f + 20.0f * hashed(54, i), glm::vec3(10)));
     }
-    expectSamePictures(room(), lights, front, "behind");
+    expectSameImages(room(), lights, front, "behind");
     render(upload(room(), lights), {96, 54, front, BrdfModel::course, Technique::volumes});
     const auto rgba = lastFrame().radiance().rgba;
-    EXPECT_GT(*std::ranges::max_element(rgba), 0.01f) << "they have to light something";
+    EXPECT_GT(*std::ranges::max_element(rgba), 0.01f) << "they have to light a surface";
 }
 
 TEST_F(TechniqueTest, lightsAtTheNearPlane) {
@@ -156,7 +155,7 @@ TEST_F(TechniqueTest, lightsAtTheNearPlane) {
         for (const float range : {0.1f, 0.999f, 1.0f, 1.001f, 5.0f})
             lights.push_back(pointLight({0.1f * z - 0.7f, 0.1f, z}, range, glm::vec3(1)));
     }
-    expectSamePictures(room(), lights, view, "at the near plane");
+    expectSameImages(room(), lights, view, "at the near plane");
 }
 
 TEST_F(TechniqueTest, hugeAndTinyRanges) {
@@ -171,38 +170,38 @@ TEST_F(TechniqueTest, hugeAndTinyRanges) {
     lights.push_back(pointLight({0, 0, -6}, 1.0e-20f, glm::vec3(1)));
     lights.push_back(pointLight({0, 0, 1.0e15f}, 3.0e38f, glm::vec3(1.0e20f)));
     lights.push_back(pointLight({3.0e30f, 0, 0}, 1.0f, glm::vec3(1.0e20f)));
-    expectSamePictures(room(), lights, front, "huge and tiny");
+    expectSameImages(room(), lights, front, "huge and tiny");
 }
 
-TEST_F(TechniqueTest, oddPictureSizes) {
+TEST_F(TechniqueTest, oddImageSizes) {
     const std::vector<WorldLight> lights = mixedLights(40, 3.0f);
     for (const auto& [width, height] : {std::pair{1, 1}, {17, 9}, {1, 40}, {40, 1}, {65, 33}})
-        expectSamePictures(room(), lights, front, "odd size", width, height);
+        expectSameImages(room(), lights, front, "odd size", width, height);
 }
 
-TEST_F(TechniqueTest, largeOddPictureSize) {
-    expectSamePictures(room(), mixedLights(20, 3.0f), front, "641 by 361", 641, 361);
+TEST_F(TechniqueTest, largeOddImageSize) {
+    expectSameImages(room(), mixedLights(20, 3.0f), front, "641 by 361", 641, 361);
 }
 
-TEST_F(TechniqueTest, overlappingVolumesByTheThousandAtOnePlace) {
-    // More volumes over each other than the stencil's batches hold.
+TEST_F(TechniqueTest, thousandsOfOverlappingVolumes) {
+    // More overlapping volumes than a stencil batch has.
     std::vector<WorldLight> lights;
     for (std::uint32_t i = 0; i < 3000; ++i) {
         const glm::vec3 position(hashed(58, i) - 0.5f, hashed(59, i) - 0.5f, hashed(60, i) - 5.5f);
         lights.push_back(pointLight(position, 2.0f, glm::vec3(0.01f)));
     }
-    expectSamePictures(room(), lights, front, "3,000 at one place", 48, 27);
+    expectSameImages(room(), lights, front, "3,000 at one place", 48, 27);
 }
 
 TEST_F(TechniqueTest, moreLightsThanOneLoopIterates) {
-    // llvmpipe ends loops after 65,535 iterations. The light of a picture of 70,000 is that of both halves.
+    // llvmpipe ends loops after 65,535 iterations. The radiance of 70,000 lights is the sum of both halves'.
     std::vector<WorldLight> lights;
     for (std::uint32_t i = 0; i < 70000; ++i) {
         const glm::vec3 position(10 * hashed(61, i) - 5, 6 * hashed(62, i) - 3, 10 * hashed(63, i) - 6);
         lights.push_back(pointLight(position, 0.5f, glm::vec3(0.01f)));
     }
     const Scene scene = room();
-    expectSamePictures(scene, lights, front, "70,000 lights", 24, 14);
+    expectSameImages(scene, lights, front, "70,000 lights", 24, 14);
     const std::span all(lights);
     const FrameRequest inputs{24, 14, front, BrdfModel::course, Technique::fullscreen};
     const HdrImage whole = drawn(upload(scene, all), inputs);
@@ -214,13 +213,13 @@ TEST_F(TechniqueTest, moreLightsThanOneLoopIterates) {
 
 TEST_F(TechniqueTest, noLightAtAll) {
     const Scene scene = room();
-    expectSamePictures(scene, {}, front, "no light");
+    expectSameImages(scene, {}, front, "no light");
     const HdrImage picture = drawn(upload(scene), {8, 8, front, BrdfModel::course, Technique::volumes});
     for (std::size_t i = 0; i < picture.rgba.size(); i += 4) ASSERT_EQ(picture.rgba[i], 0.0f);
 }
 
 TEST_F(TechniqueTest, sceneWithoutSurfaces) {
-    expectSamePictures(Scene{}, mixedLights(20, 3.0f), front, "no surface");
+    expectSameImages(Scene{}, mixedLights(20, 3.0f), front, "no surface");
 }
 
 TEST_F(TechniqueTest, volumesAfterAnotherTechniqueAtAnotherSize) {
@@ -234,7 +233,7 @@ TEST_F(TechniqueTest, volumesAfterAnotherTechniqueAtAnotherSize) {
     }
 }
 
-TEST_F(TechniqueTest, tileBackendsGiveTheSamePicture) {
+TEST_F(TechniqueTest, tileBackendsGiveTheSameImage) {
     const std::vector<WorldLight> lights = mixedLights(60, 3.0f);
     GpuScene scene = upload(room(), lights);
     FrameRequest inputs{96, 54, front, BrdfModel::course, Technique::fullscreen};
@@ -254,7 +253,7 @@ TEST_F(TechniqueTest, automaticTileBackendFollowsTheDevice) {
     EXPECT_EQ(drawn(scene, inputs).rgba, automatic);
 }
 
-TEST_F(TechniqueTest, automaticIsOneOfTheOthersAndSaysWhich) {
+TEST_F(TechniqueTest, automaticReportsTheTechniqueUsed) {
     render(upload(room()), {16, 9, front, BrdfModel::course, Technique::automatic});
     EXPECT_NE(lastFrame().technique(), Technique::automatic);
 }
@@ -269,16 +268,16 @@ TEST(TechniqueNames, areThoseOfTheCommandLine) {
     EXPECT_STREQ(toString(TileBackend::compute), "compute");
 }
 
-/// Counts by hand. Where a pixel lies on the rim of a range, single precision may decide either way:
+/// A reference count. Where a pixel lies on the rim of a range, single precision may decide either way:
 /// `atLeast` counts pairs clearly inside, `atMost` those not clearly outside.
-struct CountByHand {
+struct ReferenceCount {
     std::uint64_t atLeast = 0, atMost = 0;
 };
 
-CountByHand litLights(const glm::vec3& position, std::span<const WorldLight> lights) {
+ReferenceCount litLights(const glm::vec3& position, std::span<const WorldLight> lights) {
     // Positions, differences, squares and the inverse square of the range: ten roundings, doubled twice.
     constexpr double rim = 4.0e-6;
-    CountByHand count;
+    ReferenceCount count;
     for (const WorldLight& light : lights) {
         const double relative =
             light.type == LightType::directional
@@ -301,7 +300,7 @@ class CountTest : public DrawingTest {
             render(uploaded, {width, height, view, BrdfModel::course, technique});
             const AovReader reader = aovs(width);
             const PairCounts counts = lastFrame().countPairs();
-            CountByHand pairs, surfaces;
+            ReferenceCount pairs, surfaces;
             expectLightCounts(reader, lights, pairs, surfaces);
             EXPECT_GE(counts.pairsLit, pairs.atLeast);
             EXPECT_LE(counts.pairsLit, pairs.atMost);
@@ -318,7 +317,7 @@ class CountTest : public DrawingTest {
   private:
     /// The AOV `light_count`, which has no directional lights, at each pixel.
     static void expectLightCounts(const AovReader& reader, const std::vector<WorldLight>& lights,
-                                  CountByHand& pairs, CountByHand& surfaces) {
+                                  ReferenceCount& pairs, ReferenceCount& surfaces) {
         const auto local = [](const WorldLight& light) { return light.type != LightType::directional; };
         std::vector<WorldLight> locals;
         std::ranges::copy_if(lights, std::back_inserter(locals), local);
@@ -330,7 +329,7 @@ class CountTest : public DrawingTest {
                     ASSERT_EQ(counted, 0.0);
                     continue;
                 }
-                const CountByHand here = litLights(reader.vector("P", x, y), locals);
+                const ReferenceCount here = litLights(reader.vector("P", x, y), locals);
                 ASSERT_GE(counted, double(here.atLeast)) << x << ", " << y;
                 ASSERT_LE(counted, double(here.atMost)) << x << ", " << y;
                 ++surfaces.atMost;
@@ -367,11 +366,11 @@ class CountTest : public DrawingTest {
     }
 };
 
-TEST_F(CountTest, agreeWithCountingByHandOutside) {
+TEST_F(CountTest, agreeWithReferenceCountsFromOutside) {
     expectCounts(room(), mixedLights(120, 1.5f), lookAt({0, 0, 9}, {0, 0, 0}, 0.4f));
 }
 
-TEST_F(CountTest, agreeWithCountingByHandAmongTheLights) {
+TEST_F(CountTest, agreeWithReferenceCountsAmongTheLights) {
     expectCounts(room(), mixedLights(150, 2.0f), lookAt({0, 0.5f, 2}, {0.3f, 0, -6}, 1.0f));
 }
 

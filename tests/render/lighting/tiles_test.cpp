@@ -1,9 +1,9 @@
-// Every form of the technique `tiles` (compute, and the kernel of each instruction set) gives the reference
-// picture.
+// Every implementation of the technique `tiles` (compute, and the kernel of each instruction set) gives the
+// reference image.
 
 #include "support/lit_scenes.h"
 #include "support/procedural_scene.h"
-#include "support/tile_forms.h"
+#include "support/tile_implementations.h"
 
 #include "gl/state_guard.h"
 #include "render/lighting/tiled/compute_tiles.h"
@@ -20,24 +20,24 @@ namespace {
 
 class TilesTest : public testing::Test {
   protected:
-    static void SetUpTestSuite() { studio_ = std::make_unique<Studio>(); }
-    static void TearDownTestSuite() { studio_.reset(); }
+    static void SetUpTestSuite() { shared_ = std::make_unique<Shared>(); }
+    static void TearDownTestSuite() { shared_.reset(); }
 
-    static const Context& context() { return studio_->context; }
-    static std::vector<TileForm>& forms() { return studio_->forms; }
+    static const Context& context() { return shared_->context; }
+    static std::vector<TileImplementation>& implementations() { return shared_->implementations; }
 
-    /// Compares every form with `fullscreen`.
+    /// Compares every implementation with `fullscreen`.
     ///
-    /// Tolerance: the forms take the same steps on the same texels, but sum in another order, round with
-    /// fused products, and take roots and reciprocals to a unit in the last place. A highlight of width alpha
-    /// magnifies some four roundings of 2^-24 of the half vector by 1 / alpha: 1e-4 at roughness 0.05, and
-    /// 1e-3 at the minimum alpha, which `smoothAndBright` has.
-    static void expectReference(const FormPicture& picture, const std::string& what,
+    /// Tolerance: the implementations take the same steps on the same texels, but sum in another order, round
+    /// with fused products, and take roots and reciprocals to a unit in the last place. A highlight of width
+    /// alpha magnifies some four roundings of 2^-24 of the half vector by 1 / alpha: 1e-4 at roughness 0.05,
+    /// and 1e-3 at the minimum alpha, which `smoothAndBright` has.
+    static void expectReference(const TileTestFrame& picture, const std::string& what,
                                 double tolerance = 1.0e-4) {
-        const std::vector<float> reference = radianceOf(context(), studio_->reference, picture);
-        for (const TileForm& form : forms()) {
-            EXPECT_LE(worstDifference(radianceOf(context(), form, picture), reference), tolerance)
-                << what << ", " << form.name;
+        const std::vector<float> reference = radianceOf(context(), shared_->reference, picture);
+        for (const TileImplementation& implementation : implementations()) {
+            EXPECT_LE(worstDifference(radianceOf(context(), implementation, picture), reference), tolerance)
+                << what << ", " << implementation.name;
         }
     }
 
@@ -51,15 +51,15 @@ class TilesTest : public testing::Test {
         return worst;
     }
 
-    static const TileForm& reference() { return studio_->reference; }
+    static const TileImplementation& reference() { return shared_->reference; }
 
   private:
-    struct Studio {
+    struct Shared {
         Context context = Context::createHeadless();
-        std::vector<TileForm> forms = tileForms();
-        TileForm reference = fullscreenForm();
+        std::vector<TileImplementation> implementations = tileImplementations();
+        TileImplementation reference = fullscreenImplementation();
     };
-    static inline std::unique_ptr<Studio> studio_;
+    static inline std::unique_ptr<Shared> shared_;
 };
 
 Scene wall() {
@@ -102,8 +102,8 @@ TEST_F(TilesTest, seventyThousandLightsInOneTile) {
         lights.push_back(
             pointLight({0.2f * hashed(1, i), 0.2f * hashed(2, i), 0.3f}, 1.0f, glm::vec3(1.0e-3f)));
     }
-    // 70,000 terms of one size: the order of the sum alone is worth sqrt(70,000) roundings of 2^-24, some
-    // 2e-5; fullscreen's blending in several draws adds nothing to that.
+    // 70,000 terms of one size: the order of the sum alone gives an error of sqrt(70,000) roundings of 2^-24,
+    // some 2e-5; fullscreen's blending in several draws adds nothing to that.
     expectReference({wall(), lights, front, 24, 16}, "70,000 lights", 1.0e-3);
 }
 
@@ -123,7 +123,7 @@ TEST_F(TilesTest, hugeAndTinyRanges) {
     expectReference({wall(), lights, front}, "ranges");
 }
 
-TEST_F(TilesTest, picturesThatAreNoMultipleOfATile) {
+TEST_F(TilesTest, imageSizesThatAreNoMultipleOfATile) {
     std::vector<WorldLight> lights;
     for (std::uint32_t i = 0; i < 40; ++i) {
         lights.push_back(
@@ -136,60 +136,61 @@ TEST_F(TilesTest, picturesThatAreNoMultipleOfATile) {
     }
 }
 
-TEST_F(TilesTest, pictureOf7680By4320) {
+TEST_F(TilesTest, imageOf7680By4320) {
     const Scene scene = wall();
     std::vector<WorldLight> lights{pointLight({-7, -4, 1}, 3.0f, {9, 3, 2}),
                                    pointLight({7, 4, 1}, 3.0f, {2, 3, 9}),
                                    spotLight({0, 0, 4}, {1, 0, 0}, 8.0f, {20, 20, 20}, 0.2f, 0.5f)};
-    const FormPicture picture{scene, lights, front, 7680, 4320};
-    // One form, the widest kernel: the others differ from it in nothing that depends on the size, and each
-    // picture takes seconds.
-    const TileForm& widest = forms()[1];
+    const TileTestFrame picture{scene, lights, front, 7680, 4320};
+    // Only the widest kernel: the others do not differ from it in anything that depends on the size, and each
+    // frame takes seconds.
+    const TileImplementation& widest = implementations()[1];
     const std::vector<float> expected = radianceOf(context(), reference(), picture);
     EXPECT_LE(worstDifference(radianceOf(context(), widest, picture), expected), 1.0e-4);
 }
 
 TEST_F(TilesTest, emissionIsKept) {
-    Material glowing;
-    glowing.emission = {0.5f, 1.0f, 2.0f};
+    Material emissive;
+    emissive.emission = {0.5f, 1.0f, 2.0f};
     const WorldLight light = pointLight({0, 0, 2}, 4.0f, {1, 1, 1});
-    expectReference({sceneOf(makeQuad(3.0f), glowing), std::span(&light, 1), front}, "emission");
+    expectReference({sceneOf(makeQuad(3.0f), emissive), std::span(&light, 1), front}, "emission");
 }
 
-TEST_F(TilesTest, listsThatOutgrowTheirBufferLoseNoLight) {
-    // 1.3 million entries, more than the initial buffer of the compute form holds; two frames are drawn,
-    // before and after the buffer has grown.
+TEST_F(TilesTest, listsThatExceedTheirBufferDropNoLight) {
+    // 1.3 million entries, more than the initial buffer of the compute implementation holds; two frames are
+    // drawn, before and after the buffer has grown.
     expectReference({wall(), lightsOverEveryTile(12'000), front, 112, 64}, "long lists", 1.0e-3);
 }
 
 TEST_F(TilesTest, listsBeyondTheMemoryAreShadedInParts) {
     // 112 tiles of 8 pixels with 3,000 lights each: 1.3 MB of lists, of which 64 KiB may exist at a time. The
-    // compute form learns of it in the first frames.
+    // compute implementation detects it in the first frames.
     const std::vector<WorldLight> lights = lightsOverEveryTile(3000);
     const Scene scene = wall();
-    FormPicture picture{scene, lights, front, 112, 64};
+    TileTestFrame picture{scene, lights, front, 112, 64};
     picture.frames = 6;
     const std::vector<float> expected = radianceOf(context(), reference(), picture);
-    for (const TileForm& form : limitedTileForms()) {
-        EXPECT_LE(worstDifference(radianceOf(context(), form, picture), expected), 1.0e-3) << form.name;
-        EXPECT_LE(form.technique->lightListBytes(), std::uint64_t{1} << 17) << form.name;
+    for (const TileImplementation& implementation : limitedTileImplementations()) {
+        EXPECT_LE(worstDifference(radianceOf(context(), implementation, picture), expected), 1.0e-3)
+            << implementation.name;
+        EXPECT_LE(implementation.technique->lightListBytes(), std::uint64_t{1} << 17) << implementation.name;
     }
 }
 
-TEST_F(TilesTest, computeTilesUseSeveralSpansWhereListsOutgrowTheBuffer) {
+TEST_F(TilesTest, computeTilesUseSeveralSpansWhereListsExceedTheBuffer) {
     const std::vector<WorldLight> lights = lightsOverEveryTile(3000);
     const Scene scene = wall();
-    FormPicture picture{scene, lights, front, 112, 64};
+    TileTestFrame picture{scene, lights, front, 112, 64};
     picture.frames = 6;
     auto technique = std::make_unique<ComputeTiles>(std::size_t{1} << 16);
     const ComputeTiles& tiles = *technique;
-    const TileForm form{"compute", std::move(technique)};
-    radianceOf(context(), form, picture);
+    const TileImplementation implementation{"compute", std::move(technique)};
+    radianceOf(context(), implementation, picture);
     EXPECT_GT(tiles.spanCount(), 1u);
     // Few lights need one span again.
     picture.lights = std::span(lights).first(3);
     picture.frames = 16;
-    radianceOf(context(), form, picture);
+    radianceOf(context(), implementation, picture);
     EXPECT_EQ(tiles.spanCount(), 1u);
 }
 
@@ -197,8 +198,8 @@ TEST_F(TilesTest, prefixSumsSaturate) {
     context().makeCurrent();
     const gl::StateGuard guard(*context().state().binding, "a test");
     const gl::Program prefix({{"tile_prefix.comp", {}, {}}}, "tile prefix sum");
-    // 8×8 tiles. The first three lists have 2^31, 2^31 and 5 entries: a sum that wraps would let the third
-    // and all later ones begin at small positions.
+    // 8×8 tiles. The first three lists have 2^31, 2^31 and 5 entries: a sum that wraps would give the third
+    // and all later ones small offsets.
     std::vector<std::uint32_t> counts(64, 1);
     counts[0] = counts[1] = 0x80000000u;
     counts[2] = 5;

@@ -1,4 +1,4 @@
-// How the level follows the size on the screen: pure functions.
+// The functions that choose the level by the size on the screen.
 
 #include "render/subdivision/level_of_detail.h"
 
@@ -53,7 +53,7 @@ TEST(CageLevelTest, smallOscillationChangesTheLevelOnceAtMost) {
     }
 }
 
-TEST(CageLevelTest, levelIsLeftOnlyAQuarterBeyondTheLevelsItServes) {
+TEST(CageLevelTest, levelHasAHysteresisOfAQuarter) {
     EXPECT_EQ(nextLevel(3, 3.24f, 8), 3u);
     EXPECT_EQ(nextLevel(3, 3.26f, 8), 4u);
     EXPECT_EQ(nextLevel(3, 1.76f, 8), 3u);
@@ -86,7 +86,7 @@ TEST(CageLevelTest, maxVerticesBoundTheLevel) {
     EXPECT_EQ(levelFor(8, 1), 1u) << "at least 1";
 }
 
-TEST(CageLevelTest, settingsOutOfRangeAreRefused) {
+TEST(CageLevelTest, settingsOutOfRangeAreErrors) {
     const auto isRefused = [](const SubdivisionSettings& settings) {
         try {
             checkSettings(settings);
@@ -121,7 +121,7 @@ LodView hundredPixels() {
     return lodView(view, 100, 100);
 }
 
-TEST(EdgeLengthTest, isThatOnTheScreenAtTheNearerEnd) {
+TEST(EdgeLengthTest, isMeasuredInPixelsAtTheNearerEnd) {
     const std::vector<CageEdge> edge{{0, 1}};
     const std::vector<glm::vec3> across{{-0.5f, 0.0f, -10.0f}, {0.5f, 0.0f, -10.0f}};
     const float distance = std::sqrt(100.25f);
@@ -131,7 +131,7 @@ TEST(EdgeLengthTest, isThatOnTheScreenAtTheNearerEnd) {
     EXPECT_NEAR(longestEdge(hundredPixels(), away, edge).value(), 3.0f * 100.0f / 2.0f, 1e-4f);
 }
 
-TEST(EdgeLengthTest, edgesOutOfViewDoNotCount) {
+TEST(EdgeLengthTest, edgesOutOfViewAreIgnored) {
     const std::vector<glm::vec3> points{{-1, 0, -10},  {1, 0, -10}, {-50, 0, -10},
                                         {-60, 0, -10}, {0, 0, 5},   {3, 0, 5}};
     const std::vector<CageEdge> edges{{0, 1}, {2, 3}, {4, 5}};

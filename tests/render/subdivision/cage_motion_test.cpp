@@ -1,4 +1,4 @@
-// The limit surfaces that are drawn follow their cages, in both evaluators.
+// The drawn limit surfaces follow their cages, with both evaluators.
 
 #include "support/cage_scenes.h"
 #include "support/drawing_test.h"
@@ -31,7 +31,7 @@ DrawnVertices limitOf(const Cage& cage, std::span<const glm::vec3> points) {
     return limit;
 }
 
-/// Some twenty products are added up, each rounded to 6e-8 of numbers that are 2 at most; the derivatives
+/// Some twenty products are summed, each rounded to 6e-8 of numbers that are 2 at most; the derivatives
 /// whose cross product is a normal are shorter than the points by up to ten times.
 constexpr float positionTolerance = 3e-6f, normalTolerance = 3e-5f;
 
@@ -96,7 +96,7 @@ TEST_F(CageMotionTest, allVerticesOfAPointAgreeBitForBit) {
     });
 }
 
-TEST_F(CageMotionTest, movedCageGivesThePictureOfAFreshScene) {
+TEST_F(CageMotionTest, movedCageGivesTheImageOfANewScene) {
     const Cage cage = makeCubeCage(1.0f);
     const WorldLight light = pointLight({2, 3, 5}, 30.0f, glm::vec3(10.0f));
     withBothEvaluators([&](SubdivisionEvaluator evaluator) {
@@ -133,10 +133,10 @@ Scene animatedScene() {
     scene.nodes.resize(3);
     scene.nodes[2].parent = 1;
     scene.skins.push_back({"", {1, 2}, {glm::mat4(1.0f), glm::mat4(1.0f)}});
-    const float turn = std::sqrt(0.5f);
+    const float half = std::sqrt(0.5f);
     Animation animation;
     animation.channels.push_back(
-        {2, AnimationPath::rotation, Interpolation::linear, {0.0f, 1.0f}, {0, 0, 0, 1, 0, 0, turn, turn}});
+        {2, AnimationPath::rotation, Interpolation::linear, {0.0f, 1.0f}, {0, 0, 0, 1, 0, 0, half, half}});
     animation.channels.push_back(
         {0, AnimationPath::morphWeights, Interpolation::linear, {0.0f, 1.0f}, {0.2f, 1.0f}});
     scene.animations.push_back(animation);
@@ -157,13 +157,13 @@ TEST_F(CageMotionTest, skinAndMorphTargetsMoveTheSurface) {
     });
 }
 
-TEST_F(CageMotionTest, skinnedCageStandsWhereItsJointsAre) {
+TEST_F(CageMotionTest, skinnedCageIsPlacedByItsJoints) {
     const Scene scene = animatedScene();
     GpuScene uploaded = uploadCages(scene, SubdivisionEvaluator::cpu);
     EXPECT_GT(drawn(uploaded, front).rgba[4 * (24 * 64 + 32) + 3], 0.0f) << "its node is 5 m to the side";
 }
 
-TEST_F(CageMotionTest, nodesThatShowOneCageMoveOnTheirOwn) {
+TEST_F(CageMotionTest, nodesThatShareACageMoveIndependently) {
     const Cage cage = makeCubeCage(1.0f);
     Scene scene = sceneOfCage(cage, Material{}, glm::translate(glm::mat4(1.0f), {-1.5f, 0, 0}));
     scene.nodes.push_back(scene.nodes[0]);
@@ -177,7 +177,7 @@ TEST_F(CageMotionTest, nodesThatShowOneCageMoveOnTheirOwn) {
         render(uploaded, front);
         expectSame(drawnVertices(uploaded, 0), limitOf(cage, cage.positions));
         expectSame(drawnVertices(uploaded, 1), limitOf(cage, points));
-        // The last that shares nothing keeps its surface.
+        // The last instance of the shared surface keeps it.
         uploaded.setCagePoints(0, points);
         render(uploaded, front);
         expectSame(drawnVertices(uploaded, 0), limitOf(cage, points));
@@ -185,7 +185,7 @@ TEST_F(CageMotionTest, nodesThatShowOneCageMoveOnTheirOwn) {
     });
 }
 
-TEST_F(CageMotionTest, whatIsReadBeforeTheNextFrameDoesNotDrawWhatIsNotThere) {
+TEST_F(CageMotionTest, aovsReadAfterAnEditDoNotDrawSurfacesThatAreNotYetEvaluated) {
     Scene scene = sceneOfCage(makeCubeCage(1.0f), Material{});
     scene.nodes.push_back(scene.nodes[0]);
     scene.materials[0].emission = glm::vec3(1.0f);
@@ -195,7 +195,7 @@ TEST_F(CageMotionTest, whatIsReadBeforeTheNextFrameDoesNotDrawWhatIsNotThere) {
     EXPECT_EQ(aovs(64).vector("emission", 32, 24), glm::vec3(1.0f)) << "the other node's";
 }
 
-TEST_F(CageMotionTest, cageOutOfViewIsRightWhenItComesIntoView) {
+TEST_F(CageMotionTest, cageMovedOutOfViewIsEvaluatedWhenItComesIntoView) {
     const Cage cage = makeCubeCage(1.0f);
     GpuScene scene = uploadCages(sceneOfCage(cage, Material{}), SubdivisionEvaluator::compute);
     const FrameRequest away = frameOf({0, 0, 6}, {0, 0, 12});
@@ -214,12 +214,12 @@ TEST_F(CageMotionTest, deviceDecidesTheEvaluator) {
     EXPECT_EQ(evaluatorOf(scene), context().isSoftware() ? "cpu" : "compute");
 }
 
-TEST_F(CageMotionTest, pointsThatDoNotFitAreRefused) {
+TEST_F(CageMotionTest, invalidCagePointsAreErrors) {
     Scene scene = sceneOfCage(makeCubeCage(1.0f), Material{});
     scene.nodes[0].name = "box";
     scene.nodes.emplace_back();
     GpuScene uploaded = uploadCages(scene, SubdivisionEvaluator::cpu);
-    const auto refusal = [&](std::uint32_t node, const std::vector<glm::vec3>& points) -> std::string {
+    const auto errorOfEdit = [&](std::uint32_t node, const std::vector<glm::vec3>& points) -> std::string {
         try {
             uploaded.setCagePoints(node, points);
         } catch (const Error& error) {
@@ -229,12 +229,12 @@ TEST_F(CageMotionTest, pointsThatDoNotFitAreRefused) {
         return "";
     };
     std::vector<glm::vec3> points = makeCubeCage(1.0f).positions;
-    EXPECT_NE(refusal(1, points).find("node 1"), std::string::npos);
+    EXPECT_NE(errorOfEdit(1, points).find("node 1"), std::string::npos);
     points[5].y = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_NE(refusal(0, points).find("point 5"), std::string::npos);
+    EXPECT_NE(errorOfEdit(0, points).find("point 5"), std::string::npos);
     points.pop_back();
-    EXPECT_NE(refusal(0, points).find("box"), std::string::npos);
-    EXPECT_EQ(drawn(uploaded, front).rgba.size(), 4u * 64u * 48u) << "the scene goes on";
+    EXPECT_NE(errorOfEdit(0, points).find("box"), std::string::npos);
+    EXPECT_EQ(drawn(uploaded, front).rgba.size(), 4u * 64u * 48u) << "the scene is usable after an error";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What cages look like: creases, seams, levels, materials.
+// Images of cages: creases, seams, levels, materials.
 
 #include "gbuffer/gbuffer_drawing.h"
 #include "support/cage_scenes.h"
@@ -21,7 +21,7 @@ FrameRequest inputsOf(const CameraView& view, int pixels = side) {
 /// Looks along -Z from afar at the square of 2 m around the origin.
 const CameraView far = lookAt({0, 0, 100}, {0, 0, 0}, 2.0f * std::atan(0.01f));
 
-/// An edge of a cube towards the camera, its faces to the left and to the right.
+/// Rotates a cube so that an edge faces the camera, with faces to the left and to the right.
 const glm::mat4 edgeOn = glm::rotate(glm::mat4(1.0f), std::numbers::pi_v<float> / 4.0f, {0, 1, 0});
 
 class CagePictureTest : public DrawingTest {
@@ -35,7 +35,7 @@ class CagePictureTest : public DrawingTest {
     }
 };
 
-TEST_F(CagePictureTest, infiniteCreasesShadeSharp) {
+TEST_F(CagePictureTest, infiniteCreasesAreSharp) {
     GpuScene scene = uploadCages(sceneOfCage(makeSharpCubeCage(0.6f), Material{}, edgeOn), subdividing(4));
     const AovReader picture = reader(scene, far);
     const float slope = std::sqrt(0.5f);
@@ -48,7 +48,7 @@ TEST_F(CagePictureTest, infiniteCreasesShadeSharp) {
     }
 }
 
-TEST_F(CagePictureTest, edgesWithoutCreasesShadeSmooth) {
+TEST_F(CagePictureTest, edgesWithoutCreasesAreSmooth) {
     GpuScene scene = uploadCages(sceneOfCage(makeCubeCage(0.8f), Material{}, edgeOn), subdividing(5));
     const AovReader picture = reader(scene, far);
     int compared = 0;
@@ -56,8 +56,8 @@ TEST_F(CagePictureTest, edgesWithoutCreasesShadeSmooth) {
         if (picture.scalar("Z", x, side / 2) == 0.0f || picture.scalar("Z", x - 1, side / 2) == 0.0f)
             continue;
         const glm::vec3 a = picture.vector("N", x - 1, side / 2), b = picture.vector("N", x, side / 2);
-        // The surface is no rounder than a ball of half its width of 40 pixels; towards its outline a
-        // pixel covers more of it, so that is left out.
+        // The surface curves no more than a sphere of half its width of 40 pixels; pixels near its
+        // silhouette cover more of it and are left out.
         if (a.z < 0.5f || b.z < 0.5f) continue;
         EXPECT_LT(glm::distance(a, b), 2.0f * 2.0f / 40.0f) << x;
         ++compared;
@@ -85,7 +85,7 @@ TEST_F(CagePictureTest, withoutASubdividerThePolygonsAreDrawn) {
 TEST_F(CagePictureTest, closedSurfaceHasNoCracks) {
     for (const std::uint32_t level : {1u, 2u, 4u}) {
         for (std::uint32_t seed = 0; seed < 6; ++seed) {
-            // Seams and creases, so that there are seam vertices.
+            // Seams and creases create seam vertices.
             Cage cage = seed % 2 == 0 ? makeCubeCage(1.0f) : makeSharpCubeCage(0.7f);
             cage.positions = jittered(cage.positions, 0.1f, 100 * seed);
             const glm::mat4 rotation =
@@ -119,7 +119,7 @@ TEST_F(CagePictureTest, facesHaveTheirMaterials) {
         material.baseColor = glm::vec4(color, 1.0f);
         scene.materials.push_back(material);
     }
-    // The face towards +Z is turned to the right, that towards -X to the left.
+    // The face towards +Z is rotated to the right, that towards -X to the left.
     scene.cages[0].faceMaterials = {2u, std::nullopt, std::nullopt, 1u, std::nullopt, std::nullopt};
     const AovReader picture = reader(uploadCages(scene, subdividing(2)), far);
     expectColor(picture.vector("base_color", side / 4, side / 2), colors[0]);
@@ -176,7 +176,7 @@ class CageLodTest : public CagePictureTest {
     }
 };
 
-TEST_F(CageLodTest, levelGrowsAsTheCameraComesNearer) {
+TEST_F(CageLodTest, levelGrowsAsTheCameraApproaches) {
     GpuScene scene = cube();
     EXPECT_EQ(levelFrom(scene, 200.0f), 1u);
     std::uint32_t last = 1;

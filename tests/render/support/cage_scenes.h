@@ -21,7 +21,7 @@ const Subdivider& subdivider();
 /// A cube around the origin. Each face has texture coordinates of its own, so that every edge is a seam.
 Cage makeCubeCage(float halfSize);
 
-/// The same with all edges infinitely sharp: its limit surface is the cube.
+/// The same with all edges infinitely sharp; its limit surface is the cube.
 Cage makeSharpCubeCage(float halfSize);
 
 /// The square of `makeQuad` as `cells` × `cells` faces, with its texture coordinates; flat, and so is its

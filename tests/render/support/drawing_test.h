@@ -59,11 +59,11 @@ inline bool allFinite(const HdrImage& picture) {
 /// Tests that draw: one headless context and one renderer for the whole suite.
 class DrawingTest : public testing::Test {
   protected:
-    static void SetUpTestSuite() { studio_ = std::make_unique<Studio>(); }
-    static void TearDownTestSuite() { studio_.reset(); }
+    static void SetUpTestSuite() { shared_ = std::make_unique<Shared>(); }
+    static void TearDownTestSuite() { shared_.reset(); }
 
-    static const Context& context() { return studio_->context; }
-    static Renderer& renderer() { return studio_->renderer; }
+    static const Context& context() { return shared_->context; }
+    static Renderer& renderer() { return shared_->renderer; }
 
     static GpuScene upload(const Scene& scene, std::span<const WorldLight> lights = {}) {
         GpuScene uploaded(context(), scene);
@@ -74,9 +74,9 @@ class DrawingTest : public testing::Test {
     /// Draws a frame, which is `lastFrame` until the next one. `scene` may be a temporary.
     template <typename Uploaded>
     static const Frame& render(Uploaded&& scene, const FrameRequest& request) {
-        return studio_->frame.emplace(test::render(renderer(), scene, request));
+        return shared_->frame.emplace(test::render(renderer(), scene, request));
     }
-    static const Frame& lastFrame() { return *studio_->frame; }
+    static const Frame& lastFrame() { return *shared_->frame; }
 
     template <typename Uploaded>
     static HdrImage drawn(Uploaded&& scene, const FrameRequest& request) {
@@ -87,12 +87,12 @@ class DrawingTest : public testing::Test {
     static AovReader aovs(int width) { return {lastFrame().aovs(Renderer::aovNames()), width}; }
 
   private:
-    struct Studio {
+    struct Shared {
         Context context = Context::createHeadless();
         Renderer renderer{context};
         std::optional<Frame> frame;
     };
-    static inline std::unique_ptr<Studio> studio_;
+    static inline std::unique_ptr<Shared> shared_;
 };
 
 }  // namespace candela::test

@@ -4,7 +4,7 @@
 
 namespace candela::test {
 
-/// What a test draws, in one value: the view and the settings.
+/// The view and the settings of a frame.
 struct FrameRequest {
     int width = 0, height = 0;
     CameraView view;

@@ -57,11 +57,11 @@ Texture textureOf(std::uint32_t image) {
 
 }  // namespace
 
-LitScene plazaLike() {
+LitScene spheresOnAFloor() {
     LitScene lit{"plaza",
-                  sceneOf(makeQuad(20.0f), surface({0.5f, 0.5f, 0.5f}, 0.0f, 0.8f), floorAt(0.0f)),
-                  {},
-                  lookAt({0, 4, 9}, {0, 0.5f, 0}, 0.8f)};
+                 sceneOf(makeQuad(20.0f), surface({0.5f, 0.5f, 0.5f}, 0.0f, 0.8f), floorAt(0.0f)),
+                 {},
+                 lookAt({0, 4, 9}, {0, 0.5f, 0}, 0.8f)};
     for (int column = 0; column < 6; ++column) {
         for (int row = 0; row < 2; ++row) {
             const auto index = static_cast<std::uint32_t>(2 * column + row);
@@ -91,31 +91,31 @@ LitScene textured() {
     quad.colors = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
     place(lit.scene, quad, material);
     lit.lights = {spotLight({-1, 1, 1.5f}, {0, 0, 0}, 6.0f, {30, 25, 20}, 0.2f, 0.5f),
-                   spotLight({1, 0.3f, 1}, {0.5f, 0, 0}, 0.0f, {5, 9, 14}, 0.0f, 1.2f),
-                   pointLight({0.2f, -0.8f, 0.6f}, 0.0f, {3, 2, 4})};
+                  spotLight({1, 0.3f, 1}, {0.5f, 0, 0}, 0.0f, {5, 9, 14}, 0.0f, 1.2f),
+                  pointLight({0.2f, -0.8f, 0.6f}, 0.0f, {3, 2, 4})};
     return lit;
 }
 
 LitScene sunAndSpots() {
     LitScene lit{"sun and spots",
-                  sceneOf(makeQuad(10.0f), surface({0.4f, 0.6f, 0.3f}, 0.0f, 0.4f), floorAt(0.0f)),
-                  {},
-                  lookAt({3, 2, 6}, {0, 0.5f, 0}, 0.9f)};
+                 sceneOf(makeQuad(10.0f), surface({0.4f, 0.6f, 0.3f}, 0.0f, 0.4f), floorAt(0.0f)),
+                 {},
+                 lookAt({3, 2, 6}, {0, 0.5f, 0}, 0.9f)};
     place(lit.scene, makeSphere(1.0f), surface({0.9f, 0.6f, 0.2f}, 1.0f, 0.3f), at({-1, 1, 0}));
     place(lit.scene, makeSphere(0.7f), surface({0.2f, 0.3f, 0.9f}, 0.0f, 0.6f), at({1.5f, 0.7f, 1}));
     lit.lights = {directionalLight({0.3f, -1, -0.5f}, {3, 2.9f, 2.7f}),
-                   directionalLight({-1, -0.2f, 0.1f}, {0.2f, 0.3f, 0.6f}),
-                   spotLight({0, 4, 3}, {-1, 1, 0}, 12.0f, {200, 150, 100}, 0.1f, 0.101f),
-                   spotLight({4, 3, 0}, {1, 0, 1}, 0.0f, {40, 90, 60}, 0.3f, 0.6f),
-                   spotLight({-4, 0.5f, 3}, {0, 0.5f, 0}, 9.0f, {60, 20, 80}, 0.0f, 1.5707963f)};
+                  directionalLight({-1, -0.2f, 0.1f}, {0.2f, 0.3f, 0.6f}),
+                  spotLight({0, 4, 3}, {-1, 1, 0}, 12.0f, {200, 150, 100}, 0.1f, 0.101f),
+                  spotLight({4, 3, 0}, {1, 0, 1}, 0.0f, {40, 90, 60}, 0.3f, 0.6f),
+                  spotLight({-4, 0.5f, 3}, {0, 0.5f, 0}, 9.0f, {60, 20, 80}, 0.0f, 1.5707963f)};
     return lit;
 }
 
 LitScene nearAndFar() {
     LitScene lit{"near and far",
-                  sceneOf(makeQuad(2.0f), surface({0.7f, 0.7f, 0.7f}, 0.0f, 0.5f)),
-                  {},
-                  lookAt({0, -1.5f, 2}, {0, 0, 0}, 0.9f)};
+                 sceneOf(makeQuad(2.0f), surface({0.7f, 0.7f, 0.7f}, 0.0f, 0.5f)),
+                 {},
+                 lookAt({0, -1.5f, 2}, {0, 0, 0}, 0.9f)};
     place(lit.scene, makeSphere(0.4f), surface({0.8f, 0.3f, 0.2f}, 1.0f, 0.35f), at({0.9f, 0.2f, 0.4f}));
     for (std::uint32_t i = 0; i < 12; ++i) {
         const glm::vec3 position(3.0f * hashed(7, i) - 1.5f, 3.0f * hashed(8, i) - 1.5f,
@@ -129,9 +129,9 @@ LitScene nearAndFar() {
 
 LitScene smoothAndBright() {
     LitScene lit{"smooth and bright",
-                  sceneOf(makeQuad(10.0f), surface({0.3f, 0.3f, 0.3f}, 0.0f, 0.0f), floorAt(0.0f)),
-                  {},
-                  lookAt({0, 2, 6}, {0, 0.7f, 0}, 0.8f)};
+                 sceneOf(makeQuad(10.0f), surface({0.3f, 0.3f, 0.3f}, 0.0f, 0.0f), floorAt(0.0f)),
+                 {},
+                 lookAt({0, 2, 6}, {0, 0.7f, 0}, 0.8f)};
     for (int i = 0; i < 4; ++i) {
         place(lit.scene, makeSphere(0.8f, 48, 24),
               surface({0.95f, 0.9f, 0.8f}, float(i % 2), 0.04f * float(i)),
@@ -147,9 +147,9 @@ LitScene smoothAndBright() {
 
 LitScene grazing() {
     LitScene lit{"grazing",
-                  sceneOf(makeQuad(10.0f), surface({0.6f, 0.5f, 0.4f}, 0.0f, 0.3f), floorAt(0.0f)),
-                  {},
-                  lookAt({0, 0.05f, 6}, {0, 0, -4}, 0.5f)};
+                 sceneOf(makeQuad(10.0f), surface({0.6f, 0.5f, 0.4f}, 0.0f, 0.3f), floorAt(0.0f)),
+                 {},
+                 lookAt({0, 0.05f, 6}, {0, 0, -4}, 0.5f)};
     place(lit.scene, makeQuad(0.5f), surface({0.9f, 0.9f, 0.2f}, 1.0f, 0.2f),
           glm::rotate(at({1, 0.5f, 0}), glm::radians(88.0f), glm::vec3(0, 1, 0)));
     for (std::uint32_t i = 0; i < 16; ++i) {
@@ -162,7 +162,7 @@ LitScene grazing() {
 }
 
 std::vector<LitScene> litScenes() {
-    return {plazaLike(), textured(), sunAndSpots(), nearAndFar(), smoothAndBright(), grazing()};
+    return {spheresOnAFloor(), textured(), sunAndSpots(), nearAndFar(), smoothAndBright(), grazing()};
 }
 
 }  // namespace candela::test

@@ -18,7 +18,7 @@ struct LitScene {
 };
 
 /// Spheres of all roughnesses, half of them metal, over a floor, under 48 point lights of 3 m range.
-LitScene plazaLike();
+LitScene spheresOnAFloor();
 /// All textures that a surface can have, vertex colours, emission, spots and a point without range.
 LitScene textured();
 /// Two directional lights and spots, one of them with the narrowest cone.
@@ -27,7 +27,7 @@ LitScene sunAndSpots();
 LitScene nearAndFar();
 /// Spheres of roughness 0 and a little more under lights of 1e6 cd.
 LitScene smoothAndBright();
-/// A floor seen and lit under small angles.
+/// A floor viewed and lit at grazing angles.
 LitScene grazing();
 
 std::vector<LitScene> litScenes();

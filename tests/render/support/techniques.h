@@ -6,7 +6,7 @@
 
 namespace candela::test {
 
-/// Every technique that brings lights to pixels, and every model: tests of lighting loop over them.
+/// Every lighting technique and every BRDF model; tests of lighting iterate over them.
 inline constexpr std::array techniques{Technique::volumes, Technique::tiles, Technique::fullscreen};
 inline constexpr std::array models{BrdfModel::course, BrdfModel::gltf};
 

@@ -87,8 +87,8 @@ void ComputeTiles::growLists(std::size_t bytes) {
     try {
         listBuffer_.reserve(bytes);
     } catch (const Error&) {
-        // The device has no memory for more: what it had is the maximum from now on. OpenGL leaves the buffer
-        // undefined after such an error.
+        // The device has no memory for more: the previous size is the maximum from now on. OpenGL leaves the
+        // buffer undefined after such an error.
         maxListBytes_ = before;
         listBuffer_ = gl::Buffer("tile lists", gl::BufferUsage::device);
         listBuffer_.reserve(before);

@@ -1,4 +1,4 @@
-// Pointer and keys move the camera and pick; the copied command draws the very same picture.
+// Pointer and keys move the camera and pick; the copied command draws the same image.
 
 #include "own_display.h"
 #include "view_session.h"
@@ -21,8 +21,8 @@ constexpr OpenPanels noPanels{.scene = false,
                               .probe = false};
 constexpr int left = 1, middle = 2, right = 3, wheelUp = 4, wheelDown = 5;
 
-/// The sample scene in a window without panels: what the pointer does is meant for the picture.
-class HandSession : public ViewTest {
+/// The sample scene in a window without panels, so that pointer events reach the viewport.
+class InputSession : public ViewTest {
   protected:
     void SetUp() override {
         ViewTest::SetUp();
@@ -33,7 +33,7 @@ class HandSession : public ViewTest {
         session->awaitScene();
     }
 
-    /// What the viewer shows now is what its command line draws, to the last code value.
+    /// Expects the copied command line to draw exactly the shown image.
     void expectCommandDrawsThePicture() {
         const PngPicture shown = session->picture();
         const std::string command = session->copiedCommand();
@@ -45,65 +45,65 @@ class HandSession : public ViewTest {
     std::unique_ptr<ViewSession> session;
 };
 
-TEST_F(HandSession, TheFilesOwnCameraIsTheFirst) {
+TEST_F(InputSession, TheInitialCameraIsThatOfTheFile) {
     EXPECT_EQ(camera().eye(), glm::vec3(0.0f, 0.0f, 3.0f));
     EXPECT_FALSE(session->model().options.eye);
     expectCommandDrawsThePicture();
 }
 
-TEST_F(HandSession, LeftButtonTurnsRoundTheTarget) {
+TEST_F(InputSession, LeftButtonOrbitsTheTarget) {
     const PngPicture before = session->picture();
     const float distance = glm::distance(camera().eye(), camera().target());
     session->drag(left, 160, 120, 200, 150);
     EXPECT_LT(camera().eye().x, -0.1f);
     EXPECT_GT(camera().eye().y, 0.1f);
-    // Rounding of a few turns in single precision.
+    // Rounding of a few rotations in single precision.
     EXPECT_NEAR(glm::distance(camera().eye(), camera().target()), distance, 1.0e-5f);
     EXPECT_GT(maxDifference(session->picture(), before), 20);
     expectCommandDrawsThePicture();
 }
 
-TEST_F(HandSession, MiddleButtonAndShiftLeftMoveSideways) {
+TEST_F(InputSession, MiddleButtonAndShiftLeftPan) {
     session->drag(middle, 160, 120, 200, 120);
     const glm::vec3 eye = camera().eye();
     EXPECT_LT(eye.x, -0.1f);
     EXPECT_EQ(camera().target().x, eye.x);
-    useHand("keydown shift");
+    sendInput("keydown shift");
     session->drag(left, 160, 120, 160, 150);
-    useHand("keyup shift");
+    sendInput("keyup shift");
     EXPECT_GT(camera().eye().y, 0.1f);
     // Rounding of a sum.
     EXPECT_NEAR(camera().eye().y, camera().target().y, 1.0e-5f);
     expectCommandDrawsThePicture();
 }
 
-TEST_F(HandSession, WheelComesNearer) {
+TEST_F(InputSession, WheelDollies) {
     session->pointTo(160, 120);
-    useHand("click " + std::to_string(wheelUp));
+    sendInput("click " + std::to_string(wheelUp));
     session->settle();
     const float near = camera().eye().z;
     EXPECT_LT(near, 2.9f);
     EXPECT_GT(near, 1.0f);
-    useHand("click --repeat 2 " + std::to_string(wheelDown));
+    sendInput("click --repeat 2 " + std::to_string(wheelDown));
     session->settle();
     EXPECT_GT(camera().eye().z, 3.1f);
     expectCommandDrawsThePicture();
 }
 
-TEST_F(HandSession, RightButtonLooksAround) {
+TEST_F(InputSession, RightButtonLooksAround) {
     session->drag(right, 160, 120, 190, 120);
     EXPECT_EQ(camera().eye(), glm::vec3(0.0f, 0.0f, 3.0f));
     EXPECT_GT(camera().target().x, 0.1f);
     expectCommandDrawsThePicture();
 }
 
-TEST_F(HandSession, RightButtonAndWFly) {
+TEST_F(InputSession, RightButtonAndWFly) {
     session->pointTo(160, 120);
-    useHand("mousedown " + std::to_string(right));
+    sendInput("mousedown " + std::to_string(right));
     session->settle();
-    // The window has slept: the flight must not begin with a leap.
+    // The window has been idle: the first step of the flight must not cover that time.
     std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-    useHand("keydown w");
+    sendInput("keydown w");
     session->settle();
     const float first = camera().eye().z;
     EXPECT_LT(first, 3.0f);
@@ -111,33 +111,33 @@ TEST_F(HandSession, RightButtonAndWFly) {
     // settling takes four steps.
     EXPECT_GT(first, 3.0f - 4.0f * 0.1f * 1.6f);
     EXPECT_TRUE(session->stepUntil([&] { return camera().eye().z < first - 0.2f; }));
-    useHand("keyup w");
+    sendInput("keyup w");
     session->settle();
-    const glm::vec3 there = camera().eye();
+    const glm::vec3 stopped = camera().eye();
     session->step(5);
-    EXPECT_EQ(camera().eye(), there);
-    useHand("keydown d");
+    EXPECT_EQ(camera().eye(), stopped);
+    sendInput("keydown d");
     EXPECT_TRUE(session->stepUntil([&] { return camera().eye().x > 0.1f; }));
-    useHand("keyup d mouseup " + std::to_string(right));
+    sendInput("keyup d mouseup " + std::to_string(right));
     session->settle();
     expectCommandDrawsThePicture();
 }
 
-TEST_F(HandSession, KeysDoNotFlyWithoutTheButton) {
+TEST_F(InputSession, KeysDoNotFlyWithoutTheButton) {
     session->pointTo(160, 120);
-    useHand("keydown w");
+    sendInput("keydown w");
     session->settle();
-    useHand("keyup w");
+    sendInput("keyup w");
     session->settle();
     EXPECT_FALSE(session->model().options.eye);
 }
 
-TEST_F(HandSession, FBringsEverythingBack) {
-    // By 75 degrees: past the picture's edge, but still on the side that the square faces.
+TEST_F(InputSession, FFramesTheScene) {
+    // By 75 degrees: the square leaves the image, but the eye stays on the side that it faces.
     session->drag(right, 160, 120, 260, 120);
     const std::size_t lost = session->picture().colors();
     session->pointTo(160, 120);
-    useHand("key f");
+    sendInput("key f");
     session->settle();
     // The box of the square, without its light.
     EXPECT_EQ(camera().target(), glm::vec3(0.0f));
@@ -145,20 +145,20 @@ TEST_F(HandSession, FBringsEverythingBack) {
     expectCommandDrawsThePicture();
 }
 
-TEST_F(HandSession, AClickPicksAndShiftFFramesIt) {
+TEST_F(InputSession, AClickPicksAndShiftFFramesIt) {
     session->click(160, 120);
     EXPECT_EQ(session->model().pickedNode, 0u);
     session->click(5, 230);
     EXPECT_EQ(session->model().pickedNode, std::nullopt) << "the background";
     session->click(160, 120);
     EXPECT_FALSE(session->model().options.eye) << "a click moves nothing";
-    useHand("key shift+f");
+    sendInput("key shift+f");
     session->settle();
     EXPECT_TRUE(session->model().options.eye);
     EXPECT_EQ(camera().target(), glm::vec3(0.0f));
 }
 
-TEST_F(HandSession, APanelKeepsThePointerForItself) {
+TEST_F(InputSession, APanelCapturesThePointer) {
     session->model().panels.camera = true;
     session->step(3);
     // The panel lies in the right column from the menu bar down.
@@ -167,7 +167,7 @@ TEST_F(HandSession, APanelKeepsThePointerForItself) {
     EXPECT_FALSE(session->model().pickedNode);
 }
 
-TEST_F(HandSession, TheProbeTellsOfThePixelUnderThePointer) {
+TEST_F(InputSession, TheProbeReadsThePixelUnderThePointer) {
     session->model().panels.probe = true;
     session->pointTo(160, 100);
     ASSERT_TRUE(session->model().probe);
@@ -185,18 +185,19 @@ TEST_F(HandSession, TheProbeTellsOfThePixelUnderThePointer) {
     EXPECT_FALSE(session->model().probe) << "the background";
 }
 
-/// A scene that takes long to draw: the resolution scale of its picture is up to the hand.
-class SlowHandSession : public HandSession {
+/// A scene that takes long to draw, so that input lowers the resolution scale.
+class SlowInputSession : public InputSession {
   protected:
     void SetUp() override {
-        HandSession::SetUp();
+        InputSession::SetUp();
         if (IsSkipped()) return;
         session->drop("plaza:512");
         session->model().options.technique = candela::Technique::fullscreen;
         session->step();
-        session->model().options.display.exposure = 1.0;  // a picture whose time holds no compiling
+        session->model().options.display.exposure =
+            1.0;  // so that the last frame's time includes no shader compilation
         session->step();
-        // Far over what counts as fluent, even on a fast machine: 512 lights at each of 76800 pixels.
+        // Slower than an interactive rate even on a fast machine: 512 lights at each of 76800 pixels.
         ASSERT_GT(session->model().frames.back().milliseconds, 60.0);
     }
 
@@ -205,47 +206,47 @@ class SlowHandSession : public HandSession {
     }
 };
 
-TEST_F(SlowHandSession, LowersTheResolutionOnlyWhileTheCameraMoves) {
+TEST_F(SlowInputSession, LowersTheResolutionOnlyWhileTheCameraMoves) {
     session->pointTo(160, 120);
-    useHand("mousedown " + std::to_string(left));
+    sendInput("mousedown " + std::to_string(left));
     session->settle();
-    useHand("mousemove_relative 20 5");
+    sendInput("mousemove_relative 20 5");
     EXPECT_TRUE(lowersResolution());
-    useHand("mouseup " + std::to_string(left));
+    sendInput("mouseup " + std::to_string(left));
     EXPECT_TRUE(session->stepUntil([&] { return session->model().divisor == 1; }));
     const std::size_t drawn = session->model().frames.size();
     session->step(5);
-    EXPECT_EQ(session->model().frames.size(), drawn) << "at rest nothing is drawn";
+    EXPECT_EQ(session->model().frames.size(), drawn) << "nothing is drawn while nothing changes";
     expectCommandDrawsThePicture();
 }
 
-TEST_F(SlowHandSession, TheProbeReadsTheLastPixelAtLowResolution) {
+TEST_F(SlowInputSession, TheProbeReadsTheLastPixelAtLowResolution) {
     session->resize(323, 243);  // neither is a multiple of 4
     session->model().panels.probe = true;
     session->pointTo(160, 60);
-    useHand("mousedown " + std::to_string(left));
+    sendInput("mousedown " + std::to_string(left));
     session->settle();
-    useHand("mousemove 322 242");
+    sendInput("mousemove 322 242");
     EXPECT_TRUE(lowersResolution());
     EXPECT_EQ(session->model().pointer, glm::ivec2(322, 242));
     EXPECT_EQ(session->messages(Message::Kind::error), 0u);
-    useHand("mouseup " + std::to_string(left));
+    sendInput("mouseup " + std::to_string(left));
 }
 
-TEST_F(HandSession, TheClipboardSaysWhatTheCommandCanNot) {
+TEST_F(InputSession, EditsThatTheCommandCanNotExpressAreNoted) {
     session->document().setVisibility(0, candela::GpuScene::Visibility::hidden);
     session->copiedCommand();
     EXPECT_NE(session->model().messages.back().text.find("hidden node 0"), std::string::npos)
         << session->model().messages.back().text;
 }
 
-TEST_F(HandSession, APictureIsSavedByTheKeysAlone) {
+TEST_F(InputSession, AnImageIsSavedWithTheKeyboardOnly) {
     session->pointTo(160, 120);
-    useHand("key ctrl+s");
+    sendInput("key ctrl+s");
     session->settle();
-    useHand("type --delay 30 typed");
+    sendInput("type --delay 30 typed");
     session->settle();
-    useHand("key Return");
+    sendInput("key Return");
     session->settle();
     EXPECT_EQ(readPng(folder / "typed.png").width, 320);
 }

@@ -1,6 +1,6 @@
-#include "picture.h"
+#include "frame_writer.h"
 
-#include "common/picture_file.h"
+#include "common/output_file.h"
 
 #include <chrono>
 
@@ -31,7 +31,7 @@ FrameTiming FrameWriter::draw(const candela::CameraView& view) {
 
 void FrameWriter::write(const std::filesystem::path& path) {
     if (display_)
-        writeShownPicture(path, options_.width, options_.height, pixels_, *display_);
+        writeDisplayedFrame(path, options_.width, options_.height, pixels_, *display_);
     else
         writeRadiance(path, *frame_, options_.aovs, color_);
 }

@@ -17,7 +17,7 @@ struct ExpectedPixel {
     glm::dvec3 tolerance{0.0};
 };
 
-/// The picture that the double-precision evaluator makes of a frame's AOVs, rows from the top.
+/// The image that the double-precision evaluator computes from a frame's AOVs, rows from the top.
 ///
 /// Tolerance: single precision holds each input of the equation to a few units in its last place (2^-24
 /// relative), so a pixel is right if it is right for inputs that are displaced by as much. The contribution
@@ -29,8 +29,8 @@ struct ExpectedPixel {
 ///    within 16 units in the last place;
 ///  - `windowError` of it before the range window, where 1 - (d / range)^4 cancels;
 ///  - the change of a spot's factor when the cosine moves by `cosineError`.
-std::vector<ExpectedPixel> evaluatedPicture(BrdfModel model, const AovReader& aovs, int width, int height,
-                                            const glm::vec3& eye, std::span<const WorldLight> lights);
+std::vector<ExpectedPixel> evaluatedImage(BrdfModel model, const AovReader& aovs, int width, int height,
+                                          const glm::vec3& eye, std::span<const WorldLight> lights);
 
 /// The lights, with the ranges that the renderer assigns at its default threshold.
 std::vector<WorldLight> withRanges(std::span<const WorldLight> lights);

@@ -2,5 +2,8 @@
 
 #include "options.h"
 
+/// Reads the scene, draws its frames and writes them. Throws `candela::Error`; frames finished before stay.
+void renderFrames(const Options& options);
+
 /// Prints what --list asks for, a line each, on standard output. Throws `candela::Error`.
 void printList(const Options& options);

@@ -1,4 +1,4 @@
-#include "support/tile_forms.h"
+#include "support/tile_implementations.h"
 
 #include "gl/state_guard.h"
 #include "render/frame_uniforms.h"
@@ -31,26 +31,28 @@ class OwnFullscreen final : public LightingTechnique {
 
 }  // namespace
 
-std::vector<TileForm> tileForms() {
-    std::vector<TileForm> forms;
-    forms.push_back({"compute", std::make_unique<ComputeTiles>()});
+std::vector<TileImplementation> tileImplementations() {
+    std::vector<TileImplementation> implementations;
+    implementations.push_back({"compute", std::make_unique<ComputeTiles>()});
     for (const TileKernel* kernel : tileKernels())
-        forms.push_back({kernel->name, std::make_unique<CpuTiles>(*kernel)});
-    return forms;
+        implementations.push_back({kernel->name, std::make_unique<CpuTiles>(*kernel)});
+    return implementations;
 }
 
-std::vector<TileForm> limitedTileForms() {
-    std::vector<TileForm> forms;
-    forms.push_back({"compute, 64 KiB", std::make_unique<ComputeTiles>(std::size_t{1} << 16)});
-    forms.push_back({"cpu, 64 KiB", std::make_unique<CpuTiles>(tileKernel(), std::uint64_t{1} << 14)});
-    return forms;
+std::vector<TileImplementation> limitedTileImplementations() {
+    std::vector<TileImplementation> implementations;
+    implementations.push_back({"compute, 64 KiB", std::make_unique<ComputeTiles>(std::size_t{1} << 16)});
+    implementations.push_back(
+        {"cpu, 64 KiB", std::make_unique<CpuTiles>(tileKernel(), std::uint64_t{1} << 14)});
+    return implementations;
 }
 
-TileForm fullscreenForm() {
+TileImplementation fullscreenImplementation() {
     return {"fullscreen", std::make_unique<OwnFullscreen>()};
 }
 
-std::vector<float> radianceOf(const Context& context, const TileForm& form, const FormPicture& picture) {
+std::vector<float> radianceOf(const Context& context, const TileImplementation& implementation,
+                              const TileTestFrame& picture) {
     context.makeCurrent();
     GpuScene scene(context, picture.scene);
     scene.setLights(picture.lights);
@@ -70,12 +72,12 @@ std::vector<float> radianceOf(const Context& context, const TileForm& form, cons
     buffer.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
     glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, buffer.name());
     gl::PassTimer timer(gl::PassTimer::Clock::wallAroundFinish);
-    const LoadOp start = form.technique->radianceLoadOp();
+    const LoadOp start = implementation.technique->radianceLoadOp();
     for (int frame = 0; frame < picture.frames; ++frame) {
         geometry.render({state, draws, targets, start});
         bindForLighting(targets, state.lights, albedo);
-        form.technique->render({targets, state.lights, frustum, uniforms, picture.brdf, draws.emits()},
-                               timer);
+        implementation.technique->render(
+            {targets, state.lights, frustum, uniforms, picture.brdf, draws.emits()}, timer);
     }
     return readColor(targets.radiance, picture.width, picture.height);
 }

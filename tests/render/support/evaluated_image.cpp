@@ -1,4 +1,4 @@
-#include "support/evaluated_picture.h"
+#include "support/evaluated_image.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -17,19 +17,19 @@ constexpr double relativeError = 1.0e-5;
 constexpr double windowError = 4.0 * unit;
 constexpr double cosineError = 4.0 * unit;
 
-struct Lit {
+struct ShadingContext {
     BrdfModel model;
     SurfacePoint surface;
     glm::dvec3 eye;
     double reach;  ///< The magnitude of the coordinates from which the position is computed.
 };
 
-glm::dvec3 light(const Lit& lit, const SurfacePoint& surface, const WorldLight& light) {
+glm::dvec3 light(const ShadingContext& lit, const SurfacePoint& surface, const WorldLight& light) {
     return reflectedRadiance(lit.model, surface, lit.eye, light);
 }
 
-/// The largest change by the displacements of `evaluatedPicture`, summed over their kinds.
-glm::dvec3 spread(const Lit& lit, const WorldLight& one, const glm::dvec3& exact) {
+/// The largest change by the displacements of `evaluatedImage`, summed over their kinds.
+glm::dvec3 spread(const ShadingContext& lit, const WorldLight& one, const glm::dvec3& exact) {
     glm::dvec3 sum(0.0);
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 step(0.0);
@@ -39,22 +39,22 @@ glm::dvec3 spread(const Lit& lit, const WorldLight& one, const glm::dvec3& exact
             SurfacePoint moved = lit.surface;
             moved.position += step * (sign * positionUnits * unit * lit.reach);
             byPosition = glm::max(byPosition, glm::abs(light(lit, moved, one) - exact));
-            SurfacePoint turned = lit.surface;
-            turned.normal = glm::normalize(turned.normal + step * (sign * normalError));
-            byNormal = glm::max(byNormal, glm::abs(light(lit, turned, one) - exact));
+            SurfacePoint rotated = lit.surface;
+            rotated.normal = glm::normalize(rotated.normal + step * (sign * normalError));
+            byNormal = glm::max(byNormal, glm::abs(light(lit, rotated, one) - exact));
         }
         sum += byPosition + byNormal;
     }
     return sum;
 }
 
-glm::dvec3 unwindowed(const Lit& lit, WorldLight one) {
+glm::dvec3 unwindowed(const ShadingContext& lit, WorldLight one) {
     one.range = std::max(one.range * 1.0e3f, 1.0e3f);
     return light(lit, lit.surface, one);
 }
 
 /// The change of a spot's factor, times the light without it.
-glm::dvec3 spotSpread(const Lit& lit, const WorldLight& one) {
+glm::dvec3 spotSpread(const ShadingContext& lit, const WorldLight& one) {
     WorldLight point = one;
     point.type = LightType::point;
     const glm::dvec3 toPoint = lit.surface.position - glm::dvec3(one.position);
@@ -65,7 +65,7 @@ glm::dvec3 spotSpread(const Lit& lit, const WorldLight& one) {
     return light(lit, lit.surface, point) * change;
 }
 
-void add(ExpectedPixel& pixel, const Lit& lit, const WorldLight& one) {
+void add(ExpectedPixel& pixel, const ShadingContext& lit, const WorldLight& one) {
     const bool local = one.type != LightType::directional;
     const double distance = glm::distance(lit.surface.position, glm::dvec3(one.position));
     if (local && distance > 1.001 * one.range) return;
@@ -78,8 +78,8 @@ void add(ExpectedPixel& pixel, const Lit& lit, const WorldLight& one) {
 
 }  // namespace
 
-std::vector<ExpectedPixel> evaluatedPicture(BrdfModel model, const AovReader& aovs, int width, int height,
-                                            const glm::vec3& eye, std::span<const WorldLight> lights) {
+std::vector<ExpectedPixel> evaluatedImage(BrdfModel model, const AovReader& aovs, int width, int height,
+                                          const glm::vec3& eye, std::span<const WorldLight> lights) {
     std::vector<ExpectedPixel> pixels;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
@@ -88,7 +88,7 @@ std::vector<ExpectedPixel> evaluatedPicture(BrdfModel model, const AovReader& ao
             pixel.tolerance = relativeError * pixel.radiance;
             const glm::vec3 normal = aovs.vector("N", x, y);
             if (normal == glm::vec3(0.0f)) continue;
-            Lit lit{model, {}, eye, 0.0};
+            ShadingContext lit{model, {}, eye, 0.0};
             lit.surface.position = aovs.vector("P", x, y);
             lit.surface.normal = glm::normalize(glm::dvec3(normal));
             lit.surface.lobes.baseColor = aovs.vector("base_color", x, y);
