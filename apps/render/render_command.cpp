@@ -21,7 +21,7 @@
 namespace {
 
 constexpr double framesPerSecond = 24.0;
-/// Drawings of a single frame whose times --stats tells.
+/// How often --stats draws and times a single frame.
 constexpr int statsDrawings = 5;
 /// Digits of a frame number in a name without #.
 constexpr std::size_t frameDigits = 4;
@@ -31,8 +31,8 @@ std::string padded(int number, std::size_t digits) {
     return std::string(digits > text.size() ? digits - text.size() : 0, '0') + text;
 }
 
-/// The name of a frame's picture. A run of '#' in the file's name becomes the frame number, padded with
-/// zeros; without one, and with more than one frame, the number goes before the ending.
+/// The path of a frame's file. A run of '#' in the file's name becomes the frame number, padded with
+/// zeros; without one, and with more than one frame, the number precedes the extension.
 std::filesystem::path framePath(const std::filesystem::path& output, const FrameRange& frames, int frame) {
     std::string name = output.filename().string();
     const std::size_t last = name.find_last_of('#');

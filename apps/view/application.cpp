@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t keptFrames = 240;
 constexpr std::size_t keptRecent = 10;
 constexpr int settlingFrames = 3;
-constexpr double longestStep = 0.25;  ///< Seconds that time goes on at most between two pictures.
+constexpr double longestStep = 0.25;  ///< The maximum advance of time between two frames, seconds.
 
 /// Everything that the picture depends on, as text: equal texts, equal pictures.
 std::string pictureKey(const ViewModel& model) {
@@ -81,7 +81,7 @@ Application::Application(const ViewOptions& options)
     if (!model_.options.scene.empty()) open(model_.options.scene);
 }
 
-/// What is on the device goes before its context does.
+/// Objects on the device are destroyed before its context.
 Application::~Application() {
     model_.document.reset();
 }
@@ -136,18 +136,18 @@ void Application::finishScript() {
     if (options_.screenshot) writePicture(*options_.screenshot);
 }
 
-bool Application::timeGoesOn() const {
+bool Application::timeAdvances() const {
     return model_.playing && model_.document && model_.document->animated();
 }
 
-/// Panels come to rest before the window sleeps; full resolution returns after a short rest.
+/// Panels settle before the loop waits for events; full resolution returns after a short delay.
 Window::Sleep Application::sleep() const {
     if (options_.scripted()) return model_.loading ? Window::Sleep::briefly : Window::Sleep::none;
-    if (timeGoesOn() || motion_ == Motion::moves || settling_ > 0) return Window::Sleep::none;
+    if (timeAdvances() || motion_ == Motion::moves || settling_ > 0) return Window::Sleep::none;
     return resolutionScale_.isReduced() ? Window::Sleep::briefly : Window::Sleep::untilEvent;
 }
 
-/// A picture of the window shows panels that have come to rest.
+/// A screenshot of the window shows settled panels.
 std::uint32_t Application::wantedFrames() const {
     return options_.frames.value_or(options_.windowScreenshot ? settlingFrames : 1);
 }
@@ -173,7 +173,7 @@ void Application::step() {
     drawPanels(model_);
     motion_ = interact(model_, window_.pixelRatio());
     serveRequests();
-    drawPicture(timeGoesOn() ? Motion::moves : motion_);
+    drawPicture(timeAdvances() ? Motion::moves : motion_);
     serveReadings();
     viewport_.show(size);
     window_.endPanels();
@@ -271,7 +271,8 @@ void Application::advanceTime() {
     if (!model_.document) return;
     if (model_.playing) model_.options.time += seconds;
     // A view that frames the scene would swim with what moves in it.
-    if (timeGoesOn() && !model_.options.eye && model_.document->scene().cameras.empty()) storeCamera(model_);
+    if (timeAdvances() && !model_.options.eye && model_.document->scene().cameras.empty())
+        storeCamera(model_);
     guarded([this] { model_.document->setTime(model_.options.time); });
 }
 
@@ -333,7 +334,7 @@ void Application::copyCommand() {
     std::string text = "the command is in the clipboard";
     const std::vector<std::string> changes = model_.document->changes();
     for (std::size_t i = 0; i < changes.size(); ++i)
-        text += (i == 0 ? "; it can not say what was changed here: " : ", ") + changes[i];
+        text += (i == 0 ? "; it does not include these edits: " : ", ") + changes[i];
     model_.messages.push_back({Message::Kind::note, text});
 }
 

@@ -59,7 +59,7 @@ class Application {
     candela::GpuSceneOptions uploadOptions(const candela::ColorConfig& color) const;
     std::uint32_t wantedFrames() const;
     Window::Sleep sleep() const;
-    bool timeGoesOn() const;
+    bool timeAdvances() const;
     bool ended() const;
 
     /// Runs `work`; what it throws becomes a message in the window.
@@ -80,7 +80,7 @@ class Application {
     std::string drawnPicture_;  ///< What the picture shows: see `pictureKey`.
     ResolutionScale resolutionScale_;
     Motion motion_ = Motion::rests;  ///< In the last step.
-    int settling_ = 0;               ///< Panels need some frames to come to rest after an event.
+    int settling_ = 0;               ///< Frames left in which panels settle after an event.
     std::uint32_t drawnFrames_ = 0;
     Clock::time_point lastStep_ = Clock::now();
 };

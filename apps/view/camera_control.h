@@ -10,7 +10,7 @@
 /// radians, lengths in metres.
 class CameraControl {
   public:
-    /// Stands where `view` does; the target lies on its axis, `distance` before the eye.
+    /// Sets the eye and the direction of `view`; the target lies on its axis, `distance` before the eye.
     void set(const candela::CameraView& view, float distance);
     /// Looks from `eye` at `target`.
     void lookAt(const glm::vec3& eye, const glm::vec3& target);

@@ -132,7 +132,7 @@ std::vector<std::string> Document::changes() const {
     for (std::size_t i = 0; i < visibility_.size(); ++i)
         if (visibility_[i] == candela::GpuScene::Visibility::hidden)
             texts.push_back("hidden " + label("node", i, scene_.nodes[i].name));
-    if (lightsChanged_) texts.emplace_back("lights that were moved, added or removed by hand");
+    if (lightsChanged_) texts.emplace_back("edited, added or removed lights");
     if (motion_.moving) texts.emplace_back("lights in motion");
     return texts;
 }

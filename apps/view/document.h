@@ -54,7 +54,7 @@ class Document {
     void setLightMotion(const LightMotion& motion);
     const LightMotion& lightMotion() const { return motion_; }
 
-    /// What was changed that no option of candela-render can say, a line each, such as "material 3 'brass'".
+    /// The edits that no option of candela-render can express, a line each, such as "material 3 'brass'".
     std::vector<std::string> changes() const;
 
     /// The world-space box of what node `node` shows, its children included; of the whole scene without one.

@@ -117,7 +117,7 @@ void readSettings(const std::filesystem::path& folder, const ViewOptions& option
 void writeSettings(const std::filesystem::path& folder, const ViewModel& model) {
     if (folder.empty()) return;
     std::error_code failed;
-    std::filesystem::create_directories(folder, failed);  // writing says what is wrong
+    std::filesystem::create_directories(folder, failed);  // writing reports the error
     // A file's name need not be UTF-8.
     const std::string text = toJson(model).dump(2, ' ', false, Json::error_handler_t::replace);
     writeText(folder / settingsName, text + "\n");

@@ -54,7 +54,7 @@ struct ViewModel {
     /// the user is its `eye`.
     SceneOptions options;
     CameraControl camera;  ///< The interactive camera; see interaction.h.
-    bool playing = false;  ///< Time goes on.
+    bool playing = false;  ///< Time advances.
 
     candela::ColorConfig color = candela::ColorConfig::builtIn();
     std::unique_ptr<Document> document;  ///< Null until the first scene is there.

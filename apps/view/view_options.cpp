@@ -22,7 +22,7 @@ constexpr const char* footer =
     "  left button      orbit the target; a click picks what is under the pointer\n"
     "  middle button    (or shift and left) move sideways;  wheel: come nearer\n"
     "  right button     look around, and fly with W A S D Q E\n"
-    "  F, shift F       frame all, frame what is picked;  space: time goes on or stops\n"
+    "  F, shift F       frame all, frame what is picked;  space: play or pause time\n"
     "\n"
     "Exit codes:\n"
     "  0  done\n"

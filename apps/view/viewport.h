@@ -14,7 +14,7 @@
 #include <chrono>
 #include <optional>
 
-/// The picture of the scene: drawn when it changes, shown in the window as often as that is drawn.
+/// The image of the scene: drawn when it changes, copied to the window whenever that is redrawn.
 class Viewport {
   public:
     explicit Viewport(const candela::Context& context);
@@ -24,26 +24,26 @@ class Viewport {
 
     struct Inputs {
         candela::GpuScene& scene;
-        const SceneOptions& options;  ///< Its size is the picture's.
+        const SceneOptions& options;  ///< Its size is that of the frame.
         const candela::CameraView& view;
         const candela::DisplayTransform& display;
         int divisor = 1;  ///< Width and height are divided by it.
     };
-    /// Draws the picture. Returns the milliseconds it took. Throws `candela::Error`.
+    /// Draws a frame. Returns the milliseconds it took. Throws `candela::Error`.
     double draw(const Inputs& inputs);
-    /// The frame of the picture; null before the first one.
+    /// The last frame; null before the first one.
     const candela::Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
-    /// Copies the picture over the window, whose framebuffer has `size`; black before the first picture.
+    /// Copies the image to the window, whose framebuffer has `size`; black before the first frame.
     void show(const glm::ivec2& size) const;
 
-    /// The pixel of the picture that covers a pixel of the full size. Both count from the top.
+    /// The pixel of the frame that covers a pixel of the full size. Both count from the top.
     glm::ivec2 pixelAt(const glm::ivec2& pixel) const;
     /// Its display value, 0 to 1 each.
     glm::vec3 displayValue(const glm::ivec2& pixel) const;
 
-    /// Makes the renderer anew from the shaders as they are now, and draws `inputs`, if given, with it.
-    /// Throws `candela::Error` that holds the compiler's message, and goes on with the old renderer; the
-    /// picture has to be drawn again then.
+    /// Recreates the renderer from the current shaders, and draws `inputs`, if given, with it. Throws
+    /// `candela::Error` that has the compiler's message, and keeps the old renderer; the frame has to be
+    /// drawn again then.
     void reloadShaders(const std::optional<Inputs>& inputs);
 
   private:
@@ -58,7 +58,7 @@ class Viewport {
     std::optional<candela::Frame> frame_;
 };
 
-/// The divisor of the resolution: above 1 on a slow device while the camera moves, 1 once it rests.
+/// The divisor of the resolution: above 1 on a slow device while the camera moves, else 1.
 class ResolutionScale {
   public:
     using Clock = std::chrono::steady_clock;
@@ -67,7 +67,7 @@ class ResolutionScale {
     int divisor(Motion motion, Clock::time_point now);
     /// Records the time of the last frame, drawn with the divisor returned last.
     void tookMilliseconds(double milliseconds) { fullMilliseconds_ = milliseconds * divisor_ * divisor_; }
-    /// Is the resolution reduced, so that another frame is due at rest?
+    /// Whether the resolution is reduced, so that another frame is due when the camera stops.
     bool isReduced() const { return divisor_ > 1; }
 
   private:

@@ -4,7 +4,7 @@
 #include <candela/image_file.h>
 
 #include <epoxy/gl.h>
-// After epoxy, which stands for the OpenGL headers that GLFW would include.
+// After epoxy, which replaces the OpenGL headers that GLFW would include.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>

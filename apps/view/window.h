@@ -43,7 +43,7 @@ class Window {
 
   private:
     struct Press {
-        int key, modifiers;  ///< As GLFW tells them.
+        int key, modifiers;  ///< As given by GLFW.
     };
     void holdShortKeys();
 

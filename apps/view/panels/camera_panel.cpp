@@ -28,7 +28,7 @@ std::string nameOfCamera(const candela::Scene& scene, std::size_t index) {
 /// Where the picture is taken from, in words.
 std::string standpoint(const ViewModel& model) {
     const candela::Scene& scene = model.document->scene();
-    if (model.options.eye) return "by hand";
+    if (model.options.eye) return "interactive";
     if (scene.cameras.empty()) return "frames the scene";
     return model.options.camera ? "camera " + *model.options.camera : nameOfCamera(scene, 0);
 }

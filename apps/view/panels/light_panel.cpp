@@ -198,7 +198,7 @@ void drawMotion(ViewModel& model) {
     if (changed) tryTo(model, [&] { model.document->setLightMotion(motion); });
     // The motion follows the scene time.
     if (toggled && motion.moving) model.playing = true;
-    showWrappedText(model.playing ? "The time goes on." : "The time stands still: play it to see them move.");
+    showWrappedText(model.playing ? "Time is playing." : "Time is paused: play it to see them move.");
     if (ImGui::Button(model.playing ? "Pause" : "Play")) model.playing = !model.playing;
 }
 

@@ -66,7 +66,7 @@ class TreeList {
         ImGui::PopID();
     }
 
-    /// A group's own visibility hides nothing, so that its box stands for all below it.
+    /// A group's own visibility hides nothing, so that its box controls the whole subtree.
     void drawBox(std::uint32_t node) {
         const bool shows = nodes_[node].mesh || nodes_[node].cage;
         if (!shows && !kept_.tree.hasChildren(node)) {

@@ -51,7 +51,7 @@ struct GpuScene::State {
     struct UpdateCounts {
         std::size_t nodes = 0, instances = 0, lights = 0, materials = 0;
         std::size_t cages = 0;  ///< Instances of cages posed.
-        std::size_t draws = 0;  ///< Grouped anew.
+        std::size_t draws = 0;  ///< Regrouped.
     };
     UpdateCounts lastUpdate;
 

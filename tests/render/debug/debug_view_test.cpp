@@ -35,7 +35,7 @@ Scene emitting(const glm::vec3& radiance) {
 class DisplayedFrameTest : public DrawingTest {
   protected:
     static std::vector<std::uint8_t> displayed(const glm::vec3& radiance, double exposure = 0.0) {
-        render(upload(emissive(radiance)), frame());
+        render(upload(emitting(radiance)), frame());
         return lastFrame().displayPicture(transformOf(exposure));
     }
 };
@@ -111,7 +111,7 @@ TEST_F(DisplayedFrameTest, rowsRunFromTheTop) {
 }
 
 TEST_F(DisplayedFrameTest, sizesMayChangeBetweenFrames) {
-    GpuScene scene = upload(emissive({0.3f, 0.3f, 0.3f}));
+    GpuScene scene = upload(emitting({0.3f, 0.3f, 0.3f}));
     for (const auto& [w, h] : {std::pair{7, 5}, {1, 1}, {130, 3}, {7, 5}}) {
         render(scene, frame(w, h));
         EXPECT_EQ(lastFrame().displayPicture(transformOf()).size(), std::size_t(4 * w * h));
@@ -136,7 +136,7 @@ TEST_F(DisplayedFrameTest, invalidSizesAreErrors) {
 }
 
 TEST_F(DisplayedFrameTest, passesAreTimedInTheirOrder) {
-    render(upload(emissive(glm::vec3(1))), frame());
+    render(upload(emitting(glm::vec3(1))), frame());
     lastFrame().displayPicture(transformOf());
     std::vector<std::string> names;
     for (const PassTime& pass : lastFrame().passTimes()) {
