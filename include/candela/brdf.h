@@ -42,7 +42,7 @@ struct SurfacePoint {
 /// can not represent the width of the lobe's peak. 0.001; see docs/lighting.md.
 CANDELA_API extern const double minAlpha;
 
-/// The minimum n·v that shading uses (a normal map can turn a normal away from the eye). 0.0001.
+/// The minimum n·v that shading uses (a normal map can tilt a normal away from the eye). 0.0001.
 CANDELA_API extern const double minNDotV;
 
 /// The minimum distance to a light, in metres, that shading uses: the inverse square is clamped there. 0.001.

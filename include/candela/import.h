@@ -11,7 +11,7 @@
 
 namespace candela {
 
-/// What a note of an import tells, from the greatest loss to none.
+/// What a note of an import tells, from the largest loss to none.
 enum class NoteKind {
     missing,      ///< Something of the file is not in the picture, or in a simpler form.
     repaired,     ///< A value that the format forbids was replaced by one that it allows.

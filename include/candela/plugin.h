@@ -303,7 +303,7 @@ typedef struct candela_bytes {
     uint64_t size;
 } candela_bytes;
 
-/* What a note tells (since 1.3), from the greatest loss to none. */
+/* What a note tells (since 1.3), from the largest loss to none. */
 typedef enum candela_note_kind {
     CANDELA_NOTE_MISSING = 0,    /* something of the file is not in the picture, or in a simpler form */
     CANDELA_NOTE_REPAIRED = 1,   /* a value that the format forbids was replaced by one that it allows */

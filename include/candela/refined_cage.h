@@ -70,7 +70,7 @@ CANDELA_API LimitUvs evaluateLimitUvs(const RefinedCage& refined, std::span<cons
 
 /// The polygons of a cage, cut into triangles, as a refined cage of level 0: what is drawn without a
 /// subdivider. One vertex per corner; holes are left out. The derivatives span the plane that fits the
-/// polygon best as it stands in `cage.positions` (with more than 64 corners: the plane of three that are far
+/// polygon best in `cage.positions` (with more than 64 corners: the plane of three that are far
 /// apart), and follow it where it moves. Throws `Error`: badInput when faces, texture coordinates or holes
 /// break a rule of `validate`, limit when 32 bits cannot count the weights.
 CANDELA_API RefinedCage cagePolygons(const Cage& cage);
