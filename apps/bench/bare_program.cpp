@@ -53,7 +53,7 @@ class BareProgram final : public Program {
     }
 
     void count(Result&) override {}
-    std::vector<float> picture() override { return {}; }
+    std::vector<float> radiance() override { return {}; }
 
   private:
     PassClock clock_;

@@ -46,7 +46,7 @@ class CandelaProgram final : public Program {
         });
     }
 
-    std::vector<float> picture() override {
+    std::vector<float> radiance() override {
         const candela::HdrImage radiance = frame_->radiance();
         std::vector<float> rgb;
         rgb.reserve(radiance.rgba.size() / 4 * 3);

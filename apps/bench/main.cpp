@@ -1,4 +1,4 @@
-/// candela-bench: measures the lighting techniques and compares their pictures. See --help and
+/// candela-bench: measures the lighting techniques and compares their radiance. See --help and
 /// docs/benchmarks.md.
 
 #include "bench_options.h"
@@ -95,7 +95,7 @@ class Bench {
             const std::unique_ptr<Program> program = make();
             const std::unique_ptr<Program> reference = makeReference ? makeReference() : nullptr;
             result = measure(*program, reference.get(), scene, options_, name);
-            checkPicture(result, program->picture(), scene);
+            checkImage(result, program->radiance(), scene);
         } catch (const candela::Error& error) {
             result.scene = scene.name;
             result.lights = scene.lights.size();
@@ -107,18 +107,18 @@ class Bench {
         results_.push_back(result);
     }
 
-    void checkPicture(Result& result, std::vector<float> rgb, const BenchScene& scene) {
+    void checkImage(Result& result, std::vector<float> rgb, const BenchScene& scene) {
         if (rgb.empty()) return;
         if (reference_)
-            return comparePictures(result, rgb, *reference_, allowedDifference(result.technique, scene));
+            return compareImages(result, rgb, *reference_, allowedDifference(result.technique, scene));
         if (options_.compares || options_.baseline == Baseline::with)
-            reference_ = ReferencePicture{result.technique, std::move(rgb)};
+            reference_ = ReferenceImage{result.technique, std::move(rgb)};
     }
 
     const BenchOptions& options_;
     const candela::Context& context_;
     Progress progress_;
-    std::optional<ReferencePicture> reference_;
+    std::optional<ReferenceImage> reference_;
     std::vector<Result> results_;
 };
 

@@ -152,8 +152,8 @@ double allowedDifference(const std::string& technique, const BenchScene& scene) 
     return 0.02 + 4.0 * std::sqrt(3.0) * positionRounding(scene) / shortestRange(scene);
 }
 
-void comparePictures(Result& result, const std::vector<float>& rgb, const ReferencePicture& reference,
-                     double allowed) {
+void compareImages(Result& result, const std::vector<float>& rgb, const ReferenceImage& reference,
+                   double allowed) {
     double total = 0.0, max = 0.0, sum = 0.0;
     for (std::size_t i = 0; i < rgb.size(); ++i) {
         const double expected = static_cast<double>(reference.rgb[i]);

@@ -57,7 +57,7 @@ class Program {
     /// Fills in the counters, outside of timed frames.
     virtual void count(Result& result) = 0;
     /// The last frame's radiance, RGB, rows from the top. Empty for a program that lights nothing.
-    virtual std::vector<float> picture() = 0;
+    virtual std::vector<float> radiance() = 0;
 };
 
 /// Draws the program's frames and takes medians: after one frame that is not counted, `options.frames`
@@ -67,21 +67,21 @@ class Program {
 Result measure(Program& program, Program* reference, const BenchScene& scene, const BenchOptions& options,
                const std::string& technique);
 
-/// The picture that the others of its scene are compared with.
-struct ReferencePicture {
+/// The radiance that the others of its scene are compared with.
+struct ReferenceImage {
     std::string technique;
     std::vector<float> rgb;
 };
 
-/// The allowed mean difference of a picture of `technique` from the reference, as a share of the reference's
-/// mean.
+/// The allowed mean difference of the radiance of `technique` from the reference, as a share of the
+/// reference's mean.
 ///  - candela's techniques differ by the order of sums and by rounding only: 1e-5.
 ///  - The textbook programs keep colours in 8 linear bits and accumulate in half floats: 0.02. They keep
 ///    positions in half floats, whose rounding r (0.016 m an axis from 32 m to 64 m) changes the inverse
 ///    square at half a light's range by up to 4 sqrt(3) r / range: added for the shortest range.
 double allowedDifference(const std::string& technique, const BenchScene& scene);
 
-/// Writes the difference into `result`. Sets `result.error` where the picture has values that are not finite,
-/// or differs by more than `allowed`.
-void comparePictures(Result& result, const std::vector<float>& rgb, const ReferencePicture& reference,
-                     double allowed);
+/// Writes the difference into `result`. Sets `result.error` where the radiance has values that are not
+/// finite, or differs by more than `allowed`.
+void compareImages(Result& result, const std::vector<float>& rgb, const ReferenceImage& reference,
+                   double allowed);

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-/// The difference of a picture from the reference picture, relative to the mean of the reference.
+/// The difference of the radiance from the reference radiance, relative to the mean of the reference.
 struct Difference {
-    std::string from;  ///< The technique of the reference picture.
+    std::string from;  ///< The technique of the reference.
     double max = 0.0, mean = 0.0;
 };
 
@@ -53,7 +53,7 @@ std::string resultsJson(const std::string& renderer, const std::string& setup,
 /// The results as a table, and ratios derived from them; docs/benchmarks.md explains the columns.
 std::string resultsTable(const std::vector<Result>& results);
 
-/// Lighting time against the number of lights as an SVG picture, both axes logarithmic, one line a technique.
+/// Lighting time against the number of lights as an SVG image, both axes logarithmic, one line a technique.
 /// One number of lights gives points instead of lines.
 std::string plotSvg(const std::string& renderer, const std::vector<Result>& results);
 

@@ -188,7 +188,7 @@ class TextbookProgram final : public Program {
             static_cast<std::uint64_t>(std::accumulate(counts.begin(), counts.end(), 0.0));
     }
 
-    std::vector<float> picture() override {
+    std::vector<float> radiance() override {
         std::vector<float> rgb(pixels() * 3);
         glPixelStorei(GL_PACK_ALIGNMENT, 4);
         glGetTextureImage(radiance_.name(), 0, GL_RGB, GL_FLOAT,
