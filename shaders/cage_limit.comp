@@ -5,8 +5,8 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = LIMIT_ROWS_STORAGE) readonly buffer Rows { uint rows[]; };            // start of each row and end of the last; then the points of seam vertices
-layout(std430, binding = LIMIT_ENTRIES_STORAGE) readonly buffer Entries { uvec4 entries[]; };  // column; weights of value, du, dv
+layout(std430, binding = LIMIT_OFFSETS_STORAGE) readonly buffer Offsets { uint offsets[]; };   // first entry of each stencil, and the end of the last; then the points of seam vertices
+layout(std430, binding = LIMIT_ENTRIES_STORAGE) readonly buffer Entries { uvec4 entries[]; };  // control index; weights of value, du, dv
 layout(std430, binding = LIMIT_POINTS_STORAGE) readonly buffer Points { float points[]; };
 layout(std430, binding = LIMIT_SURFACE_STORAGE) buffer Surface { float surface[]; };  // all positions, then all normals
 layout(std430, binding = LIMIT_UVS_STORAGE) readonly buffer Uvs { vec4 uvDerivatives[]; };
@@ -59,7 +59,7 @@ void main() {
     uint vertex = range.x + group * gl_WorkGroupSize.x + gl_LocalInvocationIndex;
     if (vertex >= range.y) return;
     vec3 position = vec3(0.0), du = vec3(0.0), dv = vec3(0.0);
-    for (uint i = rows[vertex]; i < rows[vertex + 1u]; ++i) {
+    for (uint i = offsets[vertex]; i < offsets[vertex + 1u]; ++i) {
         uvec4 entry = entries[i];
         uint at = 3u * entry.x;
         vec3 point = vec3(points[at], points[at + 1u], points[at + 2u]), weights = uintBitsToFloat(entry.yzw);
@@ -68,7 +68,7 @@ void main() {
         dv += point * weights.z;
     }
     uint pointCount = range.z, vertexCount = range.w;
-    if (vertex >= pointCount) position = readSurface(3u * rows[vertexCount + 1u + vertex - pointCount]);
+    if (vertex >= pointCount) position = readSurface(3u * offsets[vertexCount + 1u + vertex - pointCount]);
     vec3 normal = unitOrZero(cross(scaledToOne(du), scaledToOne(dv)));
     writeSurface(3u * vertex, position);
     writeSurface(3u * (vertexCount + vertex), normal);

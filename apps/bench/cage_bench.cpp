@@ -216,7 +216,7 @@ CageResult measureCages(const candela::PluginRegistry& plugins, const candela::C
     result.quads = cage.faceSizes.size();
     result.level = benchLevel;
     result.vertices = refined.vertexCount();
-    result.entries = refined.positions.columns.size();
+    result.entries = refined.positions.controlIndices.size();
     OmpMove baseline(refined);
     baseline.move(cage.positions);
     checkAgreement(refined, baseline, cage.positions);

@@ -29,14 +29,14 @@ std::unique_ptr<Far::TopologyRefiner> makeRefiner(const candela::Cage& cage) {
 }  // namespace
 
 OmpMove::OmpMove(const candela::RefinedCage& refined)
-    : rows_(refined.positions),
-      columns_(rows_.columns.begin(), rows_.columns.end()),
+    : table_(refined.positions),
+      controlIndices_(table_.controlIndices.begin(), table_.controlIndices.end()),
       positions_(refined.vertexCount()),
       du_(refined.vertexCount()),
       dv_(refined.vertexCount()) {
-    for (std::size_t row = 0; row < refined.vertexCount(); ++row) {
-        offsets_.push_back(static_cast<int>(rows_.rowStarts[row]));
-        sizes_.push_back(static_cast<int>(rows_.rowStarts[row + 1] - rows_.rowStarts[row]));
+    for (std::size_t stencil = 0; stencil < refined.vertexCount(); ++stencil) {
+        offsets_.push_back(static_cast<int>(table_.offsets[stencil]));
+        sizes_.push_back(static_cast<int>(table_.offsets[stencil + 1] - table_.offsets[stencil]));
     }
 }
 
@@ -44,8 +44,8 @@ void OmpMove::move(std::span<const glm::vec3> cagePoints) {
     const Osd::BufferDescriptor points(0, 3, 3);
     Osd::OmpEvaluator::EvalStencils(
         &cagePoints.front().x, points, &positions_.front().x, points, &du_.front().x, points, &dv_.front().x,
-        points, sizes_.data(), offsets_.data(), columns_.data(), rows_.weights.data(), rows_.duWeights.data(),
-        rows_.dvWeights.data(), 0, static_cast<int>(sizes_.size()));
+        points, sizes_.data(), offsets_.data(), controlIndices_.data(), table_.weights.data(),
+        table_.duWeights.data(), table_.dvWeights.data(), 0, static_cast<int>(sizes_.size()));
 }
 
 std::uint64_t refineWithFar(const candela::Cage& cage, std::uint32_t level) {

@@ -20,8 +20,8 @@ class OmpMove {
     const std::vector<glm::vec3>& positions() const { return positions_; }
 
   private:
-    const candela::StencilTable& rows_;
-    std::vector<int> sizes_, offsets_, columns_;
+    const candela::StencilTable& table_;
+    std::vector<int> sizes_, offsets_, controlIndices_;
     std::vector<glm::vec3> positions_, du_, dv_;
 };
 

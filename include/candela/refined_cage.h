@@ -13,15 +13,14 @@
 
 namespace candela {
 
-/// Stencils: a sparse matrix by rows, with a weight for the value and one for each of its two derivatives.
-/// Row r, the stencil of vertex r, has the entries rowStarts[r] to rowStarts[r + 1] - 1. (OpenSubdiv's
-/// `Far::LimitStencilTable` calls rowStarts the offsets and columns the control indices.)
+/// Stencils: a sparse matrix with a stencil per vertex, and for each entry a weight for the value and one for
+/// each of its two derivatives. Stencil i has the entries offsets[i] to offsets[i + 1] - 1.
 struct StencilTable {
-    std::vector<std::uint32_t> rowStarts;  ///< One more than there are rows; empty where there are none.
-    std::vector<std::uint32_t> columns;    ///< One an entry, as are the weights.
+    std::vector<std::uint32_t> offsets;         ///< One more than stencils; empty where there are none.
+    std::vector<std::uint32_t> controlIndices;  ///< One an entry, as are the weights.
     std::vector<float> weights, duWeights, dvWeights;
 
-    std::size_t rowCount() const { return rowStarts.empty() ? 0 : rowStarts.size() - 1; }
+    std::size_t stencilCount() const { return offsets.empty() ? 0 : offsets.size() - 1; }
 };
 
 /// A cage refined to one level: its topology, and the stencils that give the limit surface of any pose of the
@@ -32,9 +31,9 @@ struct RefinedCage {
     std::uint32_t level = 0;  ///< Each edge of the cage is 2^level edges long; 0: the cage's own polygons.
     std::uint32_t pointCount = 0;
     std::vector<std::uint32_t> seamPoints;  ///< The point of each seam vertex.
-    StencilTable positions;  ///< One row per vertex, of the cage's points. The value weights of a seam vertex
-                             ///< are not used, only those of its derivatives.
-    StencilTable uvs;  ///< One row per vertex, of the cage's texture coordinates; no rows without those.
+    StencilTable positions;  ///< One stencil per vertex, of the cage's points. The value weights of a seam
+                             ///< vertex are not used, only those of its derivatives.
+    StencilTable uvs;  ///< One stencil per vertex, of the cage's texture coordinates; none without those.
     std::uint32_t faceSize = 4;               ///< 3 or 4.
     std::vector<std::uint32_t> faceVertices;  ///< `faceSize` per face, counter-clockwise.
     std::vector<std::uint32_t> cageFaces;     ///< The face of the cage that each face belongs to.

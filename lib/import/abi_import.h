@@ -27,7 +27,7 @@ Animation animationFrom(const candela_animation& source, const AbiReader& elemen
 void addCageInstance(const candela_cage_instance& source, Scene& scene);
 
 /// Adds the attributes that a plugin may leave out: flat normals, and tangents for meshes with a normal
-/// texture. `notes` gets what could not be made.
+/// texture. Appends a note for each attribute that cannot be generated.
 void addMissingAttributes(Scene& scene, NoteList& notes);
 
 }  // namespace candela

@@ -19,7 +19,7 @@ void adviseLargePages(void* memory, std::size_t bytes) noexcept {
     const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
     const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
     const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
-    // Where the system refuses, copying only takes longer.
+    // On failure the copy uses small pages, which is slower.
     ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 #else
     static_cast<void>(memory);
@@ -29,7 +29,7 @@ void adviseLargePages(void* memory, std::size_t bytes) noexcept {
 
 namespace {
 
-// What matrices need that were written as text, or multiplied in single precision.
+// The tolerance for matrices that were written as text or multiplied in single precision.
 constexpr float affineTolerance = 1e-5f;
 
 // Without a branch for each number, so that the compiler vectorises it: the tables of a subdivider have many

@@ -105,7 +105,7 @@ class AbiReader {
     void requireFinite(const char* member, const float* numbers, std::size_t count,
                        std::size_t components) const;
 
-    // The label is made on demand: of a million lights hardly one is ever named.
+    // The label is built on demand: there may be millions of elements, of which an error names one.
     const char* kind_;
     std::optional<std::size_t> index_;
     std::string name_;

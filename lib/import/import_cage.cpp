@@ -165,7 +165,7 @@ void takeMaterials(const candela_cage& source, const AbiReader& element, const S
     cage.faceMaterials.resize(source.face_count);
     for (std::uint32_t face = 0; face < source.face_count; ++face) {
         const std::int32_t index = source.face_materials[face];
-        // The label is made only for a fault: there may be millions of faces.
+        // The label is built only for an error: there may be millions of faces.
         if (index < -1 || index >= static_cast<std::int64_t>(scene.materials.size()))
             element.reference(joined("face ", face, ": material").c_str(), index, scene.materials.size());
         if (index >= 0) cage.faceMaterials[face] = static_cast<std::uint32_t>(index);

@@ -90,7 +90,8 @@ std::uint32_t PolygonFaces::faceBeginningAt(std::uint64_t corner, const std::str
     const auto after = std::upper_bound(starts_.begin(), starts_.end(), corner);
     const auto face = static_cast<std::uint32_t>(after - starts_.begin() - 1);
     if (starts_[face] != corner)
-        element_.refuse(joined(what, corner, ", which is within face ", face, ", but a border was expected"));
+        element_.refuse(joined(what, corner, ", which is within face ", face,
+                               ", but the boundary of a face was expected"));
     return face;
 }
 
@@ -176,7 +177,7 @@ void checkRun(const Submesh& run, const std::string& label, const AbiReader& ele
         element.refuse(joined(label, " ends at index ", end, ", but there are ", indexCount, " indices"));
 }
 
-// What a mesh without submeshes is drawn as: all of it, with the default material.
+// A mesh without submeshes is drawn as a whole, with the default material.
 Submesh wholeMesh(const candela_mesh& source, const std::optional<PolygonFaces>& polygons) {
     const Submesh whole{0, source.index_count, std::nullopt};
     return polygons ? polygons->translated(whole, "the mesh") : whole;

@@ -127,12 +127,12 @@ std::size_t numbersOf(const AnimationChannel& channel, const std::string& member
     if (channel.path == AnimationPath::morphWeights) {
         const std::size_t targets = morphTargetCount(scene, node);
         if (targets == 0)
-            element.refuse(joined(member, " is ", channel.node, ", which shows no cage with morph targets"));
+            element.refuse(joined(member, " is ", channel.node, ", which has no cage with morph targets"));
         return targets;
     }
     if (!std::holds_alternative<Transform>(node.transform))
         element.refuse(
-            joined(member, " is ", channel.node, ", whose transform is a matrix and can not be animated"));
+            joined(member, " is ", channel.node, ", whose transform is a matrix, which cannot be animated"));
     return channel.path == AnimationPath::rotation ? 4 : 3;
 }
 

@@ -37,12 +37,12 @@ void takeOffsets(const candela_stencil_table& source, const char* name, std::uin
         element.refuse(joined(memberOf(name, "stencil_count"), " is ", source.stencil_count, ", but ",
                               vertexCount, " vertices need a stencil each"));
     const std::string member = memberOf(name, "offsets");
-    element.counts(member.c_str(), source.offsets, std::size_t{source.stencil_count} + 1, table.rowStarts);
-    if (table.rowStarts.front() != 0)
-        element.refuse(joined(member, " 0 is ", table.rowStarts.front(), ", but 0 was expected"));
-    const auto falling = std::is_sorted_until(table.rowStarts.begin(), table.rowStarts.end());
-    if (falling != table.rowStarts.end())
-        element.refuse(joined(member, " ", falling - table.rowStarts.begin(), " is ", *falling,
+    element.counts(member.c_str(), source.offsets, std::size_t{source.stencil_count} + 1, table.offsets);
+    if (table.offsets.front() != 0)
+        element.refuse(joined(member, " 0 is ", table.offsets.front(), ", but 0 was expected"));
+    const auto falling = std::is_sorted_until(table.offsets.begin(), table.offsets.end());
+    if (falling != table.offsets.end())
+        element.refuse(joined(member, " ", falling - table.offsets.begin(), " is ", *falling,
                               ", but no less than the one before it, ", *(falling - 1), ", was expected"));
 }
 
@@ -51,9 +51,9 @@ StencilTable stencilTableFrom(const candela_stencil_table& source, const char* n
                               const AbiReader& element) {
     StencilTable table;
     takeOffsets(source, name, vertexCount, element, table);
-    const std::size_t entries = table.rowStarts.back();
+    const std::size_t entries = table.offsets.back();
     takeIndices(source.control_indices, entries, controlCount, memberOf(name, "control_indices"), controls,
-                element, table.columns);
+                element, table.controlIndices);
     element.numbers(memberOf(name, "weights").c_str(), source.weights, entries, table.weights);
     element.numbers(memberOf(name, "du_weights").c_str(), source.du_weights, entries, table.duWeights);
     element.numbers(memberOf(name, "dv_weights").c_str(), source.dv_weights, entries, table.dvWeights);

@@ -8,7 +8,7 @@
 
 namespace candela {
 
-/// What a subdivider has set as the result for `cage`, checked and copied; the level is left to the caller.
+/// Validates and copies the result of a subdivider for `cage`. The caller sets the level.
 /// Throws `Error`: badInput that begins with `element`; limit when the faces have more corners than 32 bits
 /// can count.
 RefinedCage refinedCageFrom(const candela_refined_cage& source, const AbiReader& element, const Cage& cage);

@@ -37,7 +37,7 @@ inline constexpr const char* firstVersionOf<candela_refined_cage> = "1.1";
 template <>
 inline constexpr const char* firstVersionOf<candela_subdivider> = "1.1";
 
-/// The `struct_size` that a plugin wrote at the head of a struct. Nothing else of it is read.
+/// The `struct_size` of a struct of a plugin. Reads no other member.
 template <class T>
 std::uint32_t structSizeOf(const T* source) {
     static_assert(offsetof(T, struct_size) == 0);
@@ -58,7 +58,7 @@ std::optional<T> copyOf(const T* source) {
     return copy;
 }
 
-/// Why `copyOf` does not take a `struct_size`: "is 8, but version 1.0 has ...".
+/// Why `copyOf` refuses a `struct_size`: "is 8, but version 1.0 has ...".
 template <class T>
 std::string sizeFault(const T* source) {
     return joined("is ", structSizeOf(source), ", but version ", firstVersionOf<T>, " has ", firstSizeOf<T>,

@@ -154,7 +154,7 @@ void checkDescription(const candela_plugin* description, LoadedPlugin& loaded, P
 
 namespace {
 
-// The loader's messages begin with the file, which the report has in a member of its own.
+// The loader's messages begin with the file, which the report has in a separate member.
 std::string loaderMessage(const std::filesystem::path& file) {
     const char* text = ::dlerror();
     if (!text) return "the dynamic loader gives no reason";

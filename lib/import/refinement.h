@@ -17,8 +17,8 @@ namespace candela {
 
 class ThreadPool;
 
-/// A cage as a subdivider sees it, without influences, morph targets and materials. Refers to the `Cage`,
-/// which must live as long.
+/// The struct of a cage for a subdivider, without influences, morph targets and materials. Refers to the
+/// `Cage`, which must live as long.
 class CageStruct {
   public:
     /// Throws `Error` (limit) when a count of the cage does not fit 32 bits.

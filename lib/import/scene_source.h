@@ -12,8 +12,8 @@ namespace candela {
 struct SceneSource {
     const candela_plugin* plugin = nullptr;
     std::filesystem::path folder;  ///< The scene file's folder; empty for a procedural scene.
-    std::string name;  ///< The file's name in its folder; for a procedural scene what follows "scheme:".
-    std::optional<std::string> query;  ///< What follows the '?' behind a file's name.
+    std::string name;  ///< The file's name in its folder; for a procedural scene the text after "scheme:".
+    std::optional<std::string> query;  ///< The text after '?' in a file's name.
 };
 
 /// Finds the source of `uri`. A file of exactly this name has precedence over a scheme, and a single letter

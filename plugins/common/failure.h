@@ -16,13 +16,13 @@ struct Bytes {
     std::uint64_t size = 0;
 };
 
-/// Why a scene cannot be imported or a cage not refined. `runGuarded` hands it to the host.
+/// Why a scene cannot be imported or a cage not refined. `runGuarded` reports it to the host.
 struct Failure {
     std::string element;  ///< Such as "mesh 3 'wheel', primitive 0"; empty where no part is at fault.
     std::string reason;
 };
 
-/// The host has refused something and recorded why, or asked to stop.
+/// The host has refused an element and recorded the reason, or has cancelled the import.
 struct HostRefused {};
 
 /// "mesh 3 'wheel'"; "mesh 3" when the name is empty.
@@ -31,8 +31,8 @@ std::string elementName(const char* noun, std::size_t index, const std::string& 
 /// `text` as one line for a message: control characters become '?', and it is cut at about 80 bytes.
 std::string readable(const std::string& text);
 
-/// Calls `action`, and hands what it throws to `fail` of the host (a `candela_host` or `candela_refinement`):
-/// no exception may leave a plugin.
+/// Calls `action`, and reports its exceptions by `fail` of the host (a `candela_host` or
+/// `candela_refinement`): no exception may leave a plugin.
 template <typename Host, typename Action>
 candela_status runGuarded(const Host& host, const Action& action) {
     try {

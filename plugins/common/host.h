@@ -9,7 +9,7 @@
 
 namespace candela_plugins {
 
-/// The host of an import, with exceptions in place of status values: what the host refuses throws
+/// The host of an import, with exceptions instead of status values: an element that the host refuses throws
 /// `HostRefused`.
 class Host {
   public:

@@ -18,7 +18,7 @@ struct Image {
     std::vector<std::uint8_t> pixels;
 };
 
-/// The largest width and height that the host takes.
+/// The maximum width and height that the host accepts.
 inline constexpr std::uint32_t maxSide = 32768;
 
 // stb_image, the decoder of tinygltf, is not used: Debian's build aborts on some damaged JPEG files, and
@@ -43,16 +43,16 @@ std::uint64_t decodedSize(const Bytes& file);
 /// Decodes a PNG or JPEG file. Throws `Failure` for `element` when it is neither, damaged or cut off.
 Image decodeImage(const Bytes& file, const std::string& element);
 
-/// An image to be made and added.
+/// An image to be created and added.
 struct ImageJob {
     std::string name;
     std::uint64_t bytes;          ///< The memory that `make` needs, about.
     std::function<Image()> make;  ///< Called on any thread of the host; must not call the host.
 };
 
-/// Makes images on all threads of the host, and adds them in order. Returns their indices. Jobs run in
+/// Creates images on all threads of the host, and adds them in order. Returns their indices. Jobs run in
 /// batches of a limited size in memory, which does not depend on the number of threads. Of several failures
-/// that of the first job counts. Progress goes from `from` to `to`.
+/// that of the first job is thrown. Progress goes from `from` to `to`.
 std::vector<std::int32_t> addImages(const std::vector<ImageJob>& jobs, const Host& host, double from,
                                     double to);
 

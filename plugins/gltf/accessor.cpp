@@ -10,7 +10,7 @@
 namespace candela_plugins::gltf {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "glTF buffers are read as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "glTF buffers are read without byte swapping");
 
 // An accessor without a bufferView has a size that the size of the file does not limit.
 constexpr std::uint64_t maxElementsWithoutView = std::uint64_t(1) << 24;
@@ -70,10 +70,10 @@ std::string expectation(int components, Encodings allowed) {
     return text;
 }
 
-/// An accessor of checked type, and what messages call it.
+/// An accessor of validated type, and its name in messages.
 struct Checked {
     const tinygltf::Accessor& accessor;
-    std::string element;  ///< What the accessor is read for.
+    std::string element;  ///< The element that uses the accessor.
     std::string name;     ///< "accessor 7"
     std::uint64_t elementSize;
 

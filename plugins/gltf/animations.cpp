@@ -109,7 +109,7 @@ class AnimationReader {
 
     std::size_t morphTargetsOf(std::size_t node, const std::string& element) const {
         const std::size_t targets = cageOf(document_, node, cages_)->morphTargetCount;
-        if (targets == 0) throw Failure{element, nodeName(node) + " shows a cage without morph targets"};
+        if (targets == 0) throw Failure{element, nodeName(node) + " has a cage without morph targets"};
         return targets;
     }
 
@@ -131,7 +131,7 @@ class AnimationReader {
         keys.values =
             readValues(document_, sampler.output, channel.path, keys.times.size() * perKey, element);
         channel.key_count = static_cast<std::uint32_t>(keys.times.size());
-        // Moving the vectors on leaves their contents where they are.
+        // Moving a vector does not move its elements.
         channel.times = keys.times.data();
         channel.values = keys.values.data();
         keys_.push_back(std::move(keys));

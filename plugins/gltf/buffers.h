@@ -17,8 +17,8 @@ struct Container {
     std::optional<Bytes> binary;  ///< The BIN chunk of a .glb file.
 };
 
-/// Splits a .glb, which its first bytes tell from a .gltf, into its chunks. Throws `Failure` when a .glb does
-/// not keep to section 4.4 of the glTF 2.0 specification.
+/// Splits a .glb, which its first bytes distinguish from a .gltf, into its chunks. Throws `Failure` when a
+/// .glb does not keep to section 4.4 of the glTF 2.0 specification.
 Container openContainer(const Bytes& file);
 
 /// Whether `uri` holds the data itself ("data:...").
@@ -37,7 +37,7 @@ using Storage = std::deque<std::vector<std::uint8_t>>;
 /// The bytes of a URI: a data URI is decoded into `storage`, a file is read by the host.
 Bytes loadUri(const std::string& uri, const std::string& element, Storage& storage, const Host& host);
 
-/// Fills `document.buffers`. Each is as long as its byteLength says.
+/// Fills `document.buffers`. Each has the length of its byteLength.
 void loadBuffers(Document& document, const Container& container, Storage& storage, const Host& host);
 
 /// The bytes of a buffer view. Throws `Failure` for `element` when it reaches beyond its buffer.

@@ -9,7 +9,7 @@ namespace candela_plugins::gltf {
 namespace {
 
 constexpr std::size_t matrixSize = 16;
-// What matrices need that were multiplied in single precision.
+// The tolerance for matrices that were multiplied in single precision.
 constexpr float affineTolerance = 1e-5f;
 
 std::string skinName(const Document& document, std::size_t skin) {

@@ -18,8 +18,9 @@ struct SharpVertex {
     float sharpness = 0.0f;
 };
 
-/// What the extras of a mesh say under "candela_subdivision" (docs/subdivision.md, "Cages in glTF"). Vertices
-/// and faces are counted through the primitives of the mesh; whether they exist has not been checked.
+/// The settings in the extras of a mesh under "candela_subdivision" (docs/subdivision.md, "Cages in glTF").
+/// Vertices and faces are counted through the primitives of the mesh; whether they exist has not been
+/// checked.
 struct CageSettings {
     candela_scheme scheme = CANDELA_SCHEME_CATMULL_CLARK;
     candela_boundary_interpolation boundaryInterpolation = CANDELA_BOUNDARY_EDGES_AND_CORNERS;

@@ -114,8 +114,8 @@ class Resolver {
                       const std::string& where) {
         const auto [found, added] = known.try_emplace(key, Known{sharpness, entry});
         if (!added && found->second.sharpness != sharpness) {
-            throw Failure{where, "gives another sharpness to what entry " +
-                                     std::to_string(found->second.entry) + " names already"};
+            throw Failure{where, "gives another sharpness than entry " + std::to_string(found->second.entry) +
+                                     " to the same element"};
         }
         return added;
     }

@@ -10,7 +10,7 @@
 
 namespace candela_plugins::gltf {
 
-/// An added cage, with what its instances need.
+/// An added cage, with the data for its instances.
 struct AddedCage {
     std::int32_t index = -1;
     std::uint32_t influenceCount = 0;  ///< Joints a vertex.

@@ -42,7 +42,7 @@ struct Document {
 /// The attribute name under which `readDocument` keeps a primitive's index accessor.
 inline constexpr const char* indicesAttribute = "_INDICES";
 
-/// Reads the JSON text. Throws `Failure`; notes what the plugin leaves out.
+/// Reads the JSON text. Throws `Failure`; adds notes for unsupported content.
 Document readDocument(const Bytes& json, const Host& host);
 
 }  // namespace candela_plugins::gltf

@@ -112,7 +112,7 @@ const ObjectSchema unlit{"KHR_materials_unlit", {}};
 const ObjectSchema materialExtensions{
     "", {object("KHR_materials_emissive_strength", emissiveStrength), object("KHR_materials_unlit", unlit)}};
 // emissiveFactor: the specification says 0 to 1, but files from before KHR_materials_emissive_strength exceed
-// it, and nothing is lost by taking them.
+// it, and larger values are valid here.
 const ObjectSchema material{
     "material",
     {text("name"), object("pbrMetallicRoughness", metallicRoughness), object("normalTexture", normalTexture),

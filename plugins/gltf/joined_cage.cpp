@@ -24,7 +24,7 @@ struct JoinedKeys {
     std::vector<std::uint32_t> firsts;  ///< A distinct key: the first key that equals it.
 };
 
-/// `keys` are at most 4294967295. The time does not depend on what is in them: they are sorted, not hashed.
+/// `keys` are at most 4294967295. The time does not depend on their values: they are sorted, not hashed.
 JoinedKeys joinKeys(const Keys& keys);
 
 /// The bits of a number, the same ones for 0 and -0.
@@ -95,7 +95,7 @@ bool hasDuplicates(std::vector<std::uint32_t> corners) {
     return std::adjacent_find(corners.begin(), corners.end()) != corners.end();
 }
 
-/// Takes the faces without a repeated vertex. `corners` gets the corners of the source that they keep.
+/// Copies the faces without a repeated vertex. `corners` receives the corresponding corners of the source.
 void takeFaces(const CageSource& source, const JoinedKeys& joined, JoinedCage& cage,
                std::vector<std::uint32_t>& corners) {
     std::size_t begin = 0;

@@ -14,7 +14,7 @@ using UvSets = std::array<bool, 2>;
 
 /// The materials of the file, in its order.
 struct AddedMaterials {
-    std::vector<UvSets> uvSets;           ///< What texture coordinates it reads.
+    std::vector<UvSets> uvSets;           ///< The sets of texture coordinates that it reads.
     std::vector<candela_material> added;  ///< As it was added; the names are those of the document.
 };
 
@@ -24,7 +24,7 @@ AddedMaterials addMaterials(const Document& document, const std::vector<std::int
                             const Host& host);
 
 /// Decodes the images that materials use, and adds them. Returns the host's index of each image of the
-/// file, -1 for those that nothing uses. Progress goes from `from` to `to`.
+/// file, -1 for unused ones. Progress goes from `from` to `to`.
 std::vector<std::int32_t> addImages(const Document& document, Storage& storage, const Host& host, double from,
                                     double to);
 

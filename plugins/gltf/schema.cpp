@@ -30,7 +30,7 @@ constexpr TargetArray targetArrays[] = {
     {"/textures", "texture"},
 };
 
-/// The element being checked. Its text is made only for a message.
+/// The element being validated. Its text is built only for a message.
 struct Place {
     const Place* parent = nullptr;
     const char* noun = "";

@@ -59,7 +59,7 @@ struct Property {
 
 /// The members that a JSON object may have.
 struct ObjectSchema {
-    const char* noun;  ///< What a message calls the object; empty: the message leaves it out.
+    const char* noun;  ///< The name of the object in messages; empty: it is omitted.
     std::vector<Property> properties;
     /// An index map also keeps the names that are one of these and a number, such as "JOINTS_" and "12".
     std::vector<std::string_view> numberedNames = {};

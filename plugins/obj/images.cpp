@@ -33,7 +33,7 @@ std::uint32_t valueAt(const Image& image, std::size_t texel, Channel channel) {
         case Channel::matte:
             return sampleAt(image, texel, 3);
         case Channel::luminance:
-            // Rec.709, of the encoded values; the weights add up to one, so that grey stays what it is.
+            // Rec.709, of the encoded values; the weights add up to one, so that grey is unchanged.
             return (2126 * sampleAt(image, texel, 0) + 7152 * sampleAt(image, texel, 1) +
                     722 * sampleAt(image, texel, 2) + 5000) /
                    10000;

@@ -29,7 +29,7 @@ class Images {
     /// Roughness in G and metallic in B.
     Request roughnessAndMetallic(const TextureInfo* roughness, const TextureInfo* metallic);
 
-    /// Adds what was requested. Progress goes from `from` to `to`.
+    /// Adds the requested images. Progress goes from `from` to `to`.
     void addRequested(double from, double to);
 
     /// The host's index after `addRequested`; -1 for none.
@@ -47,7 +47,7 @@ class Images {
     Request request(const std::string& key, const MakeJob& makeJob);
 
     const Host& host_;
-    std::map<std::string, std::size_t> requests_;  // By what the image is made of.
+    std::map<std::string, std::size_t> requests_;  // By the sources of the image.
     std::set<std::string> ignoredFiles_;
     std::vector<ImageJob> jobs_;
     std::vector<std::int32_t> indices_;

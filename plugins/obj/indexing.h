@@ -10,7 +10,7 @@
 
 namespace candela_plugins::obj {
 
-/// Assigns the indices 0, 1, 2, ... to distinct names, in the order in which they come.
+/// Assigns the indices 0, 1, 2, ... to distinct names, in the order of their first use.
 class NameIndex {
   public:
     std::uint32_t indexOf(std::string_view name) {
@@ -27,7 +27,7 @@ class NameIndex {
     std::unordered_map<std::string, std::uint32_t> indices_;
 };
 
-/// Assigns the indices 0, 1, 2, ... to distinct keys, in the order in which they come.
+/// Assigns the indices 0, 1, 2, ... to distinct keys, in the order of their first use.
 class KeyIndex {
   public:
     using Key = std::array<std::uint32_t, 3>;

@@ -129,7 +129,7 @@ class MaterialParser {
         if (isUnused(keyword)) return ignored_.count("not used", keyword, statement.line());
         const auto found = readers().find(keyword);
         if (found == readers().end()) return ignored_.count("not known", keyword, statement.line());
-        if (!hasMaterial_) statement.fail("no newmtl stands before it");
+        if (!hasMaterial_) statement.fail("no newmtl precedes it");
         (this->*found->second)(statement);
     }
 

@@ -47,7 +47,7 @@ struct FileMaterial {
     std::optional<TextureInfo> diffuseMap, emissionMap, opacityMap, roughnessMap, metallicMap, normalMap;
 };
 
-/// Appends the materials of the .mtl file `name` of the scene's folder. What is not used of it becomes notes.
+/// Appends the materials of the .mtl file `name` of the scene's folder. Unsupported statements become notes.
 void parseMaterialFile(const std::string& name, const Host& host, std::vector<FileMaterial>& materials);
 
 }  // namespace candela_plugins::obj

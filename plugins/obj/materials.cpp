@@ -51,7 +51,7 @@ candela_texture noTexture() {
     return texture;
 }
 
-/// `info` says how the image is sampled.
+/// `info` has the sampling parameters.
 candela_texture textureOf(std::int32_t image, const TextureInfo* info) {
     candela_texture texture = noTexture();
     if (image < 0 || !info) return texture;
@@ -59,7 +59,7 @@ candela_texture textureOf(std::int32_t image, const TextureInfo* info) {
     texture.mag_filter = CANDELA_FILTER_LINEAR;
     texture.wrap_s = texture.wrap_t = info->clamp ? CANDELA_WRAP_CLAMP_TO_EDGE : CANDELA_WRAP_REPEAT;
     std::copy_n(info->scale, 2, texture.scale);
-    // Here v goes down: 1 - (offset + scale × (1 - v)).
+    // Here v increases downwards: 1 - (offset + scale × (1 - v)).
     texture.offset[0] = info->offset[0];
     texture.offset[1] = 1.0f - info->offset[1] - info->scale[1];
     return texture;

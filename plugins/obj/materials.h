@@ -15,7 +15,7 @@ struct AddedMaterial {
 /// Adds the materials that faces use, with their textures. Returns one for each material of the document.
 /// Progress goes from `from` to `to`.
 ///
-/// What an .mtl file says becomes a metallic-roughness material:
+/// Converts the statements of an .mtl file to a metallic-roughness material:
 ///  - Kd, Ke, Pr, Pm are base colour, emission, roughness and metallic; colours are linear. Their maps
 ///  multiply
 ///    them, and a factor that is not given with a map is 1; so is a Ke of 0 with a map, as exporters write
@@ -23,7 +23,7 @@ struct AddedMaterial {
 ///  - Without Pr, roughness follows from Ns: a Blinn-Phong lobe of exponent n is like one of GGX with
 ///    alpha² = 2 / (n + 2) (Karis, "Specular BRDF Reference", 2013), and roughness is the root of alpha.
 ///  - d, Tr and map_d are the opacity. They are drawn as a mask with a cutoff of 0.5.
-///  - norm is the normal map. Materials are double-sided, since the format does not say.
+///  - norm is the normal map. Materials are double-sided, since the format does not define it.
 std::vector<AddedMaterial> addMaterials(const Document& document, const Host& host, double from, double to);
 
 /// The material of a face.

@@ -135,7 +135,7 @@ Tag parseTag(Statement& statement) {
 // The maximum that `validate` allows.
 constexpr double maxCoordinate = 1e9;
 
-/// Vertex colours come from photographs and scans, and are sRGB-encoded (IEC 61966-2-1).
+/// Vertex colours are from photographs and scans, and are sRGB-encoded (IEC 61966-2-1).
 float linearOf(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }

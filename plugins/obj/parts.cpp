@@ -11,7 +11,7 @@ namespace {
 std::string nameOf(const Document& document, const FaceState& state, SplitAt splitAt) {
     const std::string& object = document.objects[state.object];
     const std::string& group = document.groups[state.group];
-    // A cage of no object takes the name of its first group.
+    // A cage without an object has the name of its first group.
     if (object.empty()) return group;
     if (splitAt == SplitAt::objects || group.empty()) return object;
     return object + "/" + group;

@@ -29,7 +29,7 @@ class Statement {
     /// The words left.
     std::size_t wordsLeft() const;
 
-    /// `what` says what was expected: "a name".
+    /// `what` is the expected item, such as "a name".
     std::string_view needWord(const char* what);
     /// The next word as a number from -limit to limit.
     float needNumber(double limit = maxNumber);
@@ -54,12 +54,12 @@ class Statement {
 std::optional<double> numberIn(std::string_view word);
 
 /// The lines of an OBJ or MTL file. Lines that are continued by a backslash at their end are joined; empty
-/// lines, comments and the blanks around a line are left out.
+/// lines, comments and the blanks around a line are omitted.
 class Lines {
   public:
     explicit Lines(std::string_view text);
 
-    /// Goes to the next line; false at the end of the text.
+    /// Advances to the next line; false at the end of the text.
     bool next();
     /// Valid until `next`.
     std::string_view line() const { return line_; }
@@ -93,7 +93,7 @@ std::string besideFile(const std::string& owner, std::string_view name);
 /// Counts the statements of a file that are not drawn or not used, for one note of each kind.
 class IgnoredStatements {
   public:
-    /// `what` begins the note: "not drawn", "not used"; `kind` says of what.
+    /// `what` begins the note: "not drawn", "not used"; `kind` is the kind of statement.
     void count(std::string_view what, std::string_view kind, std::size_t line);
     /// `file` is the name of a file other than the scene's own, or empty.
     void note(const Host& host, const std::string& file) const;

@@ -11,7 +11,7 @@ namespace candela_plugins::opensubdiv {
 
 /// Where on a face its surface is evaluated.
 struct GridSlot {
-    std::uint32_t point;  ///< Which of the face's points lies there.
+    std::uint32_t point;  ///< The face's point at this location.
     std::uint32_t patch;  ///< Which of its patches.
     double s, t;          ///< Parameters of the patch, 0 to 1.
 };
@@ -19,9 +19,9 @@ struct GridSlot {
 /// The tessellation of the faces of one size. The points of a face are its corners, then
 /// those within its edges, `segments - 1` each in the direction of the face, and those inside.
 ///
-/// A slot is a place to evaluate, and becomes a vertex to draw. Slot i lies at point i; there are more slots
-/// than points only with the bilinear scheme: a face of other than 4 corners is cut into sub-faces, which it
-/// does not join smoothly.
+/// A slot is a location to evaluate, and becomes a vertex to draw. Slot i lies at point i; there are more
+/// slots than points only with the bilinear scheme: a face of other than 4 corners is cut into sub-faces,
+/// which it does not join smoothly.
 struct FaceGrid {
     std::uint32_t size;      ///< Corners of the face.
     std::uint32_t segments;  ///< Of each edge: 2^level.

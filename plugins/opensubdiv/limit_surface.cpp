@@ -52,7 +52,7 @@ std::unique_ptr<const Far::PatchTable> makePatches(const Far::TopologyRefiner& t
     return std::unique_ptr<const Far::PatchTable>(Far::PatchTableFactory::Create(topology, options));
 }
 
-/// The weights of a patch's points at a place.
+/// The weights of a patch's points at a location.
 struct PatchBasis {
     double value[maxPatchPoints], du[maxPatchPoints], dv[maxPatchPoints];
 };

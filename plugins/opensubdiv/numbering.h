@@ -17,7 +17,7 @@ namespace candela_plugins::opensubdiv {
 /// Faces are not joined across a boundary, an infinitely sharp edge, an edge of more than two faces or a
 /// texture seam, and with the bilinear scheme across no edge. Semi-sharp edges and vertices are smooth in the
 /// limit, with both crease methods. At an infinitely sharp vertex, and where three or more infinitely sharp
-/// edges meet, each face has a tangent plane of its own. A sharp edge that ends in a smooth vertex (a dart)
+/// edges meet, each face has a separate tangent plane. A sharp edge that ends in a smooth vertex (a dart)
 /// separates the faces along it, but not at that vertex, around which they are joined. Holes are joined like
 /// other faces: they do not change the surface around them.
 class Sectors {
@@ -53,7 +53,7 @@ class Sectors {
 /// The indices of all vertices to draw, and the face that owns each of them. Points come first: at the
 /// vertices of the cage in use, within its edges, and inside its faces, each once for all faces that share
 /// it. They are in the order of the faces that own them: the first face that has them. Seam vertices follow
-/// in the same order, each owned by the first face of its sector. A stencil is made once, by the owner: so
+/// in the same order, each owned by the first face of its sector. A stencil is built once, by the owner: so
 /// all faces share it bit for bit, and the stencils of a face are contiguous.
 class VertexNumbering {
   public:

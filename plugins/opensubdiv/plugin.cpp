@@ -74,7 +74,7 @@ void checkLevel(std::uint32_t level) {
     throw Failure{"level " + std::to_string(level), "a cage can be refined to the levels 1 to 8"};
 }
 
-/// Refines a cage and hands the result to the host.
+/// Refines a cage and passes the result to the host.
 void refine(const candela_refinement& host, const candela_cage& original, std::uint32_t level) {
     checkLevel(level);
     const CheckedCage cage = checkCage(original);

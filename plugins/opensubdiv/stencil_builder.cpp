@@ -76,7 +76,7 @@ Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The place of a slot, moved by `inset` towards the middle of its patch.
+/// The location of a slot, moved by `inset` towards the centre of its patch.
 Place placeAt(std::uint32_t face, const FaceGrid& grid, const GridSlot& slot, double inset) {
     const double middle = grid.polygonSize == 3 ? 1.0 / 3.0 : 0.5;
     const double s = middle - slot.s, t = middle - slot.t;
@@ -101,8 +101,8 @@ StencilBuilder::StencilBuilder(const CheckedCage& cage, const LimitSurface& posi
 /// Where a parametrisation is degenerate, du × dv is no normal although the surface has one: where du and dv
 /// are parallel, as at a smooth boundary through the corner of a single face, and where one of them vanishes,
 /// as along an edge collapsed to a point. The normal there is the limit of the normals inside the face. The
-/// weights of the derivatives are therefore taken a sixteenth of a step inside; the value stays. The
-/// derivatives of the texture coordinates are taken at the same place as those of the position.
+/// weights of the derivatives are therefore evaluated a sixteenth of a step inside; the value is not. The
+/// derivatives of the texture coordinates are evaluated at the same location as those of the position.
 ///
 /// The test uses the current positions of the cage. Where a surface is only nearly degenerate, the normal
 /// hardly changes within a sixteenth of a step, so false positives do no harm.

@@ -51,7 +51,7 @@ struct VertexStencils {
     StencilBuffer positions, uvs;
 };
 
-/// Makes the stencils of vertices. Each worker has its own builder.
+/// Builds the stencils of vertices. Each worker has its own builder.
 class StencilBuilder {
   public:
     /// `uvs` is NULL for a cage without texture coordinates.

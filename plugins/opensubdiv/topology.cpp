@@ -14,7 +14,7 @@
 namespace candela_plugins::opensubdiv {
 
 /// Catches the messages of OpenSubdiv, which it would print. Its callbacks are global, so they are set once
-/// and hand each message to the catcher of the same thread; without one it is dropped.
+/// and pass each message to the catcher of the same thread; without one it is dropped.
 class MessageCatcher {
   public:
     MessageCatcher();
@@ -22,7 +22,7 @@ class MessageCatcher {
     MessageCatcher(const MessageCatcher&) = delete;
     MessageCatcher& operator=(const MessageCatcher&) = delete;
 
-    /// The first error since the catcher was made; empty where there was none. Warnings are dropped: the
+    /// The first error since the catcher was created; empty when there is none. Warnings are dropped: the
     /// plugin makes these checks itself.
     const std::string& error() const { return error_; }
 

@@ -16,7 +16,7 @@ OpenSubdiv::Sdc::SchemeType osdScheme(candela_scheme scheme);
 std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> makeTopology(const CheckedCage& cage);
 
 /// Throws `Failure` where the table of a cage could have more entries than 32 bits count, before anything of
-/// that size is made. Points and polygons are fewer than entries.
+/// that size is built. Points and polygons are fewer than entries.
 void checkTableSize(const OpenSubdiv::Far::TopologyRefiner& topology, std::uint32_t level);
 
 }  // namespace candela_plugins::opensubdiv

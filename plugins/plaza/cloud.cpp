@@ -17,7 +17,7 @@ constexpr std::uint32_t shellSegments = 256;
 constexpr float lightCandela = 0.05f;
 constexpr float lightRange = 0.3f;  // metres
 constexpr double twoPi = 6.28318530717958647692;
-constexpr double goldenFraction = 0.61803398874989484820;  // of a full turn, from one light to the next
+constexpr double goldenFraction = 0.61803398874989484820;  // of a revolution, from one light to the next
 
 void addShell(const Host& host) {
     const std::string name = "shell";
@@ -26,11 +26,12 @@ void addShell(const Host& host) {
     addGeometry(host, shell, addGreyMaterial(host, name, 0.75f, 0.6f), name);
 }
 
-// A Fibonacci sphere: equal steps in height, with the golden fraction of a full turn between them.
+// A Fibonacci sphere: equal steps in height, with the golden fraction of a revolution between them.
 candela_light lightAt(std::uint32_t index, std::uint32_t count) {
     const double y = 1.0 - 2.0 * (index + 0.5) / count;
     const double around = std::sqrt(1.0 - y * y);
-    const double turns = index * goldenFraction, angle = twoPi * (turns - std::floor(turns));
+    const double revolutions = index * goldenFraction,
+                 angle = twoPi * (revolutions - std::floor(revolutions));
     candela_light light = plainLight(lightCandela, lightRange);
     light.position[0] = static_cast<float>(cloudRadius * around * gridSine(angle));
     light.position[1] = static_cast<float>(cloudRadius * y);

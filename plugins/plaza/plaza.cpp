@@ -17,7 +17,7 @@ constexpr float sphereRadius = 0.8f;  // metres
 constexpr float lightCandela = 8.0f;
 constexpr float lightRange = 3.0f;  // metres
 
-// Pseudo-random properties of an element. The numbers are part of the scene: a change makes another plaza.
+// Pseudo-random properties of an element. The numbers are part of the scene: changing them changes the plaza.
 enum Property : std::uint32_t { lightX, lightY, lightZ, lightHue, sphereRed, sphereGreen, sphereBlue };
 
 // Roughness increases along x; rows along z alternate between dielectric and metal.
@@ -39,7 +39,7 @@ void addGround(const Host& host) {
     addGeometry(host, makeGround(groundSide, groundQuads), material, name);
 }
 
-// The material belongs to the submesh, so every sphere is a mesh of its own: 256 × 20 kB.
+// The material belongs to the submesh, so every sphere is a separate mesh: 256 × 20 kB.
 void addSpheres(const Host& host) {
     const Geometry geometry = makeSphere(sphereRadius, 32, 16);
     const auto center = [](std::uint32_t i) {

@@ -21,7 +21,7 @@ constexpr float roomSide = planSide / roomsPerSide;
 constexpr float halfThickness = 0.1f;  // metres, of a wall
 constexpr std::uint32_t boxesPerRoom = 4;
 
-// Pseudo-random properties. The numbers are part of the scene: a change makes another plan.
+// Pseudo-random properties. The numbers are part of the scene: changing them changes the floor plan.
 enum Property : std::uint32_t { openingKind = 100, openingPlace, boxX, boxZ, boxWidth, boxDepth, boxHeight };
 
 enum class Along { x, z };
@@ -104,7 +104,7 @@ Geometry roomWalls(std::uint32_t column, std::uint32_t row) {
     return geometry;
 }
 
-// Four boxes that leave a way along the walls.
+// Four boxes, with free space along the walls.
 Geometry roomFurniture(std::uint32_t column, std::uint32_t row) {
     Geometry geometry;
     for (std::uint32_t box = 0; box < boxesPerRoom; ++box) addBoxOfRoom(geometry, column, row, box);
@@ -117,7 +117,7 @@ constexpr std::uint32_t cameraRoom[] = {8, 8};  // column, row
 constexpr float cameraOffset = 2.7f;            // metres from the room's middle, along x and z
 constexpr float cameraHeight = 1.7f;            // metres
 
-// Pseudo-random properties. The numbers are part of the scene: a change makes other rooms.
+// Pseudo-random properties. The numbers are part of the scene: changing them changes the rooms.
 enum LightProperty : std::uint32_t { lightX, lightY, lightZ, lightHue };
 enum RoomProperty : std::uint32_t { colorRed = 200, colorGreen, colorBlue, roughness, metallic };
 

@@ -6,7 +6,7 @@
 
 namespace candela_plugins::plaza {
 
-// The generators of procedural scenes. `arguments` is what follows "scheme:". Each throws `Failure` or
+// The generators of procedural scenes. `arguments` is the text after "scheme:". Each throws `Failure` or
 // `HostRefused`.
 
 /// "plaza:N": a ground of 100 m with 16 × 16 spheres of all roughnesses under N point lights.
@@ -21,7 +21,7 @@ void makeCloud(const Host& host, const std::string& arguments);
 void makeRooms(const Host& host, const std::string& arguments);
 
 /// "sculpture:N": the plaza with a subdivision cage before the camera, a ring of square section that is
-/// twisted by three half turns. Two of its four edges are infinitely sharp, the other two are smooth.
+/// twisted by 540 degrees. Two of its four edges are infinitely sharp, the other two are smooth.
 void makeSculpture(const Host& host, const std::string& arguments);
 
 }  // namespace candela_plugins::plaza

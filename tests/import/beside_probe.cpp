@@ -1,4 +1,4 @@
-// Prints what a registry without folders of its own finds: a line for each report, "STATE NAME FILE".
+// Prints the reports of a registry with the default folders, one a line: "STATE NAME FILE".
 #include <candela/error.h>
 #include <candela/plugin_registry.h>
 

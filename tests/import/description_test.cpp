@@ -1,4 +1,4 @@
-// The rules that a plugin's description has to keep, broken one at a time.
+// The rules of a plugin's description, broken one at a time.
 #include "import/plugin_file.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ class Description : public testing::Test {
     }
 
     const char* extensions[3] = {"one", "two", nullptr};
-    const char* schemes[2] = {"made", nullptr};
+    const char* schemes[2] = {"sample", nullptr};
     candela_importer importer{sizeof(candela_importer), extensions, schemes, importNothing};
     candela_plugin plugin{sizeof(candela_plugin),
                           CANDELA_PLUGIN_MAJOR,
@@ -54,7 +54,7 @@ class Description : public testing::Test {
     candela_subdivider subdivider{sizeof(candela_subdivider), refineNothing};
 };
 
-TEST_F(Description, WithoutFaultIsLoaded) {
+TEST_F(Description, ThatIsValidIsLoaded) {
     const PluginReport report = check(&plugin);
     EXPECT_EQ(report.state, PluginState::loaded) << report.detail;
     EXPECT_EQ(report.extensions, (std::vector<std::string>{"one", "two"}));
@@ -92,17 +92,17 @@ TEST_F(Description, StructSizeTooSmall) {
     expectBad("struct_size of its candela_subdivider is 8, but version 1.1 has");
 }
 
-// A description that ends where a page begins that can not be read: a byte too many is a crash.
-class EndOfMemory {
+// A description that ends before an unreadable page: reading beyond it crashes.
+class GuardedMemory {
   public:
-    EndOfMemory() {
+    GuardedMemory() {
         pages_ = ::mmap(nullptr, 2 * page_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
         if (pages_ == MAP_FAILED || ::mprotect(end(), page_, PROT_NONE) != 0)
             throw std::runtime_error("no memory can be mapped");
     }
-    ~EndOfMemory() { ::munmap(pages_, 2 * page_); }
-    EndOfMemory(const EndOfMemory&) = delete;
-    EndOfMemory& operator=(const EndOfMemory&) = delete;
+    ~GuardedMemory() { ::munmap(pages_, 2 * page_); }
+    GuardedMemory(const GuardedMemory&) = delete;
+    GuardedMemory& operator=(const GuardedMemory&) = delete;
 
     /// The first `size` bytes of `plugin`, just before the end.
     const candela_plugin* place(candela_plugin plugin, std::uint32_t size) {
@@ -119,13 +119,13 @@ class EndOfMemory {
 };
 
 TEST_F(Description, NothingIsReadBeyondStructSize) {
-    EndOfMemory memory;
+    GuardedMemory memory;
     for (const std::uint32_t size : {4u, 8u, 16u, 24u, 40u})
         EXPECT_EQ(check(memory.place(plugin, size)).state, PluginState::badDescription) << size;
 }
 
 TEST_F(Description, OfTheFirstVersionIsLoaded) {
-    EndOfMemory memory;
+    GuardedMemory memory;
     const PluginReport report = check(memory.place(plugin, offsetof(candela_plugin, subdivider)));
     EXPECT_EQ(report.state, PluginState::loaded) << report.detail;
     EXPECT_FALSE(report.subdivides);
@@ -182,10 +182,10 @@ TEST_F(Description, OfBothServices) {
     const PluginReport report = check(&plugin);
     EXPECT_EQ(report.state, PluginState::loaded) << report.detail;
     EXPECT_TRUE(report.subdivides);
-    EXPECT_EQ(report.schemes, std::vector<std::string>{"made"});
+    EXPECT_EQ(report.schemes, std::vector<std::string>{"sample"});
 }
 
-TEST_F(Description, WhatItTakes) {
+TEST_F(Description, ExtensionsAndSchemes) {
     importer.extensions = importer.schemes = nullptr;
     expectBad("takes no file name ending and no scheme");
     const char* const none[] = {nullptr};
@@ -197,16 +197,16 @@ TEST_F(Description, WhatItTakes) {
         expectBad("the file name ending");
     }
     importer.extensions = nullptr;
-    for (const char* scheme : {"c", "1st", "Made", "a:b"}) {
+    for (const char* scheme : {"c", "1st", "Upper", "a:b"}) {
         const char* const list[] = {scheme, nullptr};
         importer.schemes = list;
         expectBad("the scheme '");
     }
 }
 
-TEST_F(Description, ListWithoutEnd) {
-    const std::vector<const char*> endless(100, "same");
-    importer.extensions = endless.data();
+TEST_F(Description, UnterminatedList) {
+    const std::vector<const char*> unterminated(100, "same");
+    importer.extensions = unterminated.data();
     expectBad("it lists more than 64 file name endings");
 }
 

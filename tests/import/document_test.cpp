@@ -1,4 +1,4 @@
-// The example of docs/plugins.md: it is instance as it is compiled, and it does what the page says.
+// The example of docs/plugins.md: the page has the source that is compiled, and it works as the page says.
 #include "expect_error.h"
 #include "temporary_folder.h"
 
@@ -24,11 +24,11 @@ std::string contentOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-TEST(PluginDocument, ShowsTheExampleAsItIsCompiled) {
+TEST(PluginDocument, HasTheSourceOfTheExample) {
     const std::string example = contentOf(documents / "examples" / "triangle_importer.cpp");
     const std::string page = contentOf(documents / "plugins.md");
     EXPECT_NE(page.find("```cpp\n" + example + "```\n"), std::string::npos)
-        << "docs/plugins.md and docs/examples/triangle_importer.cpp are out of step";
+        << "docs/plugins.md and docs/examples/triangle_importer.cpp differ";
 }
 
 TEST(PluginDocument, TheExampleReadsTriangles) {

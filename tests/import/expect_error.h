@@ -7,7 +7,8 @@
 #include <functional>
 #include <string>
 
-/// Runs `action`, which has to throw an `Error` of `kind` in one line that holds `part`. Returns its text.
+/// Expects `action` to throw an `Error` of `kind` whose message is one line and contains `part`. Returns the
+/// message.
 inline std::string expectError(const std::function<void()>& action, candela::ErrorKind kind,
                                const std::string& part) {
     try {

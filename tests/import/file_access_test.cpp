@@ -1,4 +1,4 @@
-// What a plugin may read: regular files below the scene's folder and nothing else.
+// What a plugin may read: only regular files in the scene's folder and its subfolders.
 #include "expect_error.h"
 #include "note_lines.h"
 #include "temporary_folder.h"
@@ -44,17 +44,17 @@ class FilePolicy : public testing::Test {
     TemporaryFolder folder;
 };
 
-TEST_F(FilePolicy, FilesOfTheFolderAreRead) {
+TEST_F(FilePolicy, FilesInTheFolderAreRead) {
     EXPECT_EQ(read("inside.txt"), Lines{"inside.txt: 5"});
     EXPECT_EQ(read("deep/er/file.txt"), Lines{"deep/er/file.txt: 3"});
     EXPECT_EQ(read("./deep//er/../../inside.txt"), Lines{"./deep//er/../../inside.txt: 5"});
 }
 
-TEST_F(FilePolicy, AFileIsReadAgainWithoutHarm) {
+TEST_F(FilePolicy, AFileMayBeReadTwice) {
     EXPECT_EQ(read("inside.txt\ninside.txt"), Lines{"inside.txt: 5 (2 times)"});
 }
 
-TEST_F(FilePolicy, AnEmptyFileIsNoFault) {
+TEST_F(FilePolicy, AnEmptyFileIsRead) {
     folder.write("scene/empty", "");
     EXPECT_EQ(read("empty"), Lines{"empty: 0"});
 }
@@ -82,27 +82,27 @@ TEST_F(FilePolicy, LinkOutOfTheFolder) {
     expectRefused("up/outside.txt", ErrorKind::badInput, "a symbolic link leads out of the scene's folder");
 }
 
-// "scene-beside" begins with the letters of "scene", and is not in it.
-TEST_F(FilePolicy, LinkToAFolderOfALikeName) {
+// "scene-beside" begins with "scene", but is not in that folder.
+TEST_F(FilePolicy, LinkToAFolderWithTheSamePrefix) {
     fs::create_symlink("../scene-beside/file.txt", folder.path() / "scene" / "link");
     expectRefused("link", ErrorKind::badInput, "a symbolic link leads out of the scene's folder");
 }
 
-// ".." after a link goes on from where the link leads: the letters of the path stay in the folder, the file
-// does not.
-TEST_F(FilePolicy, DotsBehindALink) {
+// ".." after a link is relative to the link's target: the path stays in the folder as text, but the file is
+// outside.
+TEST_F(FilePolicy, DotsAfterALink) {
     fs::create_directories(folder.path() / "away" / "below");
     folder.write("away/file.txt", "away");
     fs::create_directory_symlink(folder.path() / "away" / "below", folder.path() / "scene" / "down");
     expectRefused("down/../file.txt", ErrorKind::badInput, "a symbolic link leads out of the scene's folder");
 }
 
-TEST_F(FilePolicy, LinkInACircle) {
+TEST_F(FilePolicy, CircularLink) {
     fs::create_symlink("circle", folder.path() / "scene" / "circle");
     expectRefused("circle", ErrorKind::environment, "symbolic links");
 }
 
-// A pipe without a writer would hold a reader for ever.
+// Opening a pipe without a writer would block.
 TEST_F(FilePolicy, Pipe) {
     ASSERT_EQ(::mkfifo((folder.path() / "scene" / "pipe").c_str(), 0600), 0);
     expectRefused("pipe", ErrorKind::badInput, "it is not a regular file");
@@ -118,17 +118,18 @@ TEST_F(FilePolicy, MissingFile) {
 }
 
 TEST_F(FilePolicy, FileWithoutPermission) {
-    if (::geteuid() == 0) GTEST_SKIP() << "the superuser may read everything";
+    if (::geteuid() == 0) GTEST_SKIP() << "the superuser may read all files";
     const fs::path file = folder.write("scene/locked", "locked");
     fs::permissions(file, fs::perms::none);
     expectRefused("locked", ErrorKind::environment, "Permission denied");
 }
 
-TEST_F(FilePolicy, SparseGiant) {
+TEST_F(FilePolicy, FileBeyondTheSizeLimit) {
     const fs::path file = folder.write("scene/giant", "");
     std::error_code error;
     fs::resize_file(file, std::uintmax_t{17} << 30, error);
-    if (error) GTEST_SKIP() << "the file system of the temporary folder holds no sparse file of 17 GiB";
+    if (error)
+        GTEST_SKIP() << "the file system of the temporary folder does not support sparse files of 17 GiB";
     expectRefused("giant", ErrorKind::limit, "more than the 16 GiB allowed");
 }
 
@@ -141,7 +142,7 @@ TEST_F(FilePolicy, PathTooLongForTheSystem) {
     expectError([&] { read(path); }, ErrorKind::environment, "File name too long");
 }
 
-// The file that the user names may be a link; its neighbours are then those beside the real file.
+// The scene file may be a link; other files are then relative to its target.
 TEST_F(FilePolicy, SceneFileThatIsALink) {
     folder.write("scene/scene.list", "inside.txt\n");
     const fs::path link = folder.path() / "link.list";

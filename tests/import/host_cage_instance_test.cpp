@@ -1,4 +1,4 @@
-// What the host takes and refuses of skins, of nodes that show cages and of moving morph weights.
+// What the host accepts and refuses of skins, of cage instances and of animated morph weights.
 #include "expect_error.h"
 #include "host_calls.h"
 #include "import_samples.h"
@@ -18,32 +18,33 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 using Add = std::function<void(const candela_host&)>;
 
-void expectRefused(const Add& addIt, const std::string& text) {
-    EXPECT_EQ(expectError([&] { importedScene(addIt); }, ErrorKind::badInput, ""), "test: " + text);
+void expectRefused(const Add& addElements, const std::string& text) {
+    EXPECT_EQ(expectError([&] { importedScene(addElements); }, ErrorKind::badInput, ""), "test: " + text);
 }
 
 // Two nodes, a cage and a skin.
-void addParts(const candela_host& host) {
+void addRequiredElements(const candela_host& host) {
     add(host, samples::node());
     add(host, samples::node());
     add(host, samples::cage());
     add(host, samples::skin());
 }
 
-void expectSkinRefused(const std::function<void(candela_skin&)>& spoil, const std::string& text) {
+void expectSkinRefused(const std::function<void(candela_skin&)>& modify, const std::string& text) {
     expectRefused(
         [&](const candela_host& host) {
-            addParts(host);
-            add(host, spoiled(samples::skin(), spoil));
+            addRequiredElements(host);
+            add(host, modified(samples::skin(), modify));
         },
         "skin 1 'rig': " + text);
 }
 
-void expectInstanceRefused(const std::function<void(candela_cage_instance&)>& spoil, const std::string& text) {
+void expectInstanceRefused(const std::function<void(candela_cage_instance&)>& modify,
+                           const std::string& text) {
     expectRefused(
         [&](const candela_host& host) {
-            addParts(host);
-            add(host, spoiled(samples::cageInstance(), spoil));
+            addRequiredElements(host);
+            add(host, modified(samples::cageInstance(), modify));
         },
         text);
 }
@@ -53,9 +54,9 @@ TEST(HostSkin, CopiesWhatIsAdded) {
     for (std::size_t i = 0; i < 16; ++i) matrices[i] = matrices[16 + i] = samples::identity[i];
     matrices[16 + 13] = 7.0f;
     const Scene scene = importedScene([&](const candela_host& host) {
-        addParts(host);
+        addRequiredElements(host);
         add(host,
-            spoiled(samples::skin(), [&](candela_skin& s) { s.inverse_bind_matrices = matrices.data(); }));
+            modified(samples::skin(), [&](candela_skin& s) { s.inverse_bind_matrices = matrices.data(); }));
     });
     ASSERT_EQ(scene.skins.size(), 2u);
     EXPECT_EQ(scene.skins[0].name, "rig");
@@ -87,11 +88,11 @@ TEST(HostSkinRefuses, AndNamesTheJoint) {
                       "inverse_bind_matrix 0 has the component nan, but finite numbers were expected");
 }
 
-TEST(HostShownCage, CopiesWhatIsAdded) {
+TEST(HostCageInstance, CopiesWhatIsAdded) {
     const Scene scene = importedScene([](const candela_host& host) {
-        addParts(host);
+        addRequiredElements(host);
         add(host, samples::cageInstance());
-        add(host, spoiled(samples::cageInstance(), [](candela_cage_instance& s) {
+        add(host, modified(samples::cageInstance(), [](candela_cage_instance& s) {
                 s.node = 1;
                 s.skin = -1;
                 s.morph_weight_count = 0;
@@ -109,31 +110,31 @@ TEST(HostShownCage, CopiesWhatIsAdded) {
     EXPECT_TRUE(plain->morphWeights.empty());
 }
 
-TEST(HostShownCageRefuses, AndNamesTheNode) {
+TEST(HostCageInstanceRefuses, AndNamesTheNode) {
     expectInstanceRefused([](candela_cage_instance& s) { s.node = -1; },
-                      "add_cage_instance: node is -1, but a node was expected");
+                          "add_cage_instance: node is -1, but a node was expected");
     expectInstanceRefused([](candela_cage_instance& s) { s.node = 2; },
-                      "add_cage_instance: node is 2, but 2 were added so far and -1 is none");
+                          "add_cage_instance: node is 2, but 2 were added so far and -1 is none");
     expectInstanceRefused([](candela_cage_instance& s) { s.cage = -1; },
-                      "node 0 'axle': cage is -1, but a cage was expected");
+                          "node 0 'axle': cage is -1, but a cage was expected");
     expectInstanceRefused([](candela_cage_instance& s) { s.cage = 1; },
-                      "node 0 'axle': cage is 1, but 1 were added so far and -1 is none");
+                          "node 0 'axle': cage is 1, but 1 were added so far and -1 is none");
     expectInstanceRefused([](candela_cage_instance& s) { s.skin = 1; },
-                      "node 0 'axle': skin is 1, but 1 were added so far and -1 is none");
+                          "node 0 'axle': skin is 1, but 1 were added so far and -1 is none");
     expectInstanceRefused([](candela_cage_instance& s) { s.morph_weight_count = 1; },
-                      "node 0 'axle': morph_weight_count is 1, but cage 0 'body' has 2 morph targets");
+                          "node 0 'axle': morph_weight_count is 1, but cage 0 'body' has 2 morph targets");
     expectInstanceRefused([](candela_cage_instance& s) { s.morph_weights = nullptr; },
-                      "node 0 'axle': morph_weight is NULL, but 2 elements were expected");
+                          "node 0 'axle': morph_weight is NULL, but 2 elements were expected");
     const float weights[] = {0.0f, nan};
     expectInstanceRefused(
         [&](candela_cage_instance& s) { s.morph_weights = weights; },
         "node 0 'axle': morph_weight 1 has the component nan, but finite numbers were expected");
 }
 
-TEST(HostShownCageRefuses, ASecondCage) {
+TEST(HostCageInstanceRefuses, ASecondCage) {
     expectRefused(
         [](const candela_host& host) {
-            addParts(host);
+            addRequiredElements(host);
             add(host, samples::cageInstance());
             add(host, samples::cageInstance());
         },
@@ -142,58 +143,57 @@ TEST(HostShownCageRefuses, ASecondCage) {
 
 constexpr float morphKeys[] = {0, 0.5f, 1, 0};
 
-void spoilPath(candela_animation_channel& channel) {
+void animateMorphWeights(candela_animation_channel& channel) {
     channel.path = CANDELA_ANIMATE_MORPH_WEIGHTS;
     channel.values = morphKeys;
 }
 
-void addMoving(const candela_host& host, const candela_animation_channel& channel) {
-    add(host, spoiled(samples::animation(), [&](candela_animation& a) { a.channels = &channel; }));
+void addAnimationOf(const candela_host& host, const candela_animation_channel& channel) {
+    add(host, modified(samples::animation(), [&](candela_animation& a) { a.channels = &channel; }));
 }
 
-TEST(HostMorphAnimation, HasANumberForEachTarget) {
+TEST(HostMorphAnimation, HasAWeightForEachTarget) {
     const Scene scene = importedScene([](const candela_host& host) {
-        addParts(host);
+        addRequiredElements(host);
         add(host, samples::cageInstance());
-        addMoving(host, spoiled(samples::channel, spoilPath));
+        addAnimationOf(host, modified(samples::channel, animateMorphWeights));
     });
     const AnimationChannel& channel = scene.animations.at(0).channels.at(0);
     EXPECT_EQ(channel.path, AnimationPath::morphWeights);
     EXPECT_EQ(channel.values, (std::vector<float>{0, 0.5f, 1, 0}));
 }
 
-// What a matrix places can not be moved by an animation, but its morph weights can.
-TEST(HostMorphAnimation, MovesTheCageOfANodeWithAMatrix) {
+// A node with a matrix cannot be animated, but its morph weights can.
+TEST(HostMorphAnimation, AppliesToANodeWithAMatrix) {
     const Scene scene = importedScene([](const candela_host& host) {
-        addParts(host);
-        add(host, spoiled(samples::node(), [](candela_node& n) { n.matrix = samples::identity.data(); }));
-        add(host, spoiled(samples::cageInstance(), [](candela_cage_instance& s) { s.node = 2; }));
-        addMoving(host, spoiled(samples::channel, [](candela_animation_channel& c) {
-                      spoilPath(c);
-                      c.node = 2;
-                  }));
+        addRequiredElements(host);
+        add(host, modified(samples::node(), [](candela_node& n) { n.matrix = samples::identity.data(); }));
+        add(host, modified(samples::cageInstance(), [](candela_cage_instance& s) { s.node = 2; }));
+        addAnimationOf(host, modified(samples::channel, [](candela_animation_channel& c) {
+                           animateMorphWeights(c);
+                           c.node = 2;
+                       }));
     });
     EXPECT_EQ(scene.animations.at(0).channels.at(0).node, 2u);
 }
 
 TEST(HostMorphAnimation, NeedsACageWithTargets) {
-    const std::string text =
-        "animation 0 'roll': channel 0: node is 0, which shows no cage with morph targets";
+    const std::string text = "animation 0 'roll': channel 0: node is 0, which has no cage with morph targets";
     expectRefused(
         [](const candela_host& host) {
-            addParts(host);
-            addMoving(host, spoiled(samples::channel, spoilPath));
+            addRequiredElements(host);
+            addAnimationOf(host, modified(samples::channel, animateMorphWeights));
         },
         text);
     expectRefused(
         [](const candela_host& host) {
-            addParts(host);
-            add(host, spoiled(samples::cage(), [](candela_cage& c) { c.morph_target_count = 0; }));
-            add(host, spoiled(samples::cageInstance(), [](candela_cage_instance& s) {
+            addRequiredElements(host);
+            add(host, modified(samples::cage(), [](candela_cage& c) { c.morph_target_count = 0; }));
+            add(host, modified(samples::cageInstance(), [](candela_cage_instance& s) {
                     s.cage = 1;
                     s.morph_weight_count = 0;
                 }));
-            addMoving(host, spoiled(samples::channel, spoilPath));
+            addAnimationOf(host, modified(samples::channel, animateMorphWeights));
         },
         text);
 }

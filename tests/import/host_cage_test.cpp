@@ -1,4 +1,4 @@
-// What the host takes and refuses of cages, of skins and of nodes that show cages.
+// What the host accepts and refuses of cages, of skins and of cage instances.
 #include "expect_error.h"
 #include "host_calls.h"
 #include "import_samples.h"
@@ -18,21 +18,21 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-// An enumeration that holds a number which none of its enumerators has.
+// Sets an enumeration to any number.
 template <class Enum>
 void setNumber(Enum& to, std::uint32_t number) {
     static_assert(sizeof to == sizeof number);
     std::memcpy(&to, &number, sizeof number);
 }
 
-using SpoilCage = std::function<void(candela_cage&)>;
+using ModifyCage = std::function<void(candela_cage&)>;
 
-void expectCageRefused(const SpoilCage& spoil, const std::string& text,
+void expectCageRefused(const ModifyCage& modify, const std::string& text,
                        ErrorKind kind = ErrorKind::badInput) {
-    const auto addIt = [&] {
-        importedScene([&](const candela_host& host) { add(host, spoiled(samples::cage(), spoil)); });
+    const auto importElement = [&] {
+        importedScene([&](const candela_host& host) { add(host, modified(samples::cage(), modify)); });
     };
-    EXPECT_EQ(expectError(addIt, kind, ""), "test: cage 0 'body': " + text);
+    EXPECT_EQ(expectError(importElement, kind, ""), "test: cage 0 'body': " + text);
 }
 
 TEST(HostCage, CopiesWhatIsAdded) {
@@ -66,8 +66,8 @@ TEST(HostCage, CopiesWhatIsAdded) {
 }
 
 TEST(HostCage, EnumeratorsAreTranslated) {
-    const auto cageOf = [](const SpoilCage& spoil) {
-        return importedScene([&](const candela_host& host) { add(host, spoiled(samples::cage(), spoil)); })
+    const auto cageOf = [](const ModifyCage& modify) {
+        return importedScene([&](const candela_host& host) { add(host, modified(samples::cage(), modify)); })
             .cages.at(0);
     };
     const Cage cage = cageOf([](candela_cage& c) {
@@ -94,10 +94,10 @@ TEST(HostCage, EnumeratorsAreTranslated) {
     EXPECT_EQ(other.faceVaryingInterpolation, FaceVaryingInterpolation::cornersPlus2);
 }
 
-TEST(HostCage, JointWeightsAreBroughtToTheSumOne) {
+TEST(HostCage, JointWeightsAreNormalized) {
     const Scene scene = importedScene([](const candela_host& host) { add(host, samples::cage()); });
     const std::vector<float>& weights = scene.cages.at(0).jointWeights;
-    // 1 and 3 of a sum of 4: exact in binary.
+    // 1 and 3 of a sum of 4: exact in single precision.
     EXPECT_EQ(weights.at(2), 0.25f);
     EXPECT_EQ(weights.at(3), 0.75f);
     EXPECT_EQ(weights.at(4), 0.0f);
@@ -109,7 +109,7 @@ TEST(HostCage, MaterialsOfFaces) {
     const std::int32_t materials[] = {-1, 0};
     const Scene scene = importedScene([&](const candela_host& host) {
         host.add_material(host.self, &material);
-        add(host, spoiled(samples::cage(), [&](candela_cage& c) { c.face_materials = materials; }));
+        add(host, modified(samples::cage(), [&](candela_cage& c) { c.face_materials = materials; }));
     });
     ASSERT_EQ(scene.cages.at(0).faceMaterials.size(), 2u);
     EXPECT_FALSE(scene.cages[0].faceMaterials[0]);
@@ -171,7 +171,7 @@ TEST(HostCageRefuses, Faces) {
     const std::uint32_t seven[] = {7, 4};
     expectCageRefused([&](candela_cage& c) { c.face_sizes = seven; },
                       "face 0 has 7 corners, but 3 to 6, the number of vertices, were expected");
-    // Their sum is 0 where it is counted in 32 bits.
+    // Their sum is 0 modulo 2^32.
     const std::uint32_t overflowing[] = {0x80000000, 0x80000000};
     expectCageRefused([&](candela_cage& c) { c.face_sizes = overflowing; },
                       "face 0 has 2147483648 corners, but 3 to 6, the number of vertices, were expected");
@@ -229,7 +229,7 @@ TEST(HostCageRefuses, JointWeights) {
                       "vertex 1 has joint weights that are all 0");
 }
 
-TEST(HostCageRefuses, MorphTargetsOfNothing) {
+TEST(HostCageRefuses, MorphTargetsWithoutVertices) {
     expectCageRefused(
         [](candela_cage& c) {
             c = {};
@@ -241,9 +241,9 @@ TEST(HostCageRefuses, MorphTargetsOfNothing) {
         "morph_target_count is 4294967295, but there are no vertices to move");
 }
 
-TEST(HostCageRefuses, StructsThatAreNoneOrTooSmall) {
-    const auto refused = [](const std::function<void(const candela_host&)>& addIt, const char* text) {
-        expectError([&] { importedScene(addIt); }, ErrorKind::badInput, text);
+TEST(HostCageRefuses, NullAndTooSmallStructs) {
+    const auto refused = [](const std::function<void(const candela_host&)>& addElements, const char* text) {
+        expectError([&] { importedScene(addElements); }, ErrorKind::badInput, text);
     };
     refused([](const candela_host& host) { host.add_cage(host.self, nullptr); },
             "test: cage 0: the struct is NULL");
@@ -252,11 +252,11 @@ TEST(HostCageRefuses, StructsThatAreNoneOrTooSmall) {
     refused([](const candela_host& host) { host.add_cage_instance(host.self, nullptr); },
             "test: add_cage_instance: the struct is NULL");
     const auto shorten = [](auto& source) { source.struct_size = 12; };
-    refused([&](const candela_host& host) { add(host, spoiled(samples::cage(), shorten)); },
+    refused([&](const candela_host& host) { add(host, modified(samples::cage(), shorten)); },
             "test: cage 0: struct_size is 12, but version 1.1 has ");
-    refused([&](const candela_host& host) { add(host, spoiled(samples::skin(), shorten)); },
+    refused([&](const candela_host& host) { add(host, modified(samples::skin(), shorten)); },
             "test: skin 0: struct_size is 12, but version 1.1 has ");
-    refused([&](const candela_host& host) { add(host, spoiled(samples::cageInstance(), shorten)); },
+    refused([&](const candela_host& host) { add(host, modified(samples::cageInstance(), shorten)); },
             "test: add_cage_instance: struct_size is 12, but version 1.1 has ");
 }
 

@@ -4,7 +4,7 @@
 
 #include <candela/plugin.h>
 
-// Adds to a host without a plugin between.
+// Calls of a host's functions without a plugin.
 
 inline void add(const candela_host& host, const candela_mesh& mesh) {
     host.add_mesh(host.self, &mesh);
@@ -25,7 +25,7 @@ inline void add(const candela_host& host, const candela_cage_instance& instance)
     host.add_cage_instance(host.self, &instance);
 }
 
-/// What comes of a scene that `addAll` adds. Throws what the host has refused.
+/// The scene that `addAll` adds. Throws when the host refuses an element.
 template <class AddAll>
 candela::Scene importedScene(AddAll addAll) {
     candela::ImportHost host("test", nullptr, {});
@@ -35,8 +35,8 @@ candela::Scene importedScene(AddAll addAll) {
 }
 
 /// `source` with one change.
-template <class Source, class Spoil>
-Source spoiled(Source source, Spoil spoil) {
-    spoil(source);
+template <class Source, class Modify>
+Source modified(Source source, Modify modify) {
+    modify(source);
     return source;
 }

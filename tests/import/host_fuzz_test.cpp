@@ -1,5 +1,5 @@
-// Random bytes in all numbers of all source structs: the host refuses or takes them, and never crashes. The
-// arrays are as long as the counts say, for a plugin that lies about those can not be helped.
+// Random bytes in all numbers of all structs of plugin.h: the host refuses or accepts them, and never
+// crashes. The arrays have the lengths that the counts say, since the host cannot check those.
 #include "import_samples.h"
 
 #include "import/abi_import.h"
@@ -28,10 +28,10 @@ class Fuzzer {
   public:
     explicit Fuzzer(std::uint32_t seed) : random_(seed) {}
 
-    bool oneIn(std::uint32_t chances) { return below(chances) == 0; }
+    bool oneIn(std::uint32_t count) { return below(count) == 0; }
     std::uint32_t below(std::uint32_t count) { return any() % count; }
 
-    // Mostly numbers that get past a first check, some of all bits, some on an edge.
+    // Mostly numbers that pass a first check, some random bits, some edge cases.
     std::uint32_t bits() {
         constexpr std::array<std::uint32_t, 10> edges{
             0, 1, 2, 3, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x7F800000, 0x7FC00000, 0x00000001};
@@ -51,7 +51,7 @@ class Fuzzer {
     }
 
     template <class T>
-    void spoil(T& member) {
+    void modify(T& member) {
         static_assert(sizeof(T) % 4 == 0 && std::is_trivially_copyable_v<T>);
         if (!oneIn(3)) return;
         for (std::size_t offset = 0; offset < sizeof(T); offset += 4) {
@@ -60,7 +60,7 @@ class Fuzzer {
         }
     }
 
-    // NULL now and then; mostly finite numbers, so that the rest is reached too.
+    // NULL at times; mostly finite numbers, so that later checks are reached too.
     const float* array(std::vector<float>& storage, std::size_t count) {
         if (oneIn(6)) return nullptr;
         storage.resize(count);
@@ -91,7 +91,7 @@ class Fuzzer {
     std::mt19937 random_;
 };
 
-// At most what a test may well hold: the host must refuse more before it reads so much.
+// At most 1000, to bound the memory of the test: the host must refuse more before it reads the array.
 std::uint32_t sumOf(const std::vector<std::uint32_t>& sizes) {
     std::uint64_t sum = 0;
     for (const std::uint32_t size : sizes) sum += size;
@@ -103,10 +103,10 @@ void addImage(Fuzzer& fuzz, const candela_host& host) {
     texels.fill(static_cast<std::uint8_t>(fuzz.bits()));
     candela_image image = samples::image();
     image.struct_size = fuzz.structSize(image.struct_size);
-    fuzz.spoil(image.width);
-    fuzz.spoil(image.height);
-    fuzz.spoil(image.format);
-    fuzz.spoil(image.pixels_size);
+    fuzz.modify(image.width);
+    fuzz.modify(image.height);
+    fuzz.modify(image.format);
+    fuzz.modify(image.pixels_size);
     if (image.pixels_size > texels.size()) image.pixels_size = texels.size();
     image.pixels = fuzz.oneIn(9) ? nullptr : texels.data();
     host.add_image(host.self, &image);
@@ -115,19 +115,19 @@ void addImage(Fuzzer& fuzz, const candela_host& host) {
 void addMaterial(Fuzzer& fuzz, const candela_host& host) {
     candela_material material = samples::material();
     material.struct_size = fuzz.structSize(material.struct_size);
-    fuzz.spoil(material.base_color);
-    fuzz.spoil(material.metallic);
-    fuzz.spoil(material.roughness);
-    fuzz.spoil(material.emission);
-    fuzz.spoil(material.normal_texture);
-    fuzz.spoil(material.emission_texture.image);
-    fuzz.spoil(material.emission_texture.uv_set);
-    fuzz.spoil(material.normal_scale);
-    fuzz.spoil(material.occlusion_strength);
-    fuzz.spoil(material.alpha_mode);
-    fuzz.spoil(material.alpha_cutoff);
-    fuzz.spoil(material.double_sided);
-    fuzz.spoil(material.unlit);
+    fuzz.modify(material.base_color);
+    fuzz.modify(material.metallic);
+    fuzz.modify(material.roughness);
+    fuzz.modify(material.emission);
+    fuzz.modify(material.normal_texture);
+    fuzz.modify(material.emission_texture.image);
+    fuzz.modify(material.emission_texture.uv_set);
+    fuzz.modify(material.normal_scale);
+    fuzz.modify(material.occlusion_strength);
+    fuzz.modify(material.alpha_mode);
+    fuzz.modify(material.alpha_cutoff);
+    fuzz.modify(material.double_sided);
+    fuzz.modify(material.unlit);
     host.add_material(host.self, &material);
 }
 
@@ -153,7 +153,7 @@ void addMesh(Fuzzer& fuzz, const candela_host& host) {
     mesh.indices = fuzz.indices(indices, mesh.index_count, mesh.vertex_count);
     std::vector<candela_submesh> submeshes(mesh.submesh_count, {0, mesh.index_count, -1});
     for (candela_submesh& submesh : submeshes)
-        if (fuzz.oneIn(4)) fuzz.spoil(submesh);
+        if (fuzz.oneIn(4)) fuzz.modify(submesh);
     mesh.submeshes = submeshes.data();
     host.add_mesh(host.self, &mesh);
 }
@@ -161,13 +161,13 @@ void addMesh(Fuzzer& fuzz, const candela_host& host) {
 void addNode(Fuzzer& fuzz, const candela_host& host) {
     candela_node node = samples::node();
     node.struct_size = fuzz.structSize(node.struct_size);
-    fuzz.spoil(node.parent);
-    fuzz.spoil(node.translation);
-    if (fuzz.oneIn(9)) fuzz.spoil(node.rotation);
-    fuzz.spoil(node.scale);
-    fuzz.spoil(node.mesh);
+    fuzz.modify(node.parent);
+    fuzz.modify(node.translation);
+    if (fuzz.oneIn(9)) fuzz.modify(node.rotation);
+    fuzz.modify(node.scale);
+    fuzz.modify(node.mesh);
     std::array<float, 16> matrix = samples::identity;
-    if (fuzz.oneIn(9)) fuzz.spoil(matrix);
+    if (fuzz.oneIn(9)) fuzz.modify(matrix);
     if (fuzz.oneIn(3)) node.matrix = matrix.data();
     host.add_node(host.self, &node);
 }
@@ -175,32 +175,32 @@ void addNode(Fuzzer& fuzz, const candela_host& host) {
 void addCamera(Fuzzer& fuzz, const candela_host& host) {
     candela_camera camera = samples::camera();
     camera.struct_size = fuzz.structSize(camera.struct_size);
-    fuzz.spoil(camera.vertical_fov);
-    fuzz.spoil(camera.near_plane);
-    fuzz.spoil(camera.node);
+    fuzz.modify(camera.vertical_fov);
+    fuzz.modify(camera.near_plane);
+    fuzz.modify(camera.node);
     host.add_camera(host.self, &camera);
 }
 
 void addLight(Fuzzer& fuzz, const candela_host& host) {
     candela_light light = samples::light();
     light.struct_size = fuzz.structSize(light.struct_size);
-    fuzz.spoil(light.type);
-    fuzz.spoil(light.color);
-    fuzz.spoil(light.intensity);
-    fuzz.spoil(light.range);
-    fuzz.spoil(light.inner_cone_angle);
-    fuzz.spoil(light.outer_cone_angle);
-    fuzz.spoil(light.position);
-    fuzz.spoil(light.direction);
-    fuzz.spoil(light.node);
+    fuzz.modify(light.type);
+    fuzz.modify(light.color);
+    fuzz.modify(light.intensity);
+    fuzz.modify(light.range);
+    fuzz.modify(light.inner_cone_angle);
+    fuzz.modify(light.outer_cone_angle);
+    fuzz.modify(light.position);
+    fuzz.modify(light.direction);
+    fuzz.modify(light.node);
     host.add_light(host.self, &light);
 }
 
 void addAnimation(Fuzzer& fuzz, const candela_host& host) {
     candela_animation_channel channel = samples::channel;
-    fuzz.spoil(channel.node);
-    fuzz.spoil(channel.path);
-    fuzz.spoil(channel.interpolation);
+    fuzz.modify(channel.node);
+    fuzz.modify(channel.path);
+    fuzz.modify(channel.interpolation);
     channel.key_count = fuzz.below(maxElements);
     std::vector<float> times, values;
     channel.times = fuzz.array(times, channel.key_count);
@@ -217,10 +217,10 @@ void addAnimation(Fuzzer& fuzz, const candela_host& host) {
 void addCage(Fuzzer& fuzz, const candela_host& host) {
     candela_cage cage = samples::cage();
     cage.struct_size = fuzz.structSize(cage.struct_size);
-    if (fuzz.oneIn(4)) fuzz.spoil(cage.scheme);
-    if (fuzz.oneIn(4)) fuzz.spoil(cage.boundary_interpolation);
-    if (fuzz.oneIn(4)) fuzz.spoil(cage.crease_method);
-    if (fuzz.oneIn(4)) fuzz.spoil(cage.level);
+    if (fuzz.oneIn(4)) fuzz.modify(cage.scheme);
+    if (fuzz.oneIn(4)) fuzz.modify(cage.boundary_interpolation);
+    if (fuzz.oneIn(4)) fuzz.modify(cage.crease_method);
+    if (fuzz.oneIn(4)) fuzz.modify(cage.level);
     std::array<std::vector<float>, 6> numbers;
     std::array<std::vector<std::uint32_t>, 7> indices;
     cage.vertex_count = 4 + fuzz.below(maxElements);
@@ -254,12 +254,12 @@ void addSkin(Fuzzer& fuzz, const candela_host& host) {
     candela_skin skin = samples::skin();
     skin.struct_size = fuzz.structSize(skin.struct_size);
     std::array<std::int32_t, 4> joints{};
-    fuzz.spoil(joints);
+    fuzz.modify(joints);
     skin.joint_count = fuzz.below(5);
     skin.joints = joints.data();
     std::array<float, 64> matrices;
     for (std::size_t i = 0; i < matrices.size(); ++i) matrices[i] = samples::identity[i % 16];
-    if (fuzz.oneIn(9)) fuzz.spoil(matrices);
+    if (fuzz.oneIn(9)) fuzz.modify(matrices);
     if (fuzz.oneIn(2)) skin.inverse_bind_matrices = matrices.data();
     host.add_skin(host.self, &skin);
 }
@@ -267,9 +267,9 @@ void addSkin(Fuzzer& fuzz, const candela_host& host) {
 void addCageInstance(Fuzzer& fuzz, const candela_host& host) {
     candela_cage_instance instance = samples::cageInstance();
     instance.struct_size = fuzz.structSize(instance.struct_size);
-    if (fuzz.oneIn(2)) fuzz.spoil(instance.node);
-    if (fuzz.oneIn(2)) fuzz.spoil(instance.cage);
-    if (fuzz.oneIn(2)) fuzz.spoil(instance.skin);
+    if (fuzz.oneIn(2)) fuzz.modify(instance.node);
+    if (fuzz.oneIn(2)) fuzz.modify(instance.cage);
+    if (fuzz.oneIn(2)) fuzz.modify(instance.skin);
     std::vector<float> weights;
     if (fuzz.oneIn(2)) {
         instance.morph_weight_count = fuzz.below(4);
@@ -282,8 +282,8 @@ using Add = void (*)(Fuzzer&, const candela_host&);
 constexpr std::array<Add, 10> adds{addImage, addMaterial,  addMesh, addNode, addCamera,
                                    addLight, addAnimation, addCage, addSkin, addCageInstance};
 
-// Without these, hardly a cage would ever be instance: too much has to go well before.
-void addFaultlessCage(const candela_host& host) {
+// Without these elements cage instances would hardly ever be valid.
+void addValidCage(const candela_host& host) {
     const candela_node node = samples::node();
     const candela_cage cage = samples::cage();
     const candela_skin skin = samples::skin();
@@ -292,11 +292,11 @@ void addFaultlessCage(const candela_host& host) {
     host.add_skin(host.self, &skin);
 }
 
-// The scene, where all of it was taken.
+// The scene; none when the host refuses any of it.
 std::optional<Scene> importRandomScene(std::uint32_t seed) {
     Fuzzer fuzz(seed);
     ImportHost host("fuzz:" + std::to_string(seed), nullptr, {});
-    if (fuzz.oneIn(3)) addFaultlessCage(host.interface());
+    if (fuzz.oneIn(3)) addValidCage(host.interface());
     const std::uint32_t count = 1 + fuzz.below(6);
     for (std::uint32_t i = 0; i < count; ++i) adds[fuzz.below(adds.size())](fuzz, host.interface());
     try {
@@ -312,22 +312,22 @@ std::optional<Scene> importRandomScene(std::uint32_t seed) {
     }
 }
 
-bool showsCage(const Scene& scene) {
+bool hasCageInstance(const Scene& scene) {
     return std::any_of(scene.nodes.begin(), scene.nodes.end(),
                        [](const Node& node) { return node.cage.has_value(); });
 }
 
 TEST(HostFuzz, RandomNumbersNeverCrash) {
     const std::uint32_t rounds = candela_test::fuzzIterations<std::uint32_t>(20000);
-    std::uint32_t taken = 0, instances = 0;
+    std::uint32_t accepted = 0, instances = 0;
     for (std::uint32_t seed = 0; seed < rounds; ++seed) {
         const auto scene = importRandomScene(seed);
-        taken += scene ? 1 : 0;
-        instances += scene && showsCage(*scene) ? 1 : 0;
+        accepted += scene ? 1 : 0;
+        instances += scene && hasCageInstance(*scene) ? 1 : 0;
     }
-    // A fuzzer whose scenes are all refused at the first number, or none of them, would test little.
-    EXPECT_GT(taken, rounds / 50);
-    EXPECT_LT(taken, rounds / 2);
+    // The scenes have to exercise both outcomes.
+    EXPECT_GT(accepted, rounds / 50);
+    EXPECT_LT(accepted, rounds / 2);
     EXPECT_GT(instances, rounds / 500);
 }
 

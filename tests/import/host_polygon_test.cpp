@@ -1,4 +1,4 @@
-// Meshes that are source as polygons: the host cuts them into triangles.
+// Meshes of polygons, which the host triangulates.
 #include "expect_error.h"
 #include "host_calls.h"
 #include "import_samples.h"
@@ -39,32 +39,32 @@ candela_mesh polygons() {
     return mesh;
 }
 
-using SpoilMesh = std::function<void(candela_mesh&)>;
+using ModifyMesh = std::function<void(candela_mesh&)>;
 
-Mesh importedMesh(const SpoilMesh& spoil = [](candela_mesh&) {}) {
-    return importedScene([&](const candela_host& host) { add(host, spoiled(polygons(), spoil)); })
+Mesh importedMesh(const ModifyMesh& modify = [](candela_mesh&) {}) {
+    return importedScene([&](const candela_host& host) { add(host, modified(polygons(), modify)); })
         .meshes.at(0);
 }
 
-void expectRefused(const SpoilMesh& spoil, const std::string& text) {
-    EXPECT_EQ(expectError([&] { importedMesh(spoil); }, ErrorKind::badInput, ""),
+void expectRefused(const ModifyMesh& modify, const std::string& text) {
+    EXPECT_EQ(expectError([&] { importedMesh(modify); }, ErrorKind::badInput, ""),
               "test: mesh 0 'wheel': " + text);
 }
 
-// Twice the signed area of a run of triangles seen from +Z.
-float doubleArea(const Mesh& mesh, const Submesh& run) {
+// Twice the signed area of a submesh seen from +Z.
+float doubleArea(const Mesh& mesh, const Submesh& submesh) {
     float sum = 0.0f;
-    for (std::uint32_t i = run.firstIndex; i < run.firstIndex + run.indexCount; i += 3) {
+    for (std::uint32_t i = submesh.firstIndex; i < submesh.firstIndex + submesh.indexCount; i += 3) {
         const glm::vec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
                         c = mesh.positions[mesh.indices[i + 2]];
         const float area = glm::cross(b - a, c - a).z;
-        EXPECT_GT(area, 0.0f) << "the triangle at index " << i << " is turned over";
+        EXPECT_GT(area, 0.0f) << "the triangle at index " << i << " is clockwise";
         sum += area;
     }
     return sum;
 }
 
-TEST(HostPolygons, AreCutIntoTriangles) {
+TEST(HostPolygons, AreTriangulated) {
     const Mesh mesh = importedMesh();
     EXPECT_EQ(mesh.indices.size(), 3u * (1 + 2 + 3));
     ASSERT_EQ(mesh.submeshes.size(), 2u);
@@ -86,7 +86,7 @@ TEST(HostPolygons, MayBeNone) {
     EXPECT_TRUE(mesh.indices.empty());
 }
 
-TEST(HostPolygons, OfThreeCornersNeedNoSizes) {
+TEST(HostPolygons, MayBeTrianglesWithoutSizes) {
     const std::array<candela_submesh, 1> all{{{0, 12, -1}}};
     const auto asTriangles = [&](candela_mesh& m) {
         m.face_sizes = nullptr;
@@ -103,11 +103,11 @@ TEST(HostPolygons, OfThreeCornersNeedNoSizes) {
         "face_sizes is NULL, which makes 4 triangles, but face_count is 3");
 }
 
-// Between the sizes of two versions a pointer may be cut in half.
-TEST(HostPolygonsRefuses, AStructOfNoVersion) {
+// A struct_size between those of two versions may end within a pointer.
+TEST(HostPolygonsRefuses, AnUnknownStructSize) {
     const auto size = static_cast<std::uint32_t>(offsetof(candela_mesh, face_sizes) + 4);
-    const auto addIt = [&] { importedMesh([&](candela_mesh& m) { m.struct_size = size; }); };
-    expectError(addIt, ErrorKind::badInput, "mesh 0: struct_size is " + std::to_string(size));
+    const auto importElement = [&] { importedMesh([&](candela_mesh& m) { m.struct_size = size; }); };
+    expectError(importElement, ErrorKind::badInput, "mesh 0: struct_size is " + std::to_string(size));
 }
 
 TEST(HostPolygonsRefuses, Sizes) {
@@ -118,7 +118,7 @@ TEST(HostPolygonsRefuses, Sizes) {
     expectRefused(change, "its face_sizes add up to 11, but index_count is 12");
     other = {3, 4, 6};
     expectRefused(change, "its face_sizes add up to more than 12, but index_count is 12");
-    // The sum is 12 where it is counted in 32 bits.
+    // The sum is 12 modulo 2^32.
     other = {6, 0x80000000, 0x80000006};
     expectRefused(change, "its face_sizes add up to more than 12, but index_count is 12");
 }
@@ -130,20 +130,23 @@ TEST(HostPolygonsRefuses, IndicesOutOfRange) {
                   "index 11 is 9, but there are 9 vertices");
 }
 
-TEST(HostPolygonsRefuses, RunsThatCutAFace) {
-    candela_submesh run{4, 3, -1};
+TEST(HostPolygonsRefuses, SubmeshesThatSplitAFace) {
+    candela_submesh part{4, 3, -1};
     const auto change = [&](candela_mesh& m) {
         m.submesh_count = 1;
-        m.submeshes = &run;
+        m.submeshes = &part;
     };
-    expectRefused(change, "submesh 0 begins at index 4, which is within face 1, but a border was expected");
-    run = {3, 6, -1};
-    expectRefused(change, "submesh 0 ends at index 9, which is within face 2, but a border was expected");
-    run = {3, 10, -1};
+    expectRefused(
+        change,
+        "submesh 0 begins at index 4, which is within face 1, but the boundary of a face was expected");
+    part = {3, 6, -1};
+    expectRefused(
+        change, "submesh 0 ends at index 9, which is within face 2, but the boundary of a face was expected");
+    part = {3, 10, -1};
     expectRefused(change, "submesh 0 ends at index 13, but there are 12 indices");
-    run = {0xFFFFFFFF, 3, -1};
+    part = {0xFFFFFFFF, 3, -1};
     expectRefused(change, "submesh 0 ends at index 4294967298, but there are 12 indices");
-    run = {3, 4, 0};
+    part = {3, 4, 0};
     expectRefused(change, "submesh 0: material is 0, but 0 were added so far and -1 is none");
 }
 

@@ -1,4 +1,4 @@
-// What the host says to each fault that an importer can add.
+// The host's error for each invalid element that an importer can add.
 #include "expect_error.h"
 #include "note_lines.h"
 
@@ -22,28 +22,28 @@ ImportedScene add(const std::string& name, const ImportProgress& progress = {}) 
     return importScene(fixturePlugins(), "add:" + name, {Strictness::tolerant, progress});
 }
 
-struct Fault {
+struct InvalidCase {
     const char* name;
-    const char* text;  // What the error says behind "add:CASE: ".
+    const char* text;  // The error message after "add:CASE: ".
 };
 
-class HostRefuses : public testing::TestWithParam<Fault> {};
+class HostRefuses : public testing::TestWithParam<InvalidCase> {};
 
 TEST_P(HostRefuses, AndNamesTheElement) {
-    const Fault& fault = GetParam();
-    const std::string uri = std::string("add:") + fault.name;
-    const std::string text = expectError([&] { add(fault.name); }, ErrorKind::badInput, "");
-    EXPECT_EQ(text, uri + ": " + fault.text);
+    const InvalidCase& invalid = GetParam();
+    const std::string uri = std::string("add:") + invalid.name;
+    const std::string text = expectError([&] { add(invalid.name); }, ErrorKind::badInput, "");
+    EXPECT_EQ(text, uri + ": " + invalid.text);
 }
 
-std::string nameOf(const testing::TestParamInfo<Fault>& info) {
+std::string nameOf(const testing::TestParamInfo<InvalidCase>& info) {
     std::string name = info.param.name;
     for (char& c : name)
         if (c == '-') c = '_';
     return name;
 }
 
-const Fault imageFaults[] = {
+const InvalidCase invalidImages[] = {
     {"image-width-0", "image 0 'checks': width is 0, but 1 to 32768 was expected"},
     {"image-height-large", "image 0 'checks': height is 32769, but 1 to 32768 was expected"},
     {"image-format", "image 0 'checks': format is 3, but 0 to 2 was expected"},
@@ -52,9 +52,9 @@ const Fault imageFaults[] = {
     {"image-nan",
      "image 0 'checks': the texel in row 0, column 1 holds nan, but finite numbers were expected"},
 };
-INSTANTIATE_TEST_SUITE_P(Images, HostRefuses, testing::ValuesIn(imageFaults), nameOf);
+INSTANTIATE_TEST_SUITE_P(Images, HostRefuses, testing::ValuesIn(invalidImages), nameOf);
 
-const Fault materialFaults[] = {
+const InvalidCase invalidMaterials[] = {
     {"material-color", "material 0 'paint': base_color is 1.5, but 0 to 1 was expected"},
     {"material-metallic", "material 0 'paint': metallic is nan, but 0 to 1 was expected"},
     {"material-roughness", "material 0 'paint': roughness is -0.1, but 0 to 1 was expected"},
@@ -74,9 +74,9 @@ const Fault materialFaults[] = {
     {"material-alpha-mode", "material 0 'paint': alpha_mode is 2, but 0 to 1 was expected"},
     {"material-unlit", "material 0 'paint': unlit is 7, but 0 or 1 was expected"},
 };
-INSTANTIATE_TEST_SUITE_P(Materials, HostRefuses, testing::ValuesIn(materialFaults), nameOf);
+INSTANTIATE_TEST_SUITE_P(Materials, HostRefuses, testing::ValuesIn(invalidMaterials), nameOf);
 
-const Fault meshFaults[] = {
+const InvalidCase invalidMeshes[] = {
     {"mesh-null", "mesh 0: the struct is NULL"},
     {"mesh-positions-null", "mesh 0 'wheel': position is NULL, but 4 elements were expected"},
     {"mesh-position-nan",
@@ -93,9 +93,9 @@ const Fault meshFaults[] = {
      "mesh 0 'wheel': submesh 0: material is 0, but 0 were added so far and -1 is none"},
     {"mesh-name", "mesh 0 'two?lines \uFFFD': index_count is 1, but a multiple of 3 was expected"},
 };
-INSTANTIATE_TEST_SUITE_P(Meshes, HostRefuses, testing::ValuesIn(meshFaults), nameOf);
+INSTANTIATE_TEST_SUITE_P(Meshes, HostRefuses, testing::ValuesIn(invalidMeshes), nameOf);
 
-const Fault nodeFaults[] = {
+const InvalidCase invalidNodes[] = {
     {"node-parent-itself", "node 1 'axle': parent is 1, but 1 were added so far and -1 is none"},
     {"node-parent-later", "node 1 'axle': parent is 5, but 1 were added so far and -1 is none"},
     {"node-mesh", "node 1 'axle': mesh is 0, but 0 were added so far and -1 is none"},
@@ -105,9 +105,9 @@ const Fault nodeFaults[] = {
      "node 1 'axle': matrix is not affine: the last number of column 2 is -1, but 0 was expected"},
     {"node-matrix-nan", "node 1 'axle': matrix 0 has the component nan, but finite numbers were expected"},
 };
-INSTANTIATE_TEST_SUITE_P(Nodes, HostRefuses, testing::ValuesIn(nodeFaults), nameOf);
+INSTANTIATE_TEST_SUITE_P(Nodes, HostRefuses, testing::ValuesIn(invalidNodes), nameOf);
 
-const Fault viewFaults[] = {
+const InvalidCase invalidCamerasAndLights[] = {
     {"camera-fov-0", "camera 0 'front': vertical_fov is 0, but more than 0 and less than pi was expected"},
     {"camera-fov-pi", "camera 0 'front': vertical_fov is 3.2, but more than 0 and less than pi was expected"},
     {"camera-near", "camera 0 'front': near_plane is -1, but 0 or more was expected"},
@@ -122,14 +122,14 @@ const Fault viewFaults[] = {
     {"light-direction", "light 0 'lamp': direction has the length 0"},
     {"light-node", "light 0 'lamp': node is -7, but 0 were added so far and -1 is none"},
 };
-INSTANTIATE_TEST_SUITE_P(Views, HostRefuses, testing::ValuesIn(viewFaults), nameOf);
+INSTANTIATE_TEST_SUITE_P(Views, HostRefuses, testing::ValuesIn(invalidCamerasAndLights), nameOf);
 
-const Fault animationFaults[] = {
+const InvalidCase invalidAnimations[] = {
     {"animation-channels-null", "animation 0 'roll': channels is NULL, but channel_count is 1"},
     {"channel-node", "animation 0 'roll': channel 0: node is 2, but 2 were added so far and -1 is none"},
     {"channel-no-node", "animation 0 'roll': channel 0: node is -1, but a node was expected"},
     {"channel-matrix-node",
-     "animation 0 'roll': channel 0: node is 1, whose transform is a matrix and can not be animated"},
+     "animation 0 'roll': channel 0: node is 1, whose transform is a matrix, which cannot be animated"},
     {"channel-path", "animation 0 'roll': channel 0: path is 4, but 0 to 3 was expected"},
     {"channel-interpolation", "animation 0 'roll': channel 0: interpolation is 9, but 0 to 2 was expected"},
     {"channel-no-keys", "animation 0 'roll': channel 0: key_count is 0, but 1 or more was expected"},
@@ -140,9 +140,9 @@ const Fault animationFaults[] = {
     {"channel-value-nan",
      "animation 0 'roll': channel 0: value 4 has the component nan, but finite numbers were expected"},
 };
-INSTANTIATE_TEST_SUITE_P(Animations, HostRefuses, testing::ValuesIn(animationFaults), nameOf);
+INSTANTIATE_TEST_SUITE_P(Animations, HostRefuses, testing::ValuesIn(invalidAnimations), nameOf);
 
-const Fault otherFaults[] = {
+const InvalidCase otherErrors[] = {
     {"progress-nan", "progress: nan was reported, but 0 to 1 was expected"},
     {"fail", "part 7: it is broken"},
     {"fail-null", "the plugin gives no reason"},
@@ -152,9 +152,9 @@ const Fault otherFaults[] = {
     {"returns-failed", "the plugin 'add-cases' failed and gave no reason"},
     {"throws", "the plugin 'add-cases' threw an exception, which the plugin interface forbids"},
 };
-INSTANTIATE_TEST_SUITE_P(Others, HostRefuses, testing::ValuesIn(otherFaults), nameOf);
+INSTANTIATE_TEST_SUITE_P(Others, HostRefuses, testing::ValuesIn(otherErrors), nameOf);
 
-// The sizes depend on the machine; they are named all the same.
+// The expected sizes in the messages depend on the machine.
 TEST(Host, StructSizeTooSmall) {
     expectError([] { add("mesh-struct-size"); }, ErrorKind::badInput,
                 "mesh 0: struct_size is 0, but version 1.0 has");
@@ -162,11 +162,11 @@ TEST(Host, StructSizeTooSmall) {
                 "image 0: struct_size is 8, but version 1.0");
 }
 
-TEST(Host, StructOfALaterMinorVersionIsTaken) {
+TEST(Host, StructsOfALaterMinorVersionAreAccepted) {
     EXPECT_EQ(add("longer-struct").scene.cameras.size(), 1u);
 }
 
-TEST(Host, StructsOfTheFirstVersionAreTaken) {
+TEST(Host, StructsOfVersion1_0AreAccepted) {
     const ImportedScene imported = importScene(fixturePlugins(), "first:");
     EXPECT_EQ(imported.report.plugin, "first-version");
     EXPECT_EQ(imported.scene.meshes.at(0).indices.size(), 6u);
@@ -185,7 +185,7 @@ TEST(Host, CopiesWhatIsAdded) {
     EXPECT_EQ(scene.materials[0].normalTexture->magFilter, Filter::linear);
     ASSERT_EQ(scene.meshes.size(), 1u);
     EXPECT_EQ(scene.meshes[0].submeshes.at(0).material, 0u);
-    EXPECT_EQ(scene.meshes[0].normals.at(1), glm::vec3(0, 0, 1)) << "normals are brought to unit length";
+    EXPECT_EQ(scene.meshes[0].normals.at(1), glm::vec3(0, 0, 1)) << "normals are normalized";
     EXPECT_EQ(scene.meshes[0].tangents.size(), scene.meshes[0].positions.size())
         << "a normal texture needs tangents";
     ASSERT_EQ(scene.nodes.size(), 1u);
@@ -201,9 +201,9 @@ TEST(Host, CopiesWhatIsAdded) {
     EXPECT_EQ(scene.animations[0].channels.at(0).values.size(), 6u);
 }
 
-TEST(Host, MissingNormalsBecomeFlat) {
+TEST(Host, MissingNormalsAreFlat) {
     const Mesh mesh = add("flat").scene.meshes.at(0);
-    EXPECT_EQ(mesh.positions.size(), 6u) << "each triangle has vertices of its own";
+    EXPECT_EQ(mesh.positions.size(), 6u) << "triangles do not share vertices";
     for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, glm::vec3(0, 0, 1));
 }
 
@@ -233,24 +233,24 @@ TEST(Host, RunsParallelLoops) {
     EXPECT_EQ(imported.scene.lights.size(), 1000u) << "a light for each index that ran once";
 }
 
-TEST(Host, TangentsWithoutNormalsAreLeftOutAndNoted) {
+TEST(Host, TangentsWithoutNormalsAreOmittedAndNoted) {
     const ImportedScene imported = add("tangents-without-normals");
     EXPECT_TRUE(imported.scene.meshes.at(0).tangents.empty());
     EXPECT_EQ(noteLines(imported), Lines{"mesh 0 'wheel': tangents without normals, not used"});
 }
 
-TEST(Host, TangentsAreBroughtToUnitLength) {
+TEST(Host, TangentsAreNormalized) {
     EXPECT_EQ(add("tangents").scene.meshes.at(0).tangents.at(1), glm::vec4(1, 0, 0, -1));
 }
 
-TEST(Host, NormalsOfLengthZeroBecomeThoseOfAFace) {
+TEST(Host, ZeroNormalsAreReplacedByFaceNormals) {
     const ImportedScene imported = add("zero-normal");
     EXPECT_EQ(imported.scene.meshes.at(0).normals.at(0), glm::vec3(0, 0, 1));
     EXPECT_EQ(noteLines(imported),
               Lines{"mesh 0 'wheel': normals of length 0, replaced by that of a face that uses them"});
 }
 
-TEST(Host, ProgressIsHandedOn) {
+TEST(Host, ProgressIsForwarded) {
     std::vector<double> reported;
     add("progress-twice", [&](double fraction) {
         reported.push_back(fraction);
@@ -259,20 +259,20 @@ TEST(Host, ProgressIsHandedOn) {
     EXPECT_EQ(reported, (std::vector<double>{0.5, 1.0}));
 }
 
-// The fixture goes on after the host asked it to stop.
-TEST(Host, ACancelledImportIsAnErrorEvenIfTheImporterGoesOn) {
+// The fixture continues after the import is cancelled.
+TEST(Host, ACancelledImportIsAnErrorEvenIfTheImporterContinues) {
     int calls = 0;
     const auto cancel = [&](double) {
         ++calls;
         return false;
     };
     expectError([&] { add("progress-twice", cancel); }, ErrorKind::cancelled, "the import was cancelled");
-    EXPECT_EQ(calls, 1) << "who has cancelled is not asked again";
+    EXPECT_EQ(calls, 1) << "progress is not called after it has cancelled";
 }
 
-TEST(Host, WhatTheCallersProgressThrowsReachesTheCaller) {
-    struct Own {};
-    EXPECT_THROW(add("progress-twice", [](double) -> bool { throw Own{}; }), Own);
+TEST(Host, ExceptionsOfTheProgressCallbackReachTheCaller) {
+    struct CallbackError {};
+    EXPECT_THROW(add("progress-twice", [](double) -> bool { throw CallbackError{}; }), CallbackError);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Random tables from a subdivider: the host refuses them, or takes them and every index lies in its range.
-// The arrays are as long as the counts say, for a plugin that lies about those can not be helped.
+// Random tables from a subdivider: the host refuses them, or accepts them and all indices are in range. The
+// arrays have the lengths that the counts say, since the host cannot check those.
 #include "import/import_refined_cage.h"
 #include "support/fuzz_iterations.h"
 
@@ -21,7 +21,7 @@ class TableFuzzer {
   public:
     explicit TableFuzzer(std::uint32_t seed) : random_(seed) {}
 
-    bool oneIn(std::uint32_t chances) { return below(chances) == 0; }
+    bool oneIn(std::uint32_t count) { return below(count) == 0; }
     std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(random_()) % count; }
 
     // Mostly below `end`.
@@ -39,11 +39,11 @@ class TableFuzzer {
         return all;
     }
 
-    // The last one is right, as the entries are as many.
-    std::vector<std::uint32_t> starts(std::uint32_t rows) {
+    // The last one is the number of entries.
+    std::vector<std::uint32_t> offsets(std::uint32_t stencils) {
         std::vector<std::uint32_t> all{0};
-        for (std::uint32_t i = 0; i < rows; ++i) all.push_back(all.back() + below(4));
-        if (rows > 0 && oneIn(20)) all[below(rows)] = static_cast<std::uint32_t>(random_());
+        for (std::uint32_t i = 0; i < stencils; ++i) all.push_back(all.back() + below(4));
+        if (stencils > 0 && oneIn(20)) all[below(stencils)] = static_cast<std::uint32_t>(random_());
         return all;
     }
 
@@ -51,21 +51,21 @@ class TableFuzzer {
     std::mt19937 random_;
 };
 
-struct FuzzedRows {
-    std::vector<std::uint32_t> starts, columns;
+struct FuzzedStencils {
+    std::vector<std::uint32_t> offsets, controlIndices;
     std::vector<float> weights, du, dv;
 
-    FuzzedRows(TableFuzzer& fuzz, std::uint32_t rows, std::uint32_t columnCount)
-        : starts(fuzz.starts(rows)),
-          columns(fuzz.indices(starts.back(), columnCount)),
-          weights(fuzz.weights(starts.back())),
-          du(fuzz.weights(starts.back())),
-          dv(fuzz.weights(starts.back())) {}
+    FuzzedStencils(TableFuzzer& fuzz, std::uint32_t stencils, std::uint32_t controlCount)
+        : offsets(fuzz.offsets(stencils)),
+          controlIndices(fuzz.indices(offsets.back(), controlCount)),
+          weights(fuzz.weights(offsets.back())),
+          du(fuzz.weights(offsets.back())),
+          dv(fuzz.weights(offsets.back())) {}
 
     candela_stencil_table get() const {
-        return {static_cast<std::uint32_t>(starts.size() - 1),
-                starts.data(),
-                columns.data(),
+        return {static_cast<std::uint32_t>(offsets.size() - 1),
+                offsets.data(),
+                controlIndices.data(),
                 weights.data(),
                 du.data(),
                 dv.data()};
@@ -85,9 +85,9 @@ RefinedCage refinedFromRandom(TableFuzzer& fuzz, const Cage& cage) {
     const std::uint32_t points = 1 + fuzz.below(9), vertices = points + fuzz.below(4);
     const auto faces = fuzz.below(9), faceSize = fuzz.oneIn(20) ? fuzz.below(7) : 3 + fuzz.below(2);
     const auto seamPoints = fuzz.indices(vertices - points, points);
-    const FuzzedRows positions(fuzz, vertices, static_cast<std::uint32_t>(cage.positions.size()));
-    const FuzzedRows uvs(fuzz, cage.uvs.empty() ? 0 : vertices,
-                         static_cast<std::uint32_t>(std::max<std::size_t>(cage.uvs.size(), 1)));
+    const FuzzedStencils positions(fuzz, vertices, static_cast<std::uint32_t>(cage.positions.size()));
+    const FuzzedStencils uvs(fuzz, cage.uvs.empty() ? 0 : vertices,
+                             static_cast<std::uint32_t>(std::max<std::size_t>(cage.uvs.size(), 1)));
     const auto faceVertices = fuzz.indices(std::size_t{faces} * faceSize, vertices);
     const auto cageFaces = fuzz.indices(faces, static_cast<std::uint32_t>(cage.faceSizes.size()));
     candela_refined_cage result{};
@@ -108,22 +108,22 @@ bool allBelow(const std::vector<std::uint32_t>& indices, std::size_t end) {
     return std::all_of(indices.begin(), indices.end(), [end](std::uint32_t index) { return index < end; });
 }
 
-void expectSound(const StencilTable& rows, std::size_t count, std::size_t columnCount) {
-    ASSERT_EQ(rows.rowCount(), count);
-    EXPECT_TRUE(std::is_sorted(rows.rowStarts.begin(), rows.rowStarts.end()));
-    const std::size_t entries = rows.rowStarts.empty() ? 0 : rows.rowStarts.back();
-    EXPECT_EQ(rows.columns.size(), entries);
-    EXPECT_TRUE(allBelow(rows.columns, columnCount));
-    for (const auto* weights : {&rows.weights, &rows.duWeights, &rows.dvWeights}) {
+void expectValid(const StencilTable& table, std::size_t count, std::size_t controlCount) {
+    ASSERT_EQ(table.stencilCount(), count);
+    EXPECT_TRUE(std::is_sorted(table.offsets.begin(), table.offsets.end()));
+    const std::size_t entries = table.offsets.empty() ? 0 : table.offsets.back();
+    EXPECT_EQ(table.controlIndices.size(), entries);
+    EXPECT_TRUE(allBelow(table.controlIndices, controlCount));
+    for (const auto* weights : {&table.weights, &table.duWeights, &table.dvWeights}) {
         EXPECT_EQ(weights->size(), entries);
         EXPECT_TRUE(std::all_of(weights->begin(), weights->end(), [](float w) { return std::isfinite(w); }));
     }
 }
 
-void expectSound(const RefinedCage& refined, const Cage& cage) {
+void expectValid(const RefinedCage& refined, const Cage& cage) {
     EXPECT_TRUE(allBelow(refined.seamPoints, refined.pointCount));
-    expectSound(refined.positions, refined.vertexCount(), cage.positions.size());
-    expectSound(refined.uvs, cage.uvs.empty() ? 0 : refined.vertexCount(), cage.uvs.size());
+    expectValid(refined.positions, refined.vertexCount(), cage.positions.size());
+    expectValid(refined.uvs, cage.uvs.empty() ? 0 : refined.vertexCount(), cage.uvs.size());
     EXPECT_EQ(refined.faceVertices.size(), refined.cageFaces.size() * refined.faceSize);
     EXPECT_TRUE(allBelow(refined.faceVertices, refined.vertexCount()));
     EXPECT_TRUE(allBelow(refined.cageFaces, cage.faceSizes.size()));
@@ -131,22 +131,22 @@ void expectSound(const RefinedCage& refined, const Cage& cage) {
         EXPECT_EQ(std::count(refined.cageFaces.begin(), refined.cageFaces.end(), hole), 0);
 }
 
-TEST(RefinedCageFuzz, WhatIsTakenIsSound) {
+TEST(RefinedCageFuzz, AcceptedTablesAreValid) {
     const std::uint32_t rounds = candela_test::fuzzIterations<std::uint32_t>(20000);
-    std::uint32_t taken = 0;
+    std::uint32_t accepted = 0;
     for (std::uint32_t seed = 0; seed < rounds; ++seed) {
         TableFuzzer fuzz(seed);
         const Cage cage = fuzzedCage(fuzz);
         try {
-            expectSound(refinedFromRandom(fuzz, cage), cage);
-            ++taken;
+            expectValid(refinedFromRandom(fuzz, cage), cage);
+            ++accepted;
         } catch (const Error& error) {
             EXPECT_EQ(std::string(error.what()).find("cage 'fuzzed': "), 0u) << error.what();
         }
     }
-    // A fuzzer whose tables are nearly all refused, or nearly none, would test little.
-    EXPECT_GT(taken, rounds / 5);
-    EXPECT_LT(taken, rounds * 4 / 5);
+    // The tables have to exercise both outcomes.
+    EXPECT_GT(accepted, rounds / 5);
+    EXPECT_LT(accepted, rounds * 4 / 5);
 }
 
 }  // namespace

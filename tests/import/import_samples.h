@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-// Structs without fault, to be spoiled one member at a time. They point to arrays that live for ever.
+// Valid structs, to be modified one member at a time. They point to constant arrays.
 namespace samples {
 
 inline constexpr std::array<float, 12> positions{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
@@ -102,7 +102,7 @@ inline candela_camera camera() {
     return camera;
 }
 
-/// A spot, for which every member counts.
+/// A spot light, which uses every member.
 inline candela_light light() {
     candela_light light{};
     light.struct_size = sizeof light;
@@ -116,7 +116,7 @@ inline candela_light light() {
     return light;
 }
 
-/// Moves node 0, which has to be there.
+/// Animates node 0, which has to exist.
 inline candela_animation animation() {
     candela_animation animation{};
     animation.struct_size = sizeof animation;
@@ -126,7 +126,7 @@ inline candela_animation animation() {
     return animation;
 }
 
-/// With all that a cage can have but materials; two morph targets, of which the first moves vertex 0.
+/// A cage with all members but materials; the first of two morph targets moves vertex 0.
 inline candela_cage cage() {
     candela_cage cage{};
     cage.struct_size = sizeof cage;
@@ -158,7 +158,7 @@ inline candela_cage cage() {
     return cage;
 }
 
-/// Nodes 0 and 1, which have to be there.
+/// With nodes 0 and 1 as joints, which have to exist.
 inline candela_skin skin() {
     candela_skin skin{};
     skin.struct_size = sizeof skin;
@@ -168,7 +168,7 @@ inline candela_skin skin() {
     return skin;
 }
 
-/// Cage 0 with skin 0 at node 0, which have to be there.
+/// Cage 0 with skin 0 at node 0, which have to exist.
 inline candela_cage_instance cageInstance() {
     candela_cage_instance instance{};
     instance.struct_size = sizeof instance;

@@ -1,4 +1,4 @@
-// What a scene's name means, and what is said when it means nothing.
+// How the name of a scene selects a file and a plugin, and the errors for unknown names.
 #include "expect_error.h"
 #include "note_lines.h"
 #include "temporary_folder.h"
@@ -24,16 +24,16 @@ class ImportScene : public testing::Test {
     TemporaryFolder folder;
 };
 
-TEST_F(ImportScene, ByEndingInAnyCase) {
+TEST_F(ImportScene, EndingsIgnoreCase) {
     const fs::path file = folder.write("scene.LIST", "");
     EXPECT_EQ(importScene(plugins, file.string()).report.plugin, "list-reader");
 }
 
-TEST_F(ImportScene, BySchemeInAnyCase) {
+TEST_F(ImportScene, SchemesIgnoreCase) {
     EXPECT_EQ(importScene(plugins, "ADD:all").report.plugin, "add-cases");
 }
 
-TEST_F(ImportScene, AFileOfThatNameWinsOverAScheme) {
+TEST_F(ImportScene, AnExistingFileHasPriorityOverAScheme) {
     folder.write("add:all.list", "");
     const fs::path before = fs::current_path();
     fs::current_path(folder.path());
@@ -42,7 +42,7 @@ TEST_F(ImportScene, AFileOfThatNameWinsOverAScheme) {
     EXPECT_EQ(imported.report.plugin, "list-reader");
 }
 
-TEST_F(ImportScene, UnknownEndingSaysWhatIsTaken) {
+TEST_F(ImportScene, AnUnknownEndingListsTheKnownOnes) {
     const fs::path file = folder.write("room.XYZ", "");
     const std::string text =
         expectError([&] { importScene(plugins, file.string()); }, ErrorKind::unsupported,
@@ -68,7 +68,7 @@ TEST_F(ImportScene, MissingFile) {
                 "c:room.list: there is no such file");
 }
 
-TEST_F(ImportScene, NoFileAtAll) {
+TEST_F(ImportScene, EmptyOrInvalidName) {
     expectError([&] { importScene(plugins, ""); }, ErrorKind::badInput, "the name of the scene is empty");
     expectError([&] { importScene(plugins, std::string("a\0b.list", 8)); }, ErrorKind::badInput,
                 "a zero byte");
@@ -85,7 +85,7 @@ TEST_F(ImportScene, AFolderOrAPipe) {
                 "this is not a regular file");
 }
 
-TEST_F(ImportScene, AQueryBehindAFile) {
+TEST_F(ImportScene, AQueryAfterAFileName) {
     const fs::path file = folder.write("scene.list", "");
     const auto notes = [&](const std::string& uri) { return noteLines(importScene(plugins, uri)); };
     EXPECT_EQ(notes(file.string()), Lines{});
@@ -100,7 +100,7 @@ TEST_F(ImportScene, AFileWithAQuestionMarkInItsName) {
     EXPECT_EQ(noteLines(importScene(plugins, file.string() + "?q")), Lines{"query: q"});
 }
 
-TEST_F(ImportScene, AQueryBehindNoFile) {
+TEST_F(ImportScene, AQueryAfterAMissingFile) {
     const std::string missing = (folder.path() / "gone.list").string() + "?q";
     expectError([&] { importScene(plugins, missing); }, ErrorKind::environment,
                 missing + ": there is no such file");
@@ -112,7 +112,7 @@ TEST_F(ImportScene, AQueryBehindNoFile) {
                 "no plugin takes files ending in '.xyz'");
 }
 
-TEST_F(ImportScene, APluginOfTheFirstVersionGetsNoQuery) {
+TEST_F(ImportScene, APluginOfVersion1_0AcceptsNoQuery) {
     const fs::path file = folder.write("scene.v10", "");
     EXPECT_EQ(importScene(plugins, file.string()).report.plugin, "first-version");
     expectError([&] { importScene(plugins, file.string() + "?q"); }, ErrorKind::unsupported,

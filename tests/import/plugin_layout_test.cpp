@@ -1,10 +1,10 @@
-// The layout of plugin.h, by which plugins that are built exchange data with the host. Names may change.
+// The binary layout of plugin.h, which plugins and hosts of different versions share. Names may change.
 // Structs may only grow at their end, and only those that begin with struct_size: then a line is added here.
 #include <candela/plugin.h>
 
 #include <cstddef>
 
-static_assert(sizeof(void*) == 8, "the table is of 64-bit machines");
+static_assert(sizeof(void*) == 8, "the offsets below are those of 64-bit platforms");
 
 // clang-format off
 static_assert(offsetof(candela_image, struct_size) == 0);

@@ -1,4 +1,4 @@
-// Where plugins are looked for, and in which order.
+// The folders in which plugins are searched, and their order.
 #include "expect_error.h"
 #include "scoped_environment.h"
 #include "temporary_folder.h"
@@ -34,7 +34,7 @@ TEST(PluginSearch, GivenFoldersComeBeforeTheEnvironment) {
     EXPECT_EQ(versionOfSame(PluginRegistry()), "second");
 }
 
-TEST(PluginSearch, FoldersGivenAreSearchedInOrder) {
+TEST(PluginSearch, GivenFoldersAreSearchedInOrder) {
     EXPECT_EQ(versionOfSame(PluginRegistry({fixtures / "third", fixtures / "first"})), "third");
     EXPECT_EQ(versionOfSame(PluginRegistry({fixtures / "first", fixtures / "third"})), "first");
 }
@@ -47,7 +47,7 @@ TEST(PluginSearch, FoldersOfTheEnvironmentAreSearchedInOrder) {
     EXPECT_NE(registry.importerForScheme("another"), nullptr);
 }
 
-TEST(PluginSearch, FilesOfAFolderComeInTheOrderOfTheirNames) {
+TEST(PluginSearch, FilesOfAFolderAreSortedByName) {
     const PluginRegistry registry({fixtures / "states"});
     std::vector<std::string> names;
     for (const PluginReport& report : registry.reports())
@@ -57,7 +57,7 @@ TEST(PluginSearch, FilesOfAFolderComeInTheOrderOfTheirNames) {
                                                "refused.so", "throwing_query.so", "wrong_version.so"}));
 }
 
-TEST(PluginSearch, AFolderNamedTwiceIsSearchedOnce) {
+TEST(PluginSearch, ARepeatedFolderIsSearchedOnce) {
     TemporaryFolder folder;
     fs::create_directory_symlink(fixtures / "first", folder.path() / "link");
     const PluginRegistry registry({fixtures / "first", folder.path() / "link", fixtures / "first" / "."});
@@ -77,7 +77,7 @@ TEST(PluginSearch, OnlyRegularFilesEndingInSoGiveReports) {
     EXPECT_EQ(pluginFilesIn(folder.path()), std::vector<fs::path>{folder.path() / "text.so"});
 }
 
-TEST(PluginSearch, AFolderThatIsNotThereIsAnError) {
+TEST(PluginSearch, AMissingFolderIsAnError) {
     expectError([] { PluginRegistry({"/nowhere/at/all"}); }, ErrorKind::environment,
                 "/nowhere/at/all: there is no such plugin folder");
     const ScopedEnvironment environment(pathVariable, "/nowhere/else");
@@ -116,8 +116,8 @@ std::string outputOf(const std::string& command) {
     return output;
 }
 
-// The probe stands in a folder with "candela-plugins" beside it, and is run in a folder that has plugins of
-// its own.
+// The probe has a folder "candela-plugins" beside it, and is run in a working directory that contains plugins
+// too.
 TEST(PluginSearch, BesideTheLibraryButNeverInTheWorkingDirectory) {
     TemporaryFolder working;
     fs::copy_file(fixtures / "first" / "same.so", working.path() / "same.so");

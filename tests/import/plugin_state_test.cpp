@@ -1,4 +1,4 @@
-// Each state of a load report, by a file that is so broken.
+// Each state of a load report, with a file that causes it.
 #include <candela/plugin_registry.h>
 
 #include <gtest/gtest.h>
@@ -17,10 +17,10 @@ const fs::path fixtures = CANDELA_TEST_FIXTURES;
 class PluginStates : public testing::Test {
   protected:
     const PluginReport& reportOf(const std::string& file) const {
-        const auto isIt = [&](const PluginReport& report) {
+        const auto matches = [&](const PluginReport& report) {
             return report.file == fixtures / "states" / file;
         };
-        const auto found = std::find_if(registry.reports().begin(), registry.reports().end(), isIt);
+        const auto found = std::find_if(registry.reports().begin(), registry.reports().end(), matches);
         if (found == registry.reports().end()) throw std::runtime_error("no report for " + file);
         return *found;
     }
@@ -91,7 +91,7 @@ TEST(PluginState, DuplicateInALaterFolder) {
     EXPECT_STREQ(registry.importerForScheme("same")->version, "first");
 }
 
-TEST(PluginState, EveryStateHasANameOfItsOwn) {
+TEST(PluginState, EveryStateHasAName) {
     EXPECT_STREQ(toString(PluginState::loaded), "loaded");
     EXPECT_STREQ(toString(PluginState::notALibrary), "not a library");
     EXPECT_STREQ(toString(PluginState::noEntryPoint), "no entry point");
@@ -101,7 +101,7 @@ TEST(PluginState, EveryStateHasANameOfItsOwn) {
     EXPECT_STREQ(toString(PluginState::duplicate), "duplicate");
 }
 
-TEST(PluginState, PluginsLiveAsLongAsAnyCopyOfTheRegistry) {
+TEST(PluginState, ACopyOfTheRegistryKeepsPluginsLoaded) {
     const candela_plugin* plugin = nullptr;
     PluginRegistry copy = [&] {
         const PluginRegistry first({fixtures / "first"});

@@ -4,16 +4,16 @@
 #include <optional>
 #include <string>
 
-/// Sets an environment variable for as long as the object lives.
+/// Sets an environment variable for the lifetime of the object.
 class ScopedEnvironment {
   public:
     ScopedEnvironment(const char* name, const std::string& value) : name_(name) {
-        if (const char* old = std::getenv(name)) before_ = old;
+        if (const char* old = std::getenv(name)) previous_ = old;
         ::setenv(name, value.c_str(), 1);
     }
     ~ScopedEnvironment() {
-        if (before_)
-            ::setenv(name_, before_->c_str(), 1);
+        if (previous_)
+            ::setenv(name_, previous_->c_str(), 1);
         else
             ::unsetenv(name_);
     }
@@ -22,5 +22,5 @@ class ScopedEnvironment {
 
   private:
     const char* name_;
-    std::optional<std::string> before_;
+    std::optional<std::string> previous_;
 };

@@ -1,4 +1,4 @@
-// The service that refines cages: what it is handed, and what is said of what it hands back.
+// The service that refines cages: its input, and the validation of its result.
 #include "expect_error.h"
 #include "host_calls.h"
 #include "import_samples.h"
@@ -28,20 +28,20 @@ namespace fs = std::filesystem;
 const fs::path fixtures = CANDELA_TEST_FIXTURES;
 
 Subdivider fixtureSubdivider() {
-    // The registry dies here; what it loaded lives on with the subdivider.
+    // The registry is destroyed here; the subdivider keeps the plugin loaded.
     const auto subdivider = PluginRegistry({fixtures / "subdividers"}).subdivider();
     if (!subdivider) throw std::runtime_error("the fixture was not loaded");
     return *subdivider;
 }
 
-// The fixture looks at the name. Face 1 is a hole.
+// The fixture selects a case by the name of the cage. Face 1 is a hole.
 Cage sampleCage(const std::string& name) {
     Cage cage = importedScene([](const candela_host& host) { add(host, samples::cage()); }).cages.at(0);
     cage.name = name;
     return cage;
 }
 
-TEST(SubdividerService, IsFoundByTheRegistry) {
+TEST(SubdividerService, IsListedByTheRegistry) {
     const PluginRegistry plugins({fixtures / "subdividers"});
     ASSERT_TRUE(plugins.subdivider());
     EXPECT_EQ(plugins.subdivider()->name(), "subdivider-cases");
@@ -51,15 +51,15 @@ TEST(SubdividerService, IsFoundByTheRegistry) {
     EXPECT_TRUE(report.extensions.empty());
 }
 
-TEST(SubdividerService, IsNoneWhereNoPluginOffersIt) {
+TEST(SubdividerService, IsOptional) {
     const PluginRegistry plugins({fixtures / "first"});
     const bool offered = std::any_of(plugins.reports().begin(), plugins.reports().end(),
                                      [](const PluginReport& report) { return report.subdivides; });
     EXPECT_FALSE(plugins.reports().at(0).subdivides);
-    EXPECT_EQ(plugins.subdivider().has_value(), offered) << "the install folder may hold a subdivider";
+    EXPECT_EQ(plugins.subdivider().has_value(), offered) << "the install folder may contain a subdivider";
 }
 
-TEST(SubdividerService, TheFirstInSearchOrderWins) {
+TEST(SubdividerService, TheFirstInSearchOrderIsUsed) {
     const PluginRegistry plugins({fixtures / "other-subdividers", fixtures / "subdividers"});
     ASSERT_TRUE(plugins.subdivider());
     EXPECT_EQ(plugins.subdivider()->name(), "both");
@@ -72,12 +72,12 @@ TEST(Subdivider, CopiesTheResult) {
     EXPECT_EQ(refined.pointCount, 6u);
     EXPECT_EQ(refined.seamPoints, std::vector<std::uint32_t>{0});
     EXPECT_EQ(refined.vertexCount(), 7u);
-    EXPECT_EQ(refined.positions.rowStarts, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
-    EXPECT_EQ(refined.positions.columns, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 0}));
+    EXPECT_EQ(refined.positions.offsets, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
+    EXPECT_EQ(refined.positions.controlIndices, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 0}));
     EXPECT_EQ(refined.positions.weights, std::vector<float>(7, 1.0f));
     EXPECT_EQ(refined.positions.duWeights, std::vector<float>(7, 0.5f));
     EXPECT_EQ(refined.positions.dvWeights, std::vector<float>(7, 0.25f));
-    EXPECT_EQ(refined.uvs.rowCount(), 7u);
+    EXPECT_EQ(refined.uvs.stencilCount(), 7u);
     EXPECT_EQ(refined.faceSize, 4u);
     EXPECT_EQ(refined.faceVertices, (std::vector<std::uint32_t>{0, 1, 4, 3})) << "face 1 is a hole";
     EXPECT_EQ(refined.cageFaces, std::vector<std::uint32_t>{0});
@@ -87,14 +87,14 @@ TEST(Subdivider, ACageWithoutTextureCoordinates) {
     Cage cage = sampleCage("good");
     cage.uvs.clear();
     cage.faceUvs.clear();
-    EXPECT_EQ(fixtureSubdivider().refine(cage, 1).uvs.rowCount(), 0u);
+    EXPECT_EQ(fixtureSubdivider().refine(cage, 1).uvs.stencilCount(), 0u);
 }
 
-TEST(Subdivider, SeveralThreadsAtOnce) {
+TEST(Subdivider, ConcurrentCalls) {
     const Subdivider subdivider = fixtureSubdivider();
     const std::vector<float> expected(7, 1.0f);
     std::vector<int> wrong(4, 0);
-    const auto refineOften = [&](std::size_t thread) {
+    const auto refineRepeatedly = [&](std::size_t thread) {
         const Cage cage = sampleCage("good");
         const auto level = static_cast<std::uint32_t>(1 + thread);
         for (int i = 0; i < 200; ++i) {
@@ -103,7 +103,7 @@ TEST(Subdivider, SeveralThreadsAtOnce) {
         }
     };
     std::vector<std::thread> threads;
-    for (std::size_t i = 0; i < wrong.size(); ++i) threads.emplace_back(refineOften, i);
+    for (std::size_t i = 0; i < wrong.size(); ++i) threads.emplace_back(refineRepeatedly, i);
     for (std::thread& thread : threads) thread.join();
     EXPECT_EQ(wrong, std::vector<int>(4, 0));
 }
@@ -117,7 +117,7 @@ TEST(Subdivider, LevelsOutOfRange) {
     EXPECT_EQ(subdivider.refine(sampleCage("good"), 8).level, 8u);
 }
 
-TEST(Subdivider, MoreThan32BitsCanCount) {
+TEST(Subdivider, MoreCornersThan32Bits) {
     Cage cage = sampleCage("good");
     cage.holes.clear();
     cage.faceSizes.assign(16384, 4);
@@ -135,12 +135,12 @@ TEST(Subdivider, ACageWithoutName) {
     EXPECT_EQ(text, "cage: case: unknown");
 }
 
-// What `validate` refuses, a subdivider does not get.
-TEST(Subdivider, CagesThatAreNotValid) {
+// A cage that `validate` refuses is not passed to the subdivider.
+TEST(Subdivider, InvalidCages) {
     const Subdivider subdivider = fixtureSubdivider();
-    const auto expectRefused = [&](void (*spoil)(Cage&), const char* text) {
+    const auto expectRefused = [&](void (*modify)(Cage&), const char* text) {
         Cage cage = sampleCage("good");
-        spoil(cage);
+        modify(cage);
         expectError([&] { subdivider.refine(cage, 2); }, ErrorKind::badInput, text);
     };
     expectRefused([](Cage& cage) { cage.faceVertices[5] = 6; }, "cage 'good': face 1 names vertex 6");
@@ -154,7 +154,7 @@ TEST(Subdivider, CagesThatAreNotValid) {
                   "cage 'good': its scheme is unknown");
 }
 
-TEST(Subdivider, ThatWasMovedFrom) {
+TEST(Subdivider, MovedFrom) {
     Subdivider subdivider = fixtureSubdivider();
     const Subdivider other = std::move(subdivider);
     EXPECT_EQ(other.name(), "subdivider-cases");
@@ -163,7 +163,7 @@ TEST(Subdivider, ThatWasMovedFrom) {
     expectError([&] { subdivider.name(); }, ErrorKind::badInput, "was moved from");
 }
 
-TEST(PluginRegistry, ThatWasMovedFrom) {
+TEST(PluginRegistry, MovedFrom) {
     PluginRegistry plugins({fixtures / "subdividers"});
     const PluginRegistry other = std::move(plugins);
     EXPECT_TRUE(other.subdivider());
@@ -186,35 +186,35 @@ TEST(Subdivider, OfAPluginBuiltForVersion1_1) {
     EXPECT_EQ(refined.positions.weights, std::vector<float>(refined.vertexCount(), 1.0f));
 }
 
-struct Fault {
+struct InvalidCase {
     const char* cage;
     const char* text;
     ErrorKind kind = ErrorKind::badInput;
 };
 
-class SubdividerRefuses : public testing::TestWithParam<Fault> {};
+class SubdividerRefuses : public testing::TestWithParam<InvalidCase> {};
 
 TEST_P(SubdividerRefuses, AndNamesTheCage) {
-    const Fault& fault = GetParam();
-    const std::string name = std::string("cage '") + fault.cage + "': ";
+    const InvalidCase& invalid = GetParam();
+    const std::string name = std::string("cage '") + invalid.cage + "': ";
     const std::string text =
-        expectError([&] { fixtureSubdivider().refine(sampleCage(fault.cage), 2); }, fault.kind, "");
-    EXPECT_EQ(text, name + fault.text);
+        expectError([&] { fixtureSubdivider().refine(sampleCage(invalid.cage), 2); }, invalid.kind, "");
+    EXPECT_EQ(text, name + invalid.text);
 }
 
-TEST_P(SubdividerRefuses, AndGoesOnWithOtherCages) {
+TEST_P(SubdividerRefuses, AndAcceptsOtherCagesAfterwards) {
     const Subdivider subdivider = fixtureSubdivider();
     EXPECT_THROW(subdivider.refine(sampleCage(GetParam().cage), 2), Error);
     EXPECT_EQ(subdivider.refine(sampleCage("good"), 2).pointCount, 6u);
 }
 
-std::string nameOf(const testing::TestParamInfo<Fault>& info) {
+std::string nameOf(const testing::TestParamInfo<InvalidCase>& info) {
     std::string name = info.param.cage;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
 }
 
-const Fault calls[] = {
+const InvalidCase calls[] = {
     {"nothing", "the plugin 'subdivider-cases' has set no result"},
     {"twice", "the plugin 'subdivider-cases' sets more than one result"},
     {"sets-a-result-and-fails", "the plugin 'subdivider-cases' failed and gave no reason"},
@@ -228,18 +228,18 @@ const Fault calls[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Calls, SubdividerRefuses, testing::ValuesIn(calls), nameOf);
 
-class TableRefused : public testing::TestWithParam<Fault> {};
+class TableRefused : public testing::TestWithParam<InvalidCase> {};
 
 TEST_P(TableRefused, AndNamesPluginAndCage) {
-    const Fault& fault = GetParam();
+    const InvalidCase& invalid = GetParam();
     const std::string name =
-        std::string("the table of the plugin 'subdivider-cases' for cage '") + fault.cage + "': ";
+        std::string("the table of the plugin 'subdivider-cases' for cage '") + invalid.cage + "': ";
     const std::string text =
-        expectError([&] { fixtureSubdivider().refine(sampleCage(fault.cage), 2); }, fault.kind, "");
-    EXPECT_EQ(text.substr(0, text.find(", but version")), name + fault.text);
+        expectError([&] { fixtureSubdivider().refine(sampleCage(invalid.cage), 2); }, invalid.kind, "");
+    EXPECT_EQ(text.substr(0, text.find(", but version")), name + invalid.text);
 }
 
-const Fault tables[] = {
+const InvalidCase tables[] = {
     {"null", "it is NULL"},
     {"struct-size", "struct_size is 16"},
     {"refused-but-ok", "face_size is 2, but 3 or 4 was expected"},
@@ -267,7 +267,7 @@ const Fault tables[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Tables, TableRefused, testing::ValuesIn(tables), nameOf);
 
-TEST(Subdivider, RowsForTextureCoordinatesThatAreNot) {
+TEST(Subdivider, UvStencilsWithoutTextureCoordinates) {
     Cage cage = sampleCage("uvs-of-none");
     cage.uvs.clear();
     cage.faceUvs.clear();
@@ -275,40 +275,40 @@ TEST(Subdivider, RowsForTextureCoordinatesThatAreNot) {
                 "uvs.stencil_count is 7, but the cage has no texture coordinates");
 }
 
-// What the plugin is handed is what an importer has source, but for what only moves or paints the cage.
+// The plugin receives what the importer has added, except for materials, joints and morph targets.
 TEST(CageStruct, HasTheMembersOfTheCage) {
     const candela_cage source = samples::cage();
     const Cage cage = sampleCage("body");
     const CageStruct object(cage);
-    const candela_cage& handed = object.get();
+    const candela_cage& received = object.get();
     const auto same = [](const auto* a, const auto* b, std::size_t count) {
         return std::equal(a, a + count, b);
     };
-    EXPECT_EQ(handed.struct_size, sizeof handed);
-    EXPECT_STREQ(handed.name, "body");
-    ASSERT_EQ(handed.vertex_count, 6u);
-    EXPECT_TRUE(same(handed.positions, source.positions, 18));
-    ASSERT_EQ(handed.face_count, 2u);
-    EXPECT_TRUE(same(handed.face_sizes, source.face_sizes, 2));
-    EXPECT_TRUE(same(handed.face_vertices, source.face_vertices, 8));
-    ASSERT_EQ(handed.uv_count, 6u);
-    EXPECT_TRUE(same(handed.uvs, source.uvs, 12));
-    EXPECT_TRUE(same(handed.face_uvs, source.face_uvs, 8));
-    ASSERT_EQ(handed.crease_count, 1u);
-    EXPECT_TRUE(same(handed.crease_edges, source.crease_edges, 2));
-    EXPECT_EQ(handed.crease_sharpness[0], 2.5f);
-    ASSERT_EQ(handed.corner_count, 1u);
-    EXPECT_EQ(handed.corner_vertices[0], 3u);
-    EXPECT_EQ(handed.corner_sharpness[0], 10.0f);
-    ASSERT_EQ(handed.hole_count, 1u);
-    EXPECT_EQ(handed.holes[0], 1u);
-    EXPECT_EQ(handed.level, 2u);
-    EXPECT_EQ(handed.face_materials, nullptr);
-    EXPECT_EQ(handed.influence_count, 0u);
-    EXPECT_EQ(handed.morph_target_count, 0u);
+    EXPECT_EQ(received.struct_size, sizeof received);
+    EXPECT_STREQ(received.name, "body");
+    ASSERT_EQ(received.vertex_count, 6u);
+    EXPECT_TRUE(same(received.positions, source.positions, 18));
+    ASSERT_EQ(received.face_count, 2u);
+    EXPECT_TRUE(same(received.face_sizes, source.face_sizes, 2));
+    EXPECT_TRUE(same(received.face_vertices, source.face_vertices, 8));
+    ASSERT_EQ(received.uv_count, 6u);
+    EXPECT_TRUE(same(received.uvs, source.uvs, 12));
+    EXPECT_TRUE(same(received.face_uvs, source.face_uvs, 8));
+    ASSERT_EQ(received.crease_count, 1u);
+    EXPECT_TRUE(same(received.crease_edges, source.crease_edges, 2));
+    EXPECT_EQ(received.crease_sharpness[0], 2.5f);
+    ASSERT_EQ(received.corner_count, 1u);
+    EXPECT_EQ(received.corner_vertices[0], 3u);
+    EXPECT_EQ(received.corner_sharpness[0], 10.0f);
+    ASSERT_EQ(received.hole_count, 1u);
+    EXPECT_EQ(received.holes[0], 1u);
+    EXPECT_EQ(received.level, 2u);
+    EXPECT_EQ(received.face_materials, nullptr);
+    EXPECT_EQ(received.influence_count, 0u);
+    EXPECT_EQ(received.morph_target_count, 0u);
 }
 
-// Each enumerator comes back as the number that would make the host choose it.
+// Each enumerator is converted to the value that the host converts from.
 TEST(CageStruct, TranslatesEveryEnumerator) {
     Cage cage = sampleCage("body");
     for (std::uint32_t i = 0; i < 3; ++i) {

@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <string>
 
-/// A fresh folder that is removed with all that is in it.
+/// A temporary folder, removed by the destructor.
 class TemporaryFolder {
   public:
     TemporaryFolder() {
         std::string path = (std::filesystem::temp_directory_path() / "candela-test-XXXXXX").string();
-        if (!::mkdtemp(path.data())) throw std::runtime_error("no temporary folder can be made");
+        if (!::mkdtemp(path.data())) throw std::runtime_error("cannot create a temporary folder");
         path_ = std::filesystem::canonical(path);
     }
     ~TemporaryFolder() {

@@ -11,7 +11,7 @@ TEST(Text, ValidUtf8IsKept) {
     EXPECT_EQ(validUtf8(static_cast<const char*>(nullptr)), "");
 }
 
-TEST(Text, WhatIsNotUtf8IsReplaced) {
+TEST(Text, InvalidUtf8IsReplaced) {
     EXPECT_EQ(validUtf8("a\xFF"
                         "b"),
               "a\uFFFDb");
@@ -26,7 +26,7 @@ TEST(Text, OneLine) {
     EXPECT_EQ(oneLine("abcdef", 3), "abc...");
 }
 
-TEST(Text, JoinedTakesNoLocaleMarks) {
+TEST(Text, JoinedIgnoresTheLocale) {
     EXPECT_EQ(joined("n ", 1234567, " ", 0.5f), "n 1234567 0.5");
 }
 

@@ -6,7 +6,7 @@
 
 namespace candela {
 
-/// The cube from (-1, -1, -1) to (1, 1, 1) with everything that a cage can have.
+/// The cube from (-1, -1, -1) to (1, 1, 1) with all members of a cage.
 inline Cage sampleHull() {
     Cage cage;
     cage.name = "hull";
@@ -33,7 +33,7 @@ inline Cage sampleHull() {
     return cage;
 }
 
-/// A tetrahedron for Loop's scheme that has only what it must.
+/// A tetrahedron for Loop's scheme with required members only.
 inline Cage sampleTent() {
     Cage cage;
     cage.name = "tent";
@@ -67,12 +67,13 @@ inline Scene sampleCageScene() {
     scene.nodes[4].name = "camp";
     scene.nodes[4].cage = CageInstance{1, {}, {}};
 
-    AnimationChannel bends{
+    AnimationChannel rotation{
         2, AnimationPath::rotation, Interpolation::linear, {0, 1}, {0, 0, 0, 1, 0, 0, 1, 0}};
-    AnimationChannel smiles{3, AnimationPath::morphWeights, Interpolation::linear, {0, 1}, {0, 0, 1, 2}};
-    AnimationChannel frowns{
+    AnimationChannel linearWeights{
+        3, AnimationPath::morphWeights, Interpolation::linear, {0, 1}, {0, 0, 1, 2}};
+    AnimationChannel cubicWeights{
         0, AnimationPath::morphWeights, Interpolation::cubicSpline, {0}, {0, 0, 0.5f, 0.25f, 0, 0}};
-    scene.animations.push_back({"talk", {bends, smiles, frowns}});
+    scene.animations.push_back({"motion", {rotation, linearWeights, cubicWeights}});
     return scene;
 }
 

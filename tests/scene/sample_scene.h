@@ -4,7 +4,7 @@
 
 namespace candela {
 
-/// A small valid scene that has every kind of element: two triangles, two instances, a texture, a camera,
+/// A small valid scene with every kind of element: two triangles, two instances, a texture, a camera,
 /// three lights, an animation.
 inline Scene sampleScene() {
     Scene scene;
@@ -47,12 +47,13 @@ inline Scene sampleScene() {
     scene.lights[2].name = "sun";
     scene.lights[2].type = LightType::directional;
 
-    AnimationChannel moves{1, AnimationPath::translation, Interpolation::linear, {0, 1}, {0, 0, 0, 1, 2, 3}};
+    AnimationChannel translation{
+        1, AnimationPath::translation, Interpolation::linear, {0, 1}, {0, 0, 0, 1, 2, 3}};
     AnimationChannel rotation{
         1, AnimationPath::rotation, Interpolation::step, {0, 1}, {0, 0, 0, 1, 0, 0, 1, 0}};
-    AnimationChannel grows{
+    AnimationChannel scale{
         0, AnimationPath::scale, Interpolation::cubicSpline, {2}, {0, 0, 0, 1, 1, 1, 0, 0, 0}};
-    scene.animations.push_back({"walk", {moves, rotation, grows}});
+    scene.animations.push_back({"walk", {translation, rotation, scale}});
     return scene;
 }
 

@@ -73,12 +73,12 @@ ComputeEvaluator::ComputeEvaluator()
 bool ComputeEvaluator::supports(const EvaluationRequest& request) const {
     const RefinedCage& refined = request.table.refined();
     const std::size_t largest =
-        std::max({refined.positions.columns.size() * GpuStencilTable::Storage::entryBytes,
+        std::max({refined.positions.controlIndices.size() * GpuStencilTable::Storage::entryBytes,
                   LimitBuffers::surfaceBytes(refined.vertexCount()), request.uvDerivatives.size_bytes(),
                   request.points.size_bytes()});
     // llvmpipe silently ends a loop after 65,535 iterations.
-    constexpr std::uint32_t maxRow = 65535;
-    return largest <= maxBlock_ && request.table.longestRow() <= maxRow;
+    constexpr std::uint32_t maxSupportedSize = 65535;
+    return largest <= maxBlock_ && request.table.maxStencilSize() <= maxSupportedSize;
 }
 
 void ComputeEvaluator::evaluate(const EvaluationRequest& request) const {
@@ -86,7 +86,7 @@ void ComputeEvaluator::evaluate(const EvaluationRequest& request) const {
     if (refined.vertexCount() == 0) return;
     const GpuStencilTable::Storage& storage = request.table.storage();
     const bool needsTangents = !request.uvDerivatives.empty();
-    bindStorage(layout::LIMIT_ROWS_STORAGE, storage.rows);
+    bindStorage(layout::LIMIT_OFFSETS_STORAGE, storage.offsets);
     bindStorage(layout::LIMIT_ENTRIES_STORAGE, storage.entries);
     bindStorage(layout::LIMIT_POINTS_STORAGE, request.pointBuffer);
     bindStorage(layout::LIMIT_SURFACE_STORAGE, request.buffers.surface);

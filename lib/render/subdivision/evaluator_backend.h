@@ -48,7 +48,7 @@ class ComputeEvaluator {
   public:
     ComputeEvaluator();
 
-    /// Do the buffers of the request fit the device's storage blocks, and its rows a loop of a shader?
+    /// Do the buffers of the request fit the device's storage blocks, and its stencils a loop of a shader?
     bool supports(const EvaluationRequest& request) const;
     void evaluate(const EvaluationRequest& request) const;
 

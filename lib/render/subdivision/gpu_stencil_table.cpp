@@ -15,7 +15,7 @@ namespace {
 
 /// What shaders/cage_limit.comp reads of an entry.
 struct StoredEntry {
-    std::uint32_t column;
+    std::uint32_t controlIndex;
     float weight, duWeight, dvWeight;
 };
 static_assert(sizeof(StoredEntry) == GpuStencilTable::Storage::entryBytes);
@@ -25,15 +25,15 @@ std::uint64_t bytesOf(const std::vector<T>& values) {
     return values.size() * sizeof(T);
 }
 
-std::uint64_t bytesOf(const StencilTable& rows) {
-    return bytesOf(rows.rowStarts) + bytesOf(rows.columns) + bytesOf(rows.weights) + bytesOf(rows.duWeights) +
-           bytesOf(rows.dvWeights);
+std::uint64_t bytesOf(const StencilTable& table) {
+    return bytesOf(table.offsets) + bytesOf(table.controlIndices) + bytesOf(table.weights) +
+           bytesOf(table.duWeights) + bytesOf(table.dvWeights);
 }
 
-std::vector<StoredEntry> entriesOf(const StencilTable& rows) {
-    std::vector<StoredEntry> entries(rows.columns.size());
+std::vector<StoredEntry> entriesOf(const StencilTable& table) {
+    std::vector<StoredEntry> entries(table.controlIndices.size());
     for (std::size_t i = 0; i < entries.size(); ++i)
-        entries[i] = {rows.columns[i], rows.weights[i], rows.duWeights[i], rows.dvWeights[i]};
+        entries[i] = {table.controlIndices[i], table.weights[i], table.duWeights[i], table.dvWeights[i]};
     return entries;
 }
 
@@ -59,10 +59,10 @@ CageMaterials materialsOf(const Cage& cage, std::uint32_t none) {
 GpuStencilTable::GpuStencilTable(const Cage& cage, const CageMaterials& materials, RefinedCage refined)
     : refined_(std::move(refined)) {
     createTriangles(materials);
-    const std::vector<std::uint32_t>& starts = refined_.positions.rowStarts;
-    for (std::size_t i = 1; i < starts.size(); ++i)
-        longestRow_ = std::max(longestRow_, starts[i] - starts[i - 1]);
-    if (refined_.uvs.rowCount() == 0) return;
+    const std::vector<std::uint32_t>& offsets = refined_.positions.offsets;
+    for (std::size_t i = 1; i < offsets.size(); ++i)
+        maxStencilSize_ = std::max(maxStencilSize_, offsets[i] - offsets[i - 1]);
+    if (refined_.uvs.stencilCount() == 0) return;
     const LimitUvs limit = evaluateLimitUvs(refined_, cage.uvs);
     uvs_ = gl::Buffer::immutable("cage texture coordinates", std::span<const glm::vec2>(limit.uvs));
 }
@@ -117,12 +117,12 @@ const EdgeIndices& GpuStencilTable::faceEdges() {
 
 const GpuStencilTable::Storage& GpuStencilTable::storage() {
     if (!storage_) {
-        std::vector<std::uint32_t> rows(refined_.positions.rowStarts);
-        rows.insert(rows.end(), refined_.seamPoints.begin(), refined_.seamPoints.end());
+        std::vector<std::uint32_t> offsets(refined_.positions.offsets);
+        offsets.insert(offsets.end(), refined_.seamPoints.begin(), refined_.seamPoints.end());
         const std::vector<StoredEntry> entries = entriesOf(refined_.positions);
         storage_.emplace(
-            Storage{gl::Buffer::immutable("cage rows", std::span<const std::uint32_t>(rows)),
-                    gl::Buffer::immutable("cage weights", std::span<const StoredEntry>(entries))});
+            Storage{gl::Buffer::immutable("cage stencil offsets", std::span<const std::uint32_t>(offsets)),
+                    gl::Buffer::immutable("cage stencil entries", std::span<const StoredEntry>(entries))});
     }
     return *storage_;
 }

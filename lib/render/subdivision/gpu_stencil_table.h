@@ -34,8 +34,8 @@ class GpuStencilTable {
     /// Memory of the weights, bytes.
     std::uint64_t bytes() const;
 
-    /// Entries of the longest row of positions.
-    std::uint32_t longestRow() const { return longestRow_; }
+    /// The maximum number of entries of a stencil of positions.
+    std::uint32_t maxStencilSize() const { return maxStencilSize_; }
 
     const gl::Buffer& indices() const { return indices_; }
     /// Of the indices, one a slot of the materials.
@@ -54,7 +54,7 @@ class GpuStencilTable {
     /// The weights as shaders/cage_limit.comp reads them. Created on first use.
     struct Storage {
         static constexpr std::size_t entryBytes = 16;
-        gl::Buffer rows, entries;
+        gl::Buffer offsets, entries;
     };
     const Storage& storage();
     /// What `uvDerivatives` has returned, for the same shader. Created on first use.
@@ -66,7 +66,7 @@ class GpuStencilTable {
     RefinedCage refined_;
     std::vector<IndexRange> ranges_;
     std::uint64_t triangles_ = 0;
-    std::uint32_t longestRow_ = 0;
+    std::uint32_t maxStencilSize_ = 0;
     gl::Buffer indices_;
     std::optional<gl::Buffer> uvs_;
     std::vector<glm::vec4> uvDerivatives_;

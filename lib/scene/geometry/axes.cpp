@@ -10,7 +10,7 @@ namespace candela {
 
 namespace {
 
-// The length that rounding may leave of a difference of unit vectors that is zero: about 1e-7 in single
+// The length that a difference of equal unit vectors may have by rounding: about 1e-7 in single
 // precision, times a few operations.
 constexpr double roundingLength = 1e-6;
 

@@ -18,7 +18,7 @@ namespace candela {
 
 namespace {
 
-/// A polygon of more corners is fitted by three of them, so that its rows do not grow with its corners.
+/// A polygon of more corners is fitted by three of them, which bounds the size of its stencils.
 constexpr std::size_t maxFittedCorners = 64;
 
 constexpr std::uint32_t none = 0xffffffffu;
@@ -96,40 +96,40 @@ Derivatives derivativesOf(std::span<const glm::vec3> polygon) {
     return fitted ? std::move(*fitted) : edgesOf(polygon.size());
 }
 
-void append(StencilTable& rows, std::uint32_t column, float weight, float du, float dv) {
-    rows.columns.push_back(column);
-    rows.weights.push_back(weight);
-    rows.duWeights.push_back(du);
-    rows.dvWeights.push_back(dv);
+void append(StencilTable& table, std::uint32_t controlIndex, float weight, float du, float dv) {
+    table.controlIndices.push_back(controlIndex);
+    table.weights.push_back(weight);
+    table.duWeights.push_back(du);
+    table.dvWeights.push_back(dv);
 }
 
-void endRow(StencilTable& rows) {
-    if (rows.columns.size() > none)
+void endStencil(StencilTable& table) {
+    if (table.controlIndices.size() > none)
         throw Error(ErrorKind::limit, {}, "a cage has too many corners: its weights are more than 2^32 - 1");
-    if (rows.rowStarts.empty()) rows.rowStarts.push_back(0);
-    rows.rowStarts.push_back(static_cast<std::uint32_t>(rows.columns.size()));
+    if (table.offsets.empty()) table.offsets.push_back(0);
+    table.offsets.push_back(static_cast<std::uint32_t>(table.controlIndices.size()));
 }
 
-/// The row of the polygon's `corner`; `columns` has one per corner.
-void appendRow(StencilTable& rows, const Derivatives& derivatives, std::uint32_t corner,
-               std::span<const std::uint32_t> columns) {
+/// The stencil of the polygon's `corner`; `controls` has one index per corner.
+void appendStencil(StencilTable& table, const Derivatives& derivatives, std::uint32_t corner,
+                   std::span<const std::uint32_t> controls) {
     bool present = false;
     for (std::size_t i = 0; i < derivatives.corners.size(); ++i) {
         const bool own = derivatives.corners[i] == corner;
         present = present || own;
-        append(rows, columns[derivatives.corners[i]], own ? 1.0f : 0.0f, derivatives.du[i],
+        append(table, controls[derivatives.corners[i]], own ? 1.0f : 0.0f, derivatives.du[i],
                derivatives.dv[i]);
     }
-    if (!present) append(rows, columns[corner], 1.0f, 0.0f, 0.0f);
-    endRow(rows);
+    if (!present) append(table, controls[corner], 1.0f, 0.0f, 0.0f);
+    endStencil(table);
 }
 
-void appendRows(StencilTable& rows, const StencilTable& more) {
-    for (std::size_t row = 0; row < more.rowCount(); ++row) {
-        for (std::size_t entry = more.rowStarts[row]; entry < more.rowStarts[row + 1]; ++entry)
-            append(rows, more.columns[entry], more.weights[entry], more.duWeights[entry],
+void appendStencils(StencilTable& table, const StencilTable& more) {
+    for (std::size_t stencil = 0; stencil < more.stencilCount(); ++stencil) {
+        for (std::size_t entry = more.offsets[stencil]; entry < more.offsets[stencil + 1]; ++entry)
+            append(table, more.controlIndices[entry], more.weights[entry], more.duWeights[entry],
                    more.dvWeights[entry]);
-        endRow(rows);
+        endStencil(table);
     }
 }
 
@@ -194,10 +194,10 @@ void PolygonTable::addFace(std::uint32_t face, std::size_t firstCorner) {
         const std::uint32_t point = pointOf_[cageVertices[corner]];
         const bool isSeamVertex = point != pointsSeen_;
         vertices_.push_back(isSeamVertex ? addSeamVertex(point) : pointsSeen_++);
-        appendRow(isSeamVertex ? seamPositions_ : result_.positions, derivatives, corner, cageVertices);
+        appendStencil(isSeamVertex ? seamPositions_ : result_.positions, derivatives, corner, cageVertices);
         if (cage_.uvs.empty()) continue;
-        appendRow(isSeamVertex ? seamUvs_ : result_.uvs, derivatives, corner,
-                  std::span(cage_.faceUvs).subspan(firstCorner, size));
+        appendStencil(isSeamVertex ? seamUvs_ : result_.uvs, derivatives, corner,
+                      std::span(cage_.faceUvs).subspan(firstCorner, size));
     }
     triangles_.clear();
     triangulate(polygon_, triangles_);
@@ -211,8 +211,8 @@ std::uint32_t PolygonTable::addSeamVertex(std::uint32_t point) {
 }
 
 RefinedCage PolygonTable::take() {
-    appendRows(result_.positions, seamPositions_);
-    appendRows(result_.uvs, seamUvs_);
+    appendStencils(result_.positions, seamPositions_);
+    appendStencils(result_.uvs, seamUvs_);
     return std::move(result_);
 }
 

@@ -44,13 +44,13 @@ struct Sums {
     Float4 value{}, du{}, dv{};
 };
 
-Sums sumRow(const StencilTable& rows, std::size_t row, const Float4* points) {
-    const std::uint32_t* columns = rows.columns.data();
-    const float *weights = rows.weights.data(), *du = rows.duWeights.data(), *dv = rows.dvWeights.data();
+Sums sumStencil(const StencilTable& table, std::size_t stencil, const Float4* points) {
+    const std::uint32_t* controls = table.controlIndices.data();
+    const float *weights = table.weights.data(), *du = table.duWeights.data(), *dv = table.dvWeights.data();
     Sums sums;
-    const std::size_t end = rows.rowStarts[row + 1];
-    for (std::size_t entry = rows.rowStarts[row]; entry < end; ++entry) {
-        const Float4 point = points[columns[entry]];
+    const std::size_t end = table.offsets[stencil + 1];
+    for (std::size_t entry = table.offsets[stencil]; entry < end; ++entry) {
+        const Float4 point = points[controls[entry]];
         sums.value += point * weights[entry];
         sums.du += point * du[entry];
         sums.dv += point * dv[entry];
@@ -82,14 +82,16 @@ glm::vec3 normalOf(const glm::vec3& du, const glm::vec3& dv) {
     return normal * (1.0f / std::sqrt(square));
 }
 
-/// Calls `body(first, end)` for blocks of rows that cost about the same, in parallel.
+/// Calls `body(first, end)` for blocks of stencils that cost about the same, in parallel.
 template <typename Body>
-void forRowBlocks(const StencilTable& rows, const Body& body) {
-    constexpr std::size_t rowCost = 8, blockCost = 1 << 15;  // In entries.
-    const std::size_t rowCount = rows.rowCount();
-    const auto costBefore = [&](std::size_t row) { return rows.rowStarts[row] + row * rowCost; };
-    const auto firstRow = [&](std::size_t block) {
-        std::size_t low = 0, high = rowCount;
+void forStencilBlocks(const StencilTable& table, const Body& body) {
+    constexpr std::size_t stencilCost = 8, blockCost = 1 << 15;  // In entries.
+    const std::size_t stencilCount = table.stencilCount();
+    const auto costBefore = [&](std::size_t stencil) {
+        return table.offsets[stencil] + stencil * stencilCost;
+    };
+    const auto firstStencil = [&](std::size_t block) {
+        std::size_t low = 0, high = stencilCount;
         while (low < high) {
             const std::size_t middle = (low + high) / 2;
             if (costBefore(middle) < block * blockCost) {
@@ -100,8 +102,8 @@ void forRowBlocks(const StencilTable& rows, const Body& body) {
         }
         return low;
     };
-    const std::size_t blockCount = costBefore(rowCount) / blockCost + 1;
-    const auto run = [&](std::size_t block, unsigned) { body(firstRow(block), firstRow(block + 1)); };
+    const std::size_t blockCount = costBefore(stencilCount) / blockCost + 1;
+    const auto run = [&](std::size_t block, unsigned) { body(firstStencil(block), firstStencil(block + 1)); };
     // Too little work to distribute.
     if (blockCount == 1) return run(0, 0);
     ThreadPool::shared()->run(blockCount, run);
@@ -119,19 +121,20 @@ void positionSeamVertices(const RefinedCage& refined, std::span<glm::vec3> posit
     ThreadPool::shared()->run((vertices.size() + blockSize - 1) / blockSize, run);
 }
 
-void requireTable(const char* name, const StencilTable& table, std::size_t vertices, std::size_t sources) {
+void requireTable(const char* name, const StencilTable& table, std::size_t vertices, std::size_t controls) {
     const ErrorContext context(name);
-    context.requireCount("rows", table.rowCount(), "vertices", vertices);
-    context.require(table.rowStarts.empty() || table.rowStarts.front() == 0, "its first row must start at 0");
-    context.require(std::is_sorted(table.rowStarts.begin(), table.rowStarts.end()),
-                    "its row starts must not descend");
-    const std::size_t entries = table.rowStarts.empty() ? 0 : table.rowStarts.back();
-    context.requireCount("columns", table.columns.size(), "entries", entries);
+    context.requireCount("stencils", table.stencilCount(), "vertices", vertices);
+    context.require(table.offsets.empty() || table.offsets.front() == 0,
+                    "its first stencil must start at entry 0");
+    context.require(std::is_sorted(table.offsets.begin(), table.offsets.end()),
+                    "its stencil offsets must not decrease");
+    const std::size_t entries = table.offsets.empty() ? 0 : table.offsets.back();
+    context.requireCount("control indices", table.controlIndices.size(), "entries", entries);
     context.requireCount("weights", table.weights.size(), "entries", entries);
     context.requireCount("weights of du", table.duWeights.size(), "entries", entries);
     context.requireCount("weights of dv", table.dvWeights.size(), "entries", entries);
-    context.requireEach("column", table.columns, "names a point that the cage does not have",
-                        [sources](std::uint32_t column) { return column < sources; });
+    context.requireEach("control index", table.controlIndices, "is out of range",
+                        [controls](std::uint32_t index) { return index < controls; });
 }
 
 constexpr const char* positionTable = "stencil table of positions";
@@ -164,7 +167,7 @@ void requireOutput(const RefinedCage& refined, const LimitVertices& out) {
 void validateRefinedCage(const RefinedCage& refined, std::size_t cagePoints, std::size_t cageUvs) {
     requireTopology(refined);
     requireTable(positionTable, refined.positions, refined.vertexCount(), cagePoints);
-    if (refined.uvs.rowCount() != 0) requireTable(uvTable, refined.uvs, refined.vertexCount(), cageUvs);
+    if (refined.uvs.stencilCount() != 0) requireTable(uvTable, refined.uvs, refined.vertexCount(), cageUvs);
 }
 
 std::uint32_t RefinedCage::pointOf(std::uint32_t vertex) const {
@@ -185,13 +188,13 @@ void evaluateValidatedLimit(const RefinedCage& refined, std::span<const glm::vec
     requireOutput(refined, out);
     if (refined.vertexCount() == 0) return;
     const std::vector<Float4> points = paddedPoints(cagePoints);
-    forRowBlocks(refined.positions, [&](std::size_t first, std::size_t end) {
-        for (std::size_t row = first; row < end; ++row) {
-            const Sums sums = sumRow(refined.positions, row, points.data());
-            if (row < refined.pointCount) store(out.positions[row], sums.value);
-            store(out.normals[row], padded(normalOf(vec3(sums.du), vec3(sums.dv))));
-            if (!out.du.empty()) store(out.du[row], sums.du);
-            if (!out.dv.empty()) store(out.dv[row], sums.dv);
+    forStencilBlocks(refined.positions, [&](std::size_t first, std::size_t end) {
+        for (std::size_t stencil = first; stencil < end; ++stencil) {
+            const Sums sums = sumStencil(refined.positions, stencil, points.data());
+            if (stencil < refined.pointCount) store(out.positions[stencil], sums.value);
+            store(out.normals[stencil], padded(normalOf(vec3(sums.du), vec3(sums.dv))));
+            if (!out.du.empty()) store(out.du[stencil], sums.du);
+            if (!out.dv.empty()) store(out.dv[stencil], sums.dv);
         }
     });
     positionSeamVertices(refined, out.positions);
@@ -199,19 +202,19 @@ void evaluateValidatedLimit(const RefinedCage& refined, std::span<const glm::vec
 
 LimitUvs evaluateLimitUvs(const RefinedCage& refined, std::span<const glm::vec2> cageUvs) {
     LimitUvs result;
-    const std::size_t rowCount = refined.uvs.rowCount();
-    if (rowCount == 0) return result;
+    const std::size_t stencilCount = refined.uvs.stencilCount();
+    if (stencilCount == 0) return result;
     requireTable(uvTable, refined.uvs, refined.vertexCount(), cageUvs.size());
-    result.uvs.resize(rowCount);
-    result.du.resize(rowCount);
-    result.dv.resize(rowCount);
+    result.uvs.resize(stencilCount);
+    result.du.resize(stencilCount);
+    result.dv.resize(stencilCount);
     const std::vector<Float4> points = paddedPoints(cageUvs);
-    forRowBlocks(refined.uvs, [&](std::size_t first, std::size_t end) {
-        for (std::size_t row = first; row < end; ++row) {
-            const Sums sums = sumRow(refined.uvs, row, points.data());
-            store(result.uvs[row], sums.value);
-            store(result.du[row], sums.du);
-            store(result.dv[row], sums.dv);
+    forStencilBlocks(refined.uvs, [&](std::size_t first, std::size_t end) {
+        for (std::size_t stencil = first; stencil < end; ++stencil) {
+            const Sums sums = sumStencil(refined.uvs, stencil, points.data());
+            store(result.uvs[stencil], sums.value);
+            store(result.du[stencil], sums.du);
+            store(result.dv[stencil], sums.dv);
         }
     });
     return result;

@@ -6,7 +6,7 @@
 
 namespace candela {
 
-/// Gives each triangle vertices of its own with the triangle's geometric normal; a triangle without area gets
+/// Gives each triangle separate vertices with the triangle's geometric normal; a triangle without area gets
 /// +Y. Other arrays are copied to the new vertices, but tangents are removed: they belong to the old normals
 /// (glTF 2.0, 3.7.2.1). Submeshes stay as they are. Throws `Error` (badInput) when an index is out of range
 /// or an array has neither no element nor one per vertex; the old normals are not read.

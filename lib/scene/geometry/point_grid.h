@@ -12,12 +12,12 @@ namespace candela {
 /// A uniform grid over the bounding rectangle of points, about one point per cell.
 class PointGrid {
   public:
-    /// Holds `members` of `points`, which lie in the unit square.
+    /// A grid of `members` of `points`, which lie in the unit square.
     PointGrid(const std::vector<glm::dvec2>& points, const std::vector<std::uint32_t>& members);
 
-    /// What to do with the visited point.
+    /// How to continue after a visited point.
     enum class Verdict { keep, drop, stop };
-    /// Calls `visit(number)` for the points in all cells that the triangle meets, until it says `stop`.
+    /// Calls `visit(number)` for the points in all cells that the triangle meets, until it returns `stop`.
     template <typename Visit>
     void visitTriangle(const glm::dvec2 (&corners)[3], const Visit& visit);
 

@@ -45,7 +45,7 @@ struct VertexKey {
     std::uint32_t vertex;
 };
 
-// Bits compare in a strict order whatever the numbers are, NaN included. Adding 0 maps -0 to 0.
+// Comparing bits is a strict order for all numbers, including NaN. Adding 0 maps -0 to 0.
 std::uint32_t bitsOf(float value) {
     return std::bit_cast<std::uint32_t>(value + 0.0f);
 }

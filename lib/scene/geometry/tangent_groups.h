@@ -11,10 +11,10 @@ namespace candela {
 
 constexpr std::uint32_t noCorner = 0xffffffffu;
 
-/// What a triangle adds to tangents.
+/// How a triangle contributes to tangents.
 enum class TriangleKind : std::uint8_t {
     whole,
-    withoutUvArea,  ///< Has no tangent of its own, and takes the orientation of the group that reaches it.
+    withoutUvArea,  ///< Has no tangent, and has the handedness of the group that reaches it.
     degenerate,     ///< Two of its positions coincide: no part of the surface.
 };
 

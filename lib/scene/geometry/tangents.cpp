@@ -44,7 +44,7 @@ glm::dvec3 uDirection(const Mesh& mesh, const std::vector<glm::vec2>& uv, std::s
 
 using TriangleTerms = std::array<glm::vec3, 3>;
 
-// What the corners of a whole triangle add to the sums of their groups.
+// The contributions of a triangle's corners to the sums of their groups.
 TriangleTerms termsOf(const Mesh& mesh, const std::vector<glm::vec2>& uv, std::size_t triangle,
                       bool mirrored) {
     const glm::dvec3 direction = uDirection(mesh, uv, triangle, mirrored);

@@ -13,7 +13,7 @@ namespace candela {
 
 namespace {
 
-// Which of a key's values; a cubic spline holds three, the others one.
+// Which of a key's values; a cubic spline has three, the others one.
 enum class Part { inTangent, value, outTangent };
 
 // The number of components of a value; the channel has as many as its keys require.
@@ -34,7 +34,7 @@ double keyNumber(const AnimationChannel& channel, std::size_t index, std::size_t
 struct Moment {
     std::size_t key = 0;
     double t = 0.0;         // From 0 at the key to 1 at the next one.
-    double duration = 0.0;  // Seconds from the key to the next one; 0: the key's own value holds.
+    double duration = 0.0;  // Seconds from the key to the next one; 0: the value of the key.
 };
 
 Moment momentAt(const AnimationChannel& channel, double time) {
@@ -81,7 +81,7 @@ glm::dvec4 slerp(const glm::dvec4& from, const glm::dvec4& to, double t) {
     const double cosine = glm::dot(from, to);
     const double side = cosine < 0.0 ? -1.0 : 1.0;
     const double angle = std::acos(std::min(std::abs(cosine), 1.0));
-    // Below this angle the sines are those of a straight line to more digits than a float holds.
+    // Below this angle sin(x) equals x in single precision.
     if (angle < 1e-4) return from * (1.0 - t) + to * (side * t);
     return (from * std::sin(angle * (1.0 - t)) + to * (side * std::sin(angle * t))) / std::sin(angle);
 }

@@ -16,7 +16,7 @@ namespace candela {
 
 namespace {
 
-// Below this sine of the angle between the view direction and Y, +Y does not tell which way is up.
+// Below this sine of the angle between the view direction and Y, +Y does not define the up direction.
 constexpr double minSine = 1e-6;
 
 glm::mat4 rigid(const glm::dmat3& axes, const glm::dvec3& eye) {
@@ -42,7 +42,7 @@ void requireFov(float verticalFov) {
 }
 
 void requireAspect(float aspect) {
-    ErrorContext("picture").requirePositive("its aspect ratio", aspect);
+    ErrorContext("image").requirePositive("its aspect ratio", aspect);
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ CameraView cameraView(const Scene& scene, std::uint32_t index, const std::vector
     const glm::mat4& node = world[*camera.node];
     element.requireFinite("the world matrix of its node", node);
     glm::dmat3 axes = unscaledFrame(node);
-    axes[0] = glm::cross(axes[1], axes[2]);  // A mirrored node does not mirror the picture.
+    axes[0] = glm::cross(axes[1], axes[2]);  // A mirrored node does not mirror the image.
     view.worldFromCamera = rigid(axes, glm::dvec3(node[3]));
     return view;
 }

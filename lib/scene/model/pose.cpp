@@ -70,7 +70,7 @@ PosedCage poseCage(const Scene& scene, std::uint32_t node, const std::vector<glm
     requireWorldMatrices(scene, world);
     requireTime(time);
     const ErrorContext element("node", node, scene.nodes[node].name);
-    element.require(scene.nodes[node].cage.has_value(), "it shows no cage to be posed");
+    element.require(scene.nodes[node].cage.has_value(), "it has no cage to pose");
     const CageInstance& instance = *scene.nodes[node].cage;
     element.requireIndex("cage", instance.cage, scene.cages.size());
     element.requireIndex("skin", instance.skin, scene.skins.size());

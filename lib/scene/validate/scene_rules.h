@@ -18,11 +18,11 @@ constexpr float maxIntensity = 1e20f;
 /// The largest value of an animation, and of a morph weight.
 constexpr float maxAnimated = 1e9f;
 
-/// How far the length of a direction may be from 1: what 8-bit quantised directions need
+/// How far the length of a direction may be from 1: the error of 8-bit quantised directions
 /// (KHR_mesh_quantization), sqrt(4) × 0.5 / 127 for four numbers, and a little.
 constexpr float unitTolerance = 0.01f;
 
-/// How far the sum of a vertex's joint weights may be from 1: what four weights of 8 bits each need,
+/// How far the sum of a vertex's joint weights may be from 1: the error of four weights of 8 bits each,
 /// 4 × 0.5 / 255, and a little. `poseCage` divides by the sum.
 constexpr float weightSumTolerance = 0.01f;
 
@@ -50,7 +50,7 @@ void validateAnimation(const Animation& animation, const Scene& scene, const Err
 /// That the cages of all nodes exist and fit their skins and morph weights. Cages and skins have passed.
 void validateCageInstances(const Scene& scene);
 /// The world positions at time 0. All else has passed.
-void validatePlaces(const Scene& scene);
+void validatePositions(const Scene& scene);
 
 /// That the indices of a mesh are whole triangles and name vertices of the mesh, at most 2^32 - 1 of each.
 void requireTriangles(const Mesh& mesh, const ErrorContext& element);
@@ -58,8 +58,8 @@ void requireTriangles(const Mesh& mesh, const ErrorContext& element);
 /// That the positions, texture coordinates, faces and holes of a cage fit together.
 void requireFaces(const Cage& cage, const ErrorContext& element);
 
-/// That a channel of an animation names a node which has what it animates, and has as many values as its
-/// keys require. The values are not read.
+/// Requires that a channel of an animation names a node that has the animated property, and has as many
+/// values as its keys require. The values are not read.
 void requireChannel(const AnimationChannel& channel, std::size_t index, const Scene& scene,
                     const ErrorContext& animation);
 

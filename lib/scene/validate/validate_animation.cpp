@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-// What moves a scene: skins, morph weights, animations.
+// Validation of skins, morph weights and animations.
 
 namespace candela {
 
@@ -59,11 +59,11 @@ void requireAnimatedNode(const AnimationChannel& channel, const Scene& scene, co
     if (channel.path == AnimationPath::morphWeights) {
         const bool hasCage = node.cage && node.cage->cage < scene.cages.size();
         element.require(hasCage && !scene.cages[node.cage->cage].morphTargets.empty(),
-                        "its node shows no cage with morph targets");
+                        "its node has no cage with morph targets");
         return;
     }
     element.require(std::holds_alternative<Transform>(node.transform),
-                    "its node is placed by a matrix, which can not be animated");
+                    "its node has a matrix, which cannot be animated");
 }
 
 void validateValues(const AnimationChannel& channel, const ChannelContext& element) {

@@ -44,7 +44,7 @@ struct Part {
     std::string label() const { return kind + (" " + std::to_string(index)); }
 };
 
-// Refuses unless what `part` names is one of `count`.
+// Refuses an index of `part` that is not below `count`.
 void requireNamed(const Part& part, const Part& named, std::size_t count, const ErrorContext& element) {
     if (named.index < count) return;
     element.refuse(part.label() + " names " + named.label() + ", but there are " + std::to_string(count));

@@ -56,7 +56,7 @@ void validateImage(const Image& image, const ErrorContext& element) {
     const std::size_t size = std::size_t{image.width} * image.height * texelSize(image.format);
     if (image.pixels.size() != size) {
         element.refuse("holds " + std::to_string(image.pixels.size()) +
-                       " bytes of pixels, but its size asks for " + std::to_string(size));
+                       " bytes of pixels, but its size requires " + std::to_string(size));
     }
     element.require(image.format != PixelFormat::rgba32f || floatsAreFinite(image.pixels),
                     "its pixels must be finite numbers");

@@ -165,7 +165,7 @@ const BrokenCage brokenCages[] = {
          file.add("animations", R"({"samplers":[{"input":2,"output":2}],
                                     "channels":[{"sampler":0,"target":{"node":0,"path":"weights"}}]})");
      },
-     {"animation 0, channel 0", "node 0 shows a cage without morph targets"}},
+     {"animation 0, channel 0", "node 0 has a cage without morph targets"}},
 };
 
 class BrokenCages : public testing::TestWithParam<BrokenCage> {};

@@ -157,7 +157,7 @@ TEST(ObjError, materials) {
         {"map_Kd -imfchan q c.png", "a.mtl, line 2: map_Kd: -imfchan q, but r, g, b, m or l was expected"}};
     for (const Case& test : cases)
         EXPECT_EQ(materialError(std::string("newmtl m\n") + test.text + "\n"), test.error) << test.text;
-    EXPECT_EQ(materialError("# first\nKd 1 1 1\n"), "a.mtl, line 2: Kd: no newmtl stands before it");
+    EXPECT_EQ(materialError("# first\nKd 1 1 1\n"), "a.mtl, line 2: Kd: no newmtl precedes it");
 }
 
 TEST(ObjError, missingFiles) {

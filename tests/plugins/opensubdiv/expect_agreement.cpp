@@ -31,8 +31,8 @@ struct DenseStencil {
 DenseStencil denseStencil(const StencilTable& table, std::uint32_t stencil, std::size_t controls) {
     const std::vector<double> zeros(controls, 0.0);
     DenseStencil result{{zeros, zeros, zeros}, {zeros, zeros, zeros}};
-    for (std::uint32_t entry = table.rowStarts[stencil]; entry < table.rowStarts[stencil + 1]; ++entry) {
-        const std::uint32_t control = table.columns[entry];
+    for (std::uint32_t entry = table.offsets[stencil]; entry < table.offsets[stencil + 1]; ++entry) {
+        const std::uint32_t control = table.controlIndices[entry];
         const auto add = [&](std::vector<double> ReferenceStencil::*member, float weight) {
             (result.weights.*member)[control] += weight;
             (result.error.*member)[control] += halfUlp * std::abs(weight);

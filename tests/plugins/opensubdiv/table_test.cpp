@@ -119,11 +119,11 @@ TEST(Table, stencilsHaveNoZeroOrRepeatedControls) {
     for (const Cage& cage : variedCages()) {
         const RefinedCage refined = refineWithPlugin(cage, 2);
         for (const StencilTable* table : {&refined.positions, &refined.uvs}) {
-            for (std::size_t stencil = 0; stencil < table->rowCount(); ++stencil) {
+            for (std::size_t stencil = 0; stencil < table->stencilCount(); ++stencil) {
                 std::set<std::uint32_t> controls;
                 double sum = 0.0, du = 0.0, dv = 0.0;
-                for (std::uint32_t i = table->rowStarts[stencil]; i < table->rowStarts[stencil + 1]; ++i) {
-                    EXPECT_TRUE(controls.insert(table->columns[i]).second);
+                for (std::uint32_t i = table->offsets[stencil]; i < table->offsets[stencil + 1]; ++i) {
+                    EXPECT_TRUE(controls.insert(table->controlIndices[i]).second);
                     EXPECT_TRUE(table->weights[i] != 0.0f || table->duWeights[i] != 0.0f ||
                                 table->dvWeights[i] != 0.0f);
                     sum += table->weights[i];
@@ -160,7 +160,7 @@ TEST(Table, normalsPointOutwards) {
 }
 
 bool operator==(const StencilTable& a, const StencilTable& b) {
-    return a.rowStarts == b.rowStarts && a.columns == b.columns && a.weights == b.weights &&
+    return a.offsets == b.offsets && a.controlIndices == b.controlIndices && a.weights == b.weights &&
            a.duWeights == b.duWeights && a.dvWeights == b.dvWeights;
 }
 

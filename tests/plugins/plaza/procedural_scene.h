@@ -13,7 +13,7 @@ namespace candela {
 /// Imports a scene of the plugin under test.
 inline ImportedScene importProcedural(const std::string& uri, const ImportProgress& progress = {}) {
     static const PluginRegistry plugins({CANDELA_TEST_PLUGINS});
-    return importScene(plugins, uri, progress);
+    return importScene(plugins, uri, {.progress = progress});
 }
 
 // FNV-1a, 64 bits, over little-endian 32-bit words (Fowler, Noll, Vo).

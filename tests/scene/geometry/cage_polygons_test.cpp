@@ -46,13 +46,13 @@ Evaluated evaluate(const RefinedCage& refined, const std::vector<glm::vec3>& poi
     return result;
 }
 
-void expectSizesFit(const RefinedCage& refined) {
-    for (const StencilTable* rows : {&refined.positions, &refined.uvs}) {
-        if (rows == &refined.uvs && rows->rowCount() == 0) continue;
-        ASSERT_EQ(rows->rowCount(), refined.vertexCount());
-        if (rows->rowCount() == 0) continue;
-        EXPECT_EQ(rows->rowStarts.front(), 0u);
-        EXPECT_EQ(rows->rowStarts.back(), rows->columns.size());
+void expectConsistentSizes(const RefinedCage& refined) {
+    for (const StencilTable* table : {&refined.positions, &refined.uvs}) {
+        if (table == &refined.uvs && table->stencilCount() == 0) continue;
+        ASSERT_EQ(table->stencilCount(), refined.vertexCount());
+        if (table->stencilCount() == 0) continue;
+        EXPECT_EQ(table->offsets.front(), 0u);
+        EXPECT_EQ(table->offsets.back(), table->controlIndices.size());
     }
     EXPECT_EQ(refined.faceVertices.size(), 3 * refined.cageFaces.size());
 }
@@ -67,12 +67,12 @@ void expectNear(const glm::vec3& actual, const glm::vec3& expected, float tolera
 TEST(CagePolygons, OfACubeAreItsTriangles) {
     const Cage cage = cube();
     const RefinedCage refined = cagePolygons(cage);
-    expectSizesFit(refined);
+    expectConsistentSizes(refined);
     EXPECT_EQ(refined.level, 0u);
     EXPECT_EQ(refined.faceSize, 3u);
     EXPECT_EQ(refined.pointCount, 8u);
     EXPECT_EQ(refined.vertexCount(), 24u);
-    EXPECT_EQ(refined.uvs.rowCount(), 0u);
+    EXPECT_EQ(refined.uvs.stencilCount(), 0u);
     ASSERT_EQ(refined.cageFaces.size(), 12u);
     const Evaluated vertices = evaluate(refined, cage.positions);
     for (std::uint32_t triangle = 0; triangle < 12; ++triangle) {
@@ -88,14 +88,14 @@ TEST(CagePolygons, OfACubeAreItsTriangles) {
     }
 }
 
-TEST(CagePolygons, StandWhereTheCageIs) {
+TEST(CagePolygons, HaveThePositionsOfTheCage) {
     Cage cage = cube();
     for (glm::vec3& position : cage.positions) position = position * 0.3f + glm::vec3(1000.1f, -7.7f, 0.01f);
     const RefinedCage refined = cagePolygons(cage);
     const Evaluated vertices = evaluate(refined, cage.positions);
     std::vector<int> users(8, 0);
     for (std::uint32_t vertex = 0; vertex < 24; ++vertex) {
-        // Bit for bit: a corner of a polygon is not moved by the others.
+        // Bit for bit: the other corners of a polygon do not change a corner's position.
         const auto at = std::find(cage.positions.begin(), cage.positions.end(), vertices.positions[vertex]);
         ASSERT_NE(at, cage.positions.end());
         ++users[at - cage.positions.begin()];
@@ -104,35 +104,35 @@ TEST(CagePolygons, StandWhereTheCageIs) {
     EXPECT_EQ(users, std::vector<int>(8, 3));
 }
 
-TEST(CagePolygons, LeaveOutHolesAndVerticesWithoutAFace) {
+TEST(CagePolygons, OmitHolesAndUnusedVertices) {
     Cage cage = cube();
     cage.positions.insert(cage.positions.begin(), glm::vec3(99));
     for (std::uint32_t& vertex : cage.faceVertices) ++vertex;
     cage.holes = {1, 3, 5};
     const RefinedCage refined = cagePolygons(cage);
-    expectSizesFit(refined);
-    // The three faces left meet at vertex 0 of the cube, and none has vertex 7.
+    expectConsistentSizes(refined);
+    // The three remaining faces meet at vertex 0 of the cube, and none has vertex 7.
     EXPECT_EQ(refined.pointCount, 7u);
     EXPECT_EQ(refined.vertexCount(), 12u);
     EXPECT_EQ(refined.cageFaces, (std::vector<std::uint32_t>{0, 0, 2, 2, 4, 4}));
-    for (const std::uint32_t column : refined.positions.columns) {
-        EXPECT_NE(column, 0u);
-        EXPECT_NE(column, 8u);
+    for (const std::uint32_t control : refined.positions.controlIndices) {
+        EXPECT_NE(control, 0u);
+        EXPECT_NE(control, 8u);
     }
 }
 
-TEST(CagePolygons, OfNothing) {
+TEST(CagePolygons, OfAnEmptyCage) {
     Cage cage;
     EXPECT_EQ(cagePolygons(cage).vertexCount(), 0u);
     cage = cube();
     cage.holes = {0, 1, 2, 3, 4, 5};
     const RefinedCage refined = cagePolygons(cage);
     EXPECT_EQ(refined.vertexCount(), 0u);
-    EXPECT_EQ(refined.positions.rowCount(), 0u);
+    EXPECT_EQ(refined.positions.stencilCount(), 0u);
     EXPECT_TRUE(evaluate(refined, cage.positions).positions.empty());
 }
 
-TEST(CagePolygons, FollowAnAffineMotion) {
+TEST(CagePolygons, FollowAnAffineTransform) {
     const Cage cage = polygonIn({0.5f, -1, 2}, {1, 0, 0.5f}, {0.25f, 1, 0}, arrow);
     const RefinedCage refined = cagePolygons(cage);
     const Evaluated rest = evaluate(refined, cage.positions);
@@ -157,7 +157,7 @@ TEST(CagePolygons, FollowAnAffineMotion) {
 
 TEST(CagePolygons, HaveTheNormalOfTheLeastSquaresPlane) {
     Cage cage = polygonIn({}, {1, 0, 0}, {0, 1, 0}, {{0, 0}, {3, 0}, {3, 3}, {0, 3}});
-    // A saddle has no slope: its plane is level.
+    // The least-squares plane of a saddle is horizontal.
     const float heights[] = {0.5f, -0.5f, 0.5f, -0.5f};
     for (int i = 0; i < 4; ++i) cage.positions[i].z = heights[i];
     const Evaluated vertices = evaluate(cagePolygons(cage), cage.positions);
@@ -172,10 +172,10 @@ TEST(CagePolygons, HaveFlatNormalsForThousandsOfCorners) {
     }
     const Cage cage = polygonIn({1, 2, 3}, {0, 1, 0}, {0, 0, 1}, corners);
     const RefinedCage refined = cagePolygons(cage);
-    expectSizesFit(refined);
+    expectConsistentSizes(refined);
     EXPECT_EQ(refined.cageFaces.size(), 4998u);
-    // Rows of all corners would have 25 million entries.
-    EXPECT_LE(refined.positions.columns.size(), 20'000u);
+    // Stencils of all corners would have 25 million entries.
+    EXPECT_LE(refined.positions.controlIndices.size(), 20'000u);
     const Evaluated vertices = evaluate(refined, cage.positions);
     for (std::uint32_t vertex = 0; vertex < refined.vertexCount(); ++vertex) {
         EXPECT_EQ(vertices.positions[vertex], cage.positions[vertex]);
@@ -184,23 +184,24 @@ TEST(CagePolygons, HaveFlatNormalsForThousandsOfCorners) {
     }
 }
 
-TEST(CagePolygons, CarryTextureCoordinatesAndTheirGradients) {
+TEST(CagePolygons, HaveTextureCoordinatesAndTheirDerivatives) {
     Cage cage = polygonIn({0.5f, -1, 2}, {1, 0, 0.5f}, {0.25f, 1, 0}, arrow);
-    // u grows along x, and v along y and x; the texture coordinates stand in another order than the corners.
+    // u grows along x, and v along y and x; the texture coordinates are in another order than the corners.
     for (std::uint32_t corner = 0; corner < arrow.size(); ++corner) {
         const glm::vec2& at = arrow[arrow.size() - 1 - corner];
         cage.uvs.emplace_back(0.25f * at.x, 0.5f * at.y + 0.125f * at.x);
         cage.faceUvs.push_back(static_cast<std::uint32_t>(arrow.size()) - 1 - corner);
     }
     const RefinedCage refined = cagePolygons(cage);
-    expectSizesFit(refined);
+    expectConsistentSizes(refined);
     const LimitUvs uvs = evaluateLimitUvs(refined, cage.uvs);
     const Evaluated vertices = evaluate(refined, cage.positions);
     ASSERT_EQ(uvs.uvs.size(), refined.vertexCount());
     const glm::vec3 x(1, 0, 0.5f), y(0.25f, 1, 0);
     for (std::uint32_t vertex = 0; vertex < refined.vertexCount(); ++vertex) {
         EXPECT_EQ(uvs.uvs[vertex], cage.uvs[cage.faceUvs[vertex]]);
-        // Of du = a x + b y, the texture coordinates have to grow by a and b times those of x and y.
+        // The derivatives of the texture coordinates along du = a x + b y are a times those along x plus b
+        // times those along y.
         const glm::vec3 derivatives[] = {vertices.du[vertex], vertices.dv[vertex]};
         const glm::vec2 gradients[] = {uvs.du[vertex], uvs.dv[vertex]};
         for (int i = 0; i < 2; ++i) {
@@ -222,8 +223,8 @@ TEST(CagePolygons, OfTrianglesHaveTheirNormalAtEverySizeAndShape) {
     }
 }
 
-TEST(CagePolygons, OfThinShapesKeepTheirSide) {
-    // The edges at the first corner, which is concave, span the other side.
+TEST(CagePolygons, OfThinShapesKeepTheirOrientation) {
+    // The cross product of the edges at the first corner, which is concave, points to the other side.
     const std::vector<glm::vec2> fromConcave = {{1, 1.25f}, {0.5f, 2}, {0, 0}, {1, 0.5f}, {2, 0}, {1.5f, 2}};
     for (const float width : {1e-5f, 1e-3f, 1.0f}) {
         const Cage cage = polygonIn({}, {1, 0, 0}, {0, width, 0}, fromConcave);
@@ -235,13 +236,13 @@ TEST(CagePolygons, OfThinShapesKeepTheirSide) {
 TEST(CagePolygons, WithoutAreaHaveFiniteWeights) {
     const std::vector<std::vector<glm::vec2>> shapes = {
         {{0, 0}, {0, 0}, {0, 0}},           {{0, 0}, {1, 0}, {2, 0}},
-        {{0, 0}, {1, 1}, {1, 0}, {0, 1}},  // Crosses itself: as much area on the one side as on the other.
+        {{0, 0}, {1, 1}, {1, 0}, {0, 1}},  // Self-intersecting: its signed area is 0.
         {{0, 0}, {1e-43f, 0}, {0, 1e-43f}}, std::vector<glm::vec2>(100, glm::vec2(1, 1)),
     };
     for (const std::vector<glm::vec2>& shape : shapes) {
         const Cage cage = polygonIn({}, {1, 0, 0}, {0, 1, 0}, shape);
         const RefinedCage refined = cagePolygons(cage);
-        expectSizesFit(refined);
+        expectConsistentSizes(refined);
         EXPECT_EQ(refined.cageFaces.size(), shape.size() - 2);
         for (const auto* weights :
              {&refined.positions.weights, &refined.positions.duWeights, &refined.positions.dvWeights})

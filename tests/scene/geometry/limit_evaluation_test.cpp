@@ -33,18 +33,18 @@ std::uint32_t below(std::mt19937& random, std::uint32_t count) {
     return static_cast<std::uint32_t>(random()) % count;
 }
 
-StencilTable randomRows(std::mt19937& random, std::size_t rowCount, std::uint32_t columnCount) {
-    StencilTable rows;
-    rows.rowStarts.push_back(0);
-    for (std::size_t row = 0; row < rowCount; ++row) {
+StencilTable randomStencils(std::mt19937& random, std::size_t stencilCount, std::uint32_t controlCount) {
+    StencilTable table;
+    table.offsets.push_back(0);
+    for (std::size_t stencil = 0; stencil < stencilCount; ++stencil) {
         for (std::uint32_t entry = below(random, 40); entry > 0; --entry) {
-            rows.columns.push_back(below(random, columnCount));
-            for (auto* weights : {&rows.weights, &rows.duWeights, &rows.dvWeights})
+            table.controlIndices.push_back(below(random, controlCount));
+            for (auto* weights : {&table.weights, &table.duWeights, &table.dvWeights})
                 weights->push_back(between(random, -1.0f, 1.0f));
         }
-        rows.rowStarts.push_back(static_cast<std::uint32_t>(rows.columns.size()));
+        table.offsets.push_back(static_cast<std::uint32_t>(table.controlIndices.size()));
     }
-    return rows;
+    return table;
 }
 
 RefinedCage randomTable(std::mt19937& random, std::uint32_t pointCount, std::uint32_t seamCount,
@@ -53,8 +53,8 @@ RefinedCage randomTable(std::mt19937& random, std::uint32_t pointCount, std::uin
     refined.level = 1;
     refined.pointCount = pointCount;
     for (std::uint32_t i = 0; i < seamCount; ++i) refined.seamPoints.push_back(below(random, pointCount));
-    refined.positions = randomRows(random, refined.vertexCount(), cagePointCount);
-    refined.uvs = randomRows(random, refined.vertexCount(), cagePointCount);
+    refined.positions = randomStencils(random, refined.vertexCount(), cagePointCount);
+    refined.uvs = randomStencils(random, refined.vertexCount(), cagePointCount);
     return refined;
 }
 
@@ -65,24 +65,25 @@ std::vector<glm::vec3> randomPoints(std::mt19937& random, std::size_t count) {
     return points;
 }
 
-// Expects a sum of up to 40 products of numbers up to 1 to be what doubles make of it: a rounding of 2^-24
-// for each product, and one of up to 40 times that for each sum.
+// Compares a sum of up to 40 products of numbers up to 1 with the sum in double precision: the error is 2^-24
+// for each product, and up to 40 times that for each sum.
 template <typename Vector>
-void expectRowSum(const Vector& actual, const StencilTable& rows, const std::vector<float>& weights,
-                  std::size_t row, const std::vector<Vector>& points) {
+void expectStencilSum(const Vector& actual, const StencilTable& table, const std::vector<float>& weights,
+                      std::size_t stencil, const std::vector<Vector>& points) {
     for (glm::length_t axis = 0; axis < actual.length(); ++axis) {
         double sum = 0.0, terms = 0.0;
-        for (std::size_t entry = rows.rowStarts[row]; entry < rows.rowStarts[row + 1]; ++entry) {
-            const double term = static_cast<double>(weights[entry]) * points[rows.columns[entry]][axis];
+        for (std::size_t entry = table.offsets[stencil]; entry < table.offsets[stencil + 1]; ++entry) {
+            const double term =
+                static_cast<double>(weights[entry]) * points[table.controlIndices[entry]][axis];
             sum += term;
             terms += std::abs(term);
         }
-        const double roundings = rows.rowStarts[row + 1] - rows.rowStarts[row] + 1;
-        EXPECT_NEAR(actual[axis], sum, roundings * terms * 0x1p-24) << "row " << row;
+        const double roundings = table.offsets[stencil + 1] - table.offsets[stencil] + 1;
+        EXPECT_NEAR(actual[axis], sum, roundings * terms * 0x1p-24) << "stencil " << stencil;
     }
 }
 
-// A table whose one row has du and dv as they are given.
+// A table with one stencil whose derivatives are `du` and `dv`.
 Vertices evaluateTangents(const glm::vec3& du, const glm::vec3& dv) {
     RefinedCage refined;
     refined.pointCount = 1;
@@ -98,18 +99,21 @@ TEST(LimitEvaluation, IsTheTableTimesThePoints) {
     const std::vector<glm::vec3> points = randomPoints(random, 300);
     Vertices vertices(refined);
     evaluateLimit(refined, points, vertices.all());
-    const StencilTable& rows = refined.positions;
-    for (std::size_t row = 0; row < refined.vertexCount(); ++row) {
-        if (row < refined.pointCount) expectRowSum(vertices.positions[row], rows, rows.weights, row, points);
-        expectRowSum(vertices.du[row], rows, rows.duWeights, row, points);
-        expectRowSum(vertices.dv[row], rows, rows.dvWeights, row, points);
-        const glm::dvec3 cross = glm::cross(glm::dvec3(vertices.du[row]), glm::dvec3(vertices.dv[row]));
+    const StencilTable& table = refined.positions;
+    for (std::size_t stencil = 0; stencil < refined.vertexCount(); ++stencil) {
+        if (stencil < refined.pointCount)
+            expectStencilSum(vertices.positions[stencil], table, table.weights, stencil, points);
+        expectStencilSum(vertices.du[stencil], table, table.duWeights, stencil, points);
+        expectStencilSum(vertices.dv[stencil], table, table.dvWeights, stencil, points);
+        const glm::dvec3 cross =
+            glm::cross(glm::dvec3(vertices.du[stencil]), glm::dvec3(vertices.dv[stencil]));
         const glm::dvec3 expected = cross == glm::dvec3(0.0) ? cross : glm::normalize(cross);
-        // The cross product is rounded relative to the product of the lengths, which is the longer the
-        // smaller the angle.
-        const double lengths = glm::length(vertices.du[row]) * glm::length(vertices.dv[row]);
+        // The cross product is rounded relative to the product of the lengths, so that its relative error is
+        // larger for smaller angles.
+        const double lengths = glm::length(vertices.du[stencil]) * glm::length(vertices.dv[stencil]);
         const double tolerance = 3e-7 * (1.0 + (lengths > 0.0 ? lengths / glm::length(cross) : 0.0));
-        EXPECT_LE(glm::distance(glm::dvec3(vertices.normals[row]), expected), tolerance) << "row " << row;
+        EXPECT_LE(glm::distance(glm::dvec3(vertices.normals[stencil]), expected), tolerance)
+            << "stencil " << stencil;
     }
 }
 
@@ -122,7 +126,7 @@ TEST(LimitEvaluation, PlacesSeamVerticesAtTheirPoint) {
         ASSERT_EQ(vertices.positions[vertex], vertices.positions[refined.pointOf(vertex)]) << vertex;
 }
 
-TEST(LimitEvaluation, LeavesOutDerivativesThatAreNotAskedFor) {
+TEST(LimitEvaluation, OmitsDerivativesThatAreNotRequested) {
     std::mt19937 random(3);
     const RefinedCage refined = randomTable(random, 3000, 500, 100);
     const std::vector<glm::vec3> points = randomPoints(random, 100);
@@ -180,7 +184,7 @@ TEST(LimitEvaluation, HasUnitNormalsAtEveryScale) {
     }
 }
 
-TEST(LimitEvaluation, HasNoNormalWhereTheTangentsVanish) {
+TEST(LimitEvaluation, HasNoNormalForDegenerateTangents) {
     const glm::vec3 none(0.0f), x(1, 0, 0);
     EXPECT_EQ(evaluateTangents(none, none).normals[0], none);
     EXPECT_EQ(evaluateTangents(x, none).normals[0], none);
@@ -188,10 +192,10 @@ TEST(LimitEvaluation, HasNoNormalWhereTheTangentsVanish) {
     EXPECT_EQ(evaluateTangents(glm::vec3(INFINITY, 0, 0), {0, 1, 0}).normals[0], none);
 }
 
-TEST(LimitEvaluation, OfRowsWithoutEntriesIsZero) {
+TEST(LimitEvaluation, OfStencilsWithoutEntriesIsZero) {
     RefinedCage refined;
     refined.pointCount = 2;
-    refined.positions.rowStarts = {0, 0, 0};
+    refined.positions.offsets = {0, 0, 0};
     Vertices vertices(refined);
     vertices.positions.assign(2, glm::vec3(7));
     evaluateLimit(refined, {}, vertices.all());
@@ -211,14 +215,14 @@ TEST(LimitUvs, AreTheTableTimesTheTextureCoordinates) {
     std::vector<glm::vec2> points(300);
     for (glm::vec2& point : points) point = {between(random, 0, 1), between(random, 0, 1)};
     const LimitUvs uvs = evaluateLimitUvs(refined, points);
-    const StencilTable& rows = refined.uvs;
+    const StencilTable& table = refined.uvs;
     ASSERT_EQ(uvs.uvs.size(), refined.vertexCount());
     ASSERT_EQ(uvs.du.size(), refined.vertexCount());
     ASSERT_EQ(uvs.dv.size(), refined.vertexCount());
-    for (std::size_t row = 0; row < refined.vertexCount(); ++row) {
-        expectRowSum(uvs.uvs[row], rows, rows.weights, row, points);
-        expectRowSum(uvs.du[row], rows, rows.duWeights, row, points);
-        expectRowSum(uvs.dv[row], rows, rows.dvWeights, row, points);
+    for (std::size_t stencil = 0; stencil < refined.vertexCount(); ++stencil) {
+        expectStencilSum(uvs.uvs[stencil], table, table.weights, stencil, points);
+        expectStencilSum(uvs.du[stencil], table, table.duWeights, stencil, points);
+        expectStencilSum(uvs.dv[stencil], table, table.dvWeights, stencil, points);
     }
 }
 

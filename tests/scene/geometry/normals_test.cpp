@@ -66,7 +66,7 @@ TEST(FlatNormals, HaveUnitLengthAtEverySize) {
     }
 }
 
-TEST(FlatNormals, OfNothing) {
+TEST(FlatNormals, OfAnEmptyMesh) {
     Mesh mesh;
     generateFlatNormals(mesh);
     EXPECT_TRUE(mesh.normals.empty());
@@ -83,18 +83,18 @@ TEST(FlatNormals, RefuseIndicesOutOfRange) {
     }
 }
 
-TEST(ZeroNormals, TakeTheFirstTriangleThatUsesThem) {
+TEST(ZeroNormals, AreReplacedByThatOfTheFirstTriangle) {
     Mesh mesh = roof();
     const float nan = std::numeric_limits<float>::quiet_NaN();
     mesh.normals = {{0, 0, 0}, {0.6f, 0.8f, 0}, {INFINITY, 0, 0}, {0, nan, 0}};
     EXPECT_EQ(replaceZeroNormals(mesh), 3u);
     EXPECT_EQ(mesh.normals[0], glm::vec3(0, 0, 1));
-    EXPECT_EQ(mesh.normals[1], glm::vec3(0.6f, 0.8f, 0)) << "a good normal has changed";
+    EXPECT_EQ(mesh.normals[1], glm::vec3(0.6f, 0.8f, 0)) << "a valid normal has changed";
     EXPECT_EQ(mesh.normals[2], glm::vec3(0, 0, 1));
     EXPECT_EQ(mesh.normals[3], glm::vec3(1, 0, 0));
 }
 
-TEST(ZeroNormals, PassOverTrianglesWithoutArea) {
+TEST(ZeroNormals, IgnoreTrianglesWithoutArea) {
     Mesh mesh = roof();
     mesh.normals.assign(4, glm::vec3(0));
     mesh.positions.push_back({9, 9, 9});
@@ -105,7 +105,7 @@ TEST(ZeroNormals, PassOverTrianglesWithoutArea) {
     EXPECT_EQ(mesh.normals[4], glm::vec3(0, 1, 0)) << "no triangle uses it";
 }
 
-TEST(ZeroNormals, LeaveGoodOnesAlone) {
+TEST(ZeroNormals, ValidOnesAreKept) {
     Mesh mesh = roof();
     mesh.normals.assign(4, {0, 1, 0});
     EXPECT_EQ(replaceZeroNormals(mesh), 0u);

@@ -31,14 +31,14 @@ Mesh square() {
     mesh.name = "square";
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     mesh.normals.assign(4, {0, 0, 1});
-    // The image stands upright: v grows down.
+    // The image is upright: v grows downwards.
     mesh.uv0 = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
     mesh.indices = {0, 1, 2, 0, 2, 3};
     mesh.submeshes = {{0, 6, {}}};
     return mesh;
 }
 
-// Every tangent is what `validate` asks for, and perpendicular to its normal.
+// Expects tangents that `validate` accepts and that are perpendicular to their normals.
 void expectValidTangents(const Mesh& mesh) {
     ASSERT_EQ(mesh.tangents.size(), mesh.positions.size());
     for (std::size_t i = 0; i < mesh.tangents.size(); ++i) {
@@ -52,12 +52,12 @@ void expectValidTangents(const Mesh& mesh) {
 TEST(Tangents, OfAnUprightImage) {
     Mesh mesh = square();
     generateTangents(mesh, 0);
-    ASSERT_EQ(mesh.positions.size(), 4u) << "nothing is to be split";
+    ASSERT_EQ(mesh.positions.size(), 4u) << "no vertex is split";
     // u grows along +X, and cross(+Z, +X) × 1 = +Y is up in the image.
     for (const glm::vec4& tangent : mesh.tangents) expectNear(tangent, {1, 0, 0, 1});
 }
 
-TEST(Tangents, OfAnImageOnItsSide) {
+TEST(Tangents, OfARotatedImage) {
     Mesh mesh = square();
     for (glm::vec2& uv : mesh.uv0) uv = {uv.y, 1.0f - uv.x};  // Rotated by 90 degrees: u increases downwards.
     generateTangents(mesh, 0);
@@ -72,7 +72,7 @@ TEST(Tangents, OfAMirroredImage) {
     for (const glm::vec4& tangent : mesh.tangents) expectNear(tangent, {-1, 0, 0, -1});
 }
 
-TEST(Tangents, FromTheSecondSet) {
+TEST(Tangents, FromTheSecondUvSet) {
     Mesh mesh = square();
     mesh.uv1 = mesh.uv0;
     for (glm::vec2& uv : mesh.uv0) uv = glm::vec2(0.0f);
@@ -80,7 +80,7 @@ TEST(Tangents, FromTheSecondSet) {
     expectNear(mesh.tangents[0], {1, 0, 0, 1});
 }
 
-TEST(Tangents, ScaleAndOffsetOfTheImageDoNotMatter) {
+TEST(Tangents, DoNotDependOnScaleAndOffsetOfTheImage) {
     Mesh mesh = square();
     for (glm::vec2& uv : mesh.uv0) uv = uv * glm::vec2(1e-6f, 300.0f) + glm::vec2(5e-6f, -20.0f);
     generateTangents(mesh, 0);
@@ -114,10 +114,10 @@ TEST(Tangents, MirroredHalvesSplitAtTheSeam) {
     }
 }
 
-// How a mesh is indexed does not matter: without shared vertices it gives the same tangents.
+// A mesh without shared vertices has the same tangents.
 TEST(Tangents, WeldEqualVertices) {
     Mesh shared = mirroredPair();
-    // A bend, so that tangents are averaged over the triangles of a vertex.
+    // A fold, so that tangents are averaged over the triangles of a vertex.
     shared.positions[4].z = shared.positions[5].z = 0.7f;
     shared.positions[3].z = -0.4f;
     Mesh single = shared;
@@ -132,7 +132,7 @@ TEST(Tangents, WeldEqualVertices) {
     for (std::uint32_t i = 0; i < single.indices.size(); ++i) single.indices[i] = i;
     generateTangents(shared, 0);
     generateTangents(single, 0);
-    EXPECT_EQ(single.positions.size(), single.indices.size()) << "nothing is to be split";
+    EXPECT_EQ(single.positions.size(), single.indices.size()) << "no vertex is split";
     for (std::size_t corner = 0; corner < shared.indices.size(); ++corner) {
         expectNear(single.tangents[single.indices[corner]], shared.tangents[shared.indices[corner]]);
     }
@@ -193,36 +193,37 @@ TEST(Tangents, OfASpherePointEast) {
     Mesh mesh = sphere(rings, segments);
     generateTangents(mesh, 0);
     expectValidTangents(mesh);
-    EXPECT_EQ(mesh.positions.size(), std::size_t{rings + 1} * (segments + 1)) << "nothing is to be split";
+    EXPECT_EQ(mesh.positions.size(), std::size_t{rings + 1} * (segments + 1)) << "no vertex is split";
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         if (mesh.uv0[i].y < 0.1f || mesh.uv0[i].y > 0.9f)
             continue;  // Near the poles the direction of east changes quickly.
         const float phi = 2.0f * std::numbers::pi_v<float> * mesh.uv0[i].x;
-        // At the seam only the triangles of one side count, whose edge is half a segment off: 2 pi / 128.
+        // At the seam only the triangles of one side contribute, whose edge is off by half a segment: 2 pi /
+        // 128.
         expectNear(mesh.tangents[i], {std::cos(phi), 0, -std::sin(phi), 1}, 0.05f);
         if (mesh.uv0[i].x == 0.0f || mesh.uv0[i].x == 1.0f) continue;
-        // Elsewhere what is left comes of the two triangles of a quad being unlike; it is of second order.
+        // Elsewhere the error is of second order: the two triangles of a quad are not symmetric.
         expectNear(mesh.tangents[i], {std::cos(phi), 0, -std::sin(phi), 1}, 0.005f);
     }
 }
 
-TEST(Tangents, TrianglesWithoutUvAreaTakeTheirNeighbours) {
+TEST(Tangents, TrianglesWithoutUvAreaHaveTheTangentsOfTheirNeighbors) {
     Mesh mesh = square();
     mesh.uv0[3] = {0.5f, 0.5f};  // On the diagonal between 0 and 2: the second triangle has no area.
     generateTangents(mesh, 0);
     ASSERT_EQ(mesh.positions.size(), 4u);
     for (const int i : {0, 1, 2}) expectNear(mesh.tangents[i], {1, 0, 0, 1});
-    // Nothing but that triangle is at this corner: any perpendicular does.
+    // Only that triangle has this corner: any perpendicular is valid.
     expectValidTangents(mesh);
 }
 
-TEST(Tangents, TrianglesWithoutUvAreaTakeTheOrientationOfTheirNeighbours) {
+TEST(Tangents, TrianglesWithoutUvAreaHaveTheHandednessOfTheirNeighbors) {
     Mesh mesh = square();
     for (glm::vec2& uv : mesh.uv0) uv.x = 1.0f - uv.x;
     mesh.uv0[3] = {0.5f, 0.5f};
     generateTangents(mesh, 0);
     for (const int i : {0, 1, 2}) expectNear(mesh.tangents[i], {-1, 0, 0, -1});
-    ASSERT_EQ(mesh.positions.size(), 4u) << "the corners join those of the mirrored neighbour";
+    ASSERT_EQ(mesh.positions.size(), 4u) << "the corners share the vertices of the mirrored neighbor";
 }
 
 TEST(Tangents, WithoutAnyUvAreaAreAnyPerpendicular) {
@@ -233,7 +234,7 @@ TEST(Tangents, WithoutAnyUvAreaAreAnyPerpendicular) {
     EXPECT_EQ(mesh.positions.size(), 4u);
 }
 
-TEST(Tangents, DegenerateTrianglesTakeThoseAtTheirVertices) {
+TEST(Tangents, DegenerateTrianglesHaveTheTangentsAtTheirVertices) {
     Mesh mesh = square();
     mesh.indices.insert(mesh.indices.begin(), {0, 0, 1, 2, 2, 2});
     generateTangents(mesh, 0);
@@ -250,7 +251,7 @@ TEST(Tangents, UnusedVerticesGetAnyPerpendicular) {
     expectValidTangents(mesh);
 }
 
-TEST(Tangents, BarelyTouchingTrianglesDoNotMix) {
+TEST(Tangents, TrianglesThatShareOnlyAVertexAreSeparate) {
     // Two triangles that share one vertex and no edge, with images rotated by 90 degrees.
     Mesh mesh;
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
@@ -264,19 +265,19 @@ TEST(Tangents, BarelyTouchingTrianglesDoNotMix) {
 }
 
 TEST(Tangents, ManyTrianglesAtOneEdgeAndOneVertex) {
-    // A book of 10,000 pages: every page shares the edge of the spine, and no page may cost a search.
+    // 10,000 triangles that share one edge: a search per triangle would be quadratic.
     Mesh mesh;
     mesh.positions = {{0, 0, 0}, {0, 1, 0}};
     mesh.uv0 = {{0, 1}, {0, 0}};
     for (int i = 0; i < 10'000; ++i) {
-        const auto page = static_cast<std::uint32_t>(mesh.positions.size());
+        const auto outer = static_cast<std::uint32_t>(mesh.positions.size());
         const float angle = 6.2831853f * static_cast<float>(i) / 10'000.0f;
         mesh.positions.emplace_back(std::cos(angle), 0.5f, std::sin(angle));
         mesh.uv0.emplace_back(1.0f, static_cast<float>(i) / 10'000.0f);
         if (i % 2 == 0) {
-            mesh.indices.insert(mesh.indices.end(), {0, page, 1});
+            mesh.indices.insert(mesh.indices.end(), {0, outer, 1});
         } else {
-            mesh.indices.insert(mesh.indices.end(), {1, page, 0});
+            mesh.indices.insert(mesh.indices.end(), {1, outer, 0});
         }
     }
     mesh.normals.assign(mesh.positions.size(), {0, 0, 1});
@@ -286,11 +287,11 @@ TEST(Tangents, ManyTrianglesAtOneEdgeAndOneVertex) {
 
 TEST(Tangents, AcceptNonFiniteNumbers) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    for (const float bad : {nan, INFINITY, 3e38f, 1e-45f}) {
+    for (const float value : {nan, INFINITY, 3e38f, 1e-45f}) {
         Mesh mesh = square();
-        mesh.positions[0].x = bad;
-        mesh.uv0[1].y = bad;
-        mesh.uv0[2].x = -bad;
+        mesh.positions[0].x = value;
+        mesh.uv0[1].y = value;
+        mesh.uv0[2].x = -value;
         generateTangents(mesh, 0);
         expectValidTangents(mesh);
     }

@@ -45,11 +45,12 @@ void expectNumberOfTriangles(const Polygon& polygon, const Corners& triangles) {
         ASSERT_LT(corner, polygon.size());
         used[corner] = true;
     }
-    EXPECT_EQ(std::find(used.begin(), used.end(), false), used.end()) << "a corner is in no triangle";
+    EXPECT_EQ(std::find(used.begin(), used.end(), false), used.end())
+        << "a corner is not used by any triangle";
 }
 
-// That the triangles cover a simple polygon once. Each has the polygon's winding, and together they have the
-// border of the polygon: so every point is covered as often as the border goes around it.
+// Expects the triangles to cover a simple polygon once: each has the polygon's winding, and their areas add
+// up to that of the polygon.
 void expectCovered(const Polygon& polygon) {
     const Corners triangles = triangulated(polygon);
     expectNumberOfTriangles(polygon, triangles);
@@ -65,7 +66,7 @@ void expectCovered(const Polygon& polygon) {
     EXPECT_NEAR(sum, glm::length(whole), 1e-12 * static_cast<double>(polygon.size()));
 }
 
-// A star polygon about the origin in a plane of random direction: the angle of the corners grows.
+// A star-shaped polygon about the origin in a plane of random direction: the angle of the corners increases.
 Polygon randomStar(std::mt19937& random, std::uint32_t size) {
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     const glm::dvec3 x = glm::normalize(glm::dvec3(uniform(random), uniform(random), uniform(random)));
@@ -78,18 +79,18 @@ Polygon randomStar(std::mt19937& random, std::uint32_t size) {
     return polygon;
 }
 
-TEST(Triangulate, NothingBelowThreeCorners) {
+TEST(Triangulate, GivesNothingBelowThreeCorners) {
     for (std::size_t size = 0; size < 3; ++size)
         EXPECT_TRUE(triangulated(Polygon(size, glm::vec3(1))).empty());
 }
 
-TEST(Triangulate, AppendsToWhatIsThere) {
+TEST(Triangulate, AppendsToTheOutput) {
     Corners triangles = {7, 8, 9};
     triangulate(Polygon{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, triangles);
     EXPECT_EQ(triangles, (Corners{7, 8, 9, 0, 1, 2}));
 }
 
-TEST(Triangulate, CutsQuadsFromTheFirstCorner) {
+TEST(Triangulate, SplitsQuadsAtTheFirstCorner) {
     const Polygon square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     EXPECT_EQ(triangulated(square), (Corners{0, 1, 2, 0, 2, 3}));
     const Polygon saddle = {{0, 0, 1}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}};
@@ -98,14 +99,14 @@ TEST(Triangulate, CutsQuadsFromTheFirstCorner) {
     EXPECT_EQ(triangulated(concaveAt2), (Corners{0, 1, 2, 0, 2, 3}));
 }
 
-TEST(Triangulate, CutsConcaveQuadsAlongTheOtherDiagonal) {
+TEST(Triangulate, SplitsConcaveQuadsAlongTheOtherDiagonal) {
     const Polygon concaveAt1 = {{0, 0, 0}, {0.4f, 0.4f, 0}, {1, 0, 0}, {0.4f, 1, 0}};
     EXPECT_EQ(triangulated(concaveAt1), (Corners{1, 2, 3, 1, 3, 0}));
     const Polygon flatAt3 = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.5f, 0.5f, 0}};
     EXPECT_EQ(triangulated(flatAt3), (Corners{1, 2, 3, 1, 3, 0}));
 }
 
-TEST(Triangulate, KeepsTheWindingOfAPolygonSeenFromBehind) {
+TEST(Triangulate, KeepsTheWindingOfAClockwisePolygon) {
     Polygon polygon = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 0.5f, 0}, {0, 2, 0}};
     std::reverse(polygon.begin(), polygon.end());
     const Corners triangles = triangulated(polygon);
@@ -122,11 +123,11 @@ TEST(Triangulate, CoversRandomStars) {
     }
 }
 
-TEST(Triangulate, CoversAtEverySize) {
+TEST(Triangulate, DoesNotDependOnScale) {
     std::mt19937 random(2);
     const Polygon polygon = randomStar(random, 40);
     const Corners expected = triangulated(polygon);
-    // Powers of two change no digit.
+    // Scaling by powers of two is exact.
     for (const float size : {0x1p-100f, 0x1p-60f, 0x1p60f, 0x1p100f}) {
         Polygon scaled = polygon;
         for (glm::vec3& corner : scaled) corner *= size;
@@ -134,8 +135,8 @@ TEST(Triangulate, CoversAtEverySize) {
     }
 }
 
-// Roofs of whole heights along a line: many corners on a line, and many a corner just on another's diagonal.
-TEST(Triangulate, CoversSkylinesWithCollinearCorners) {
+// Polygons with heights from a small grid: many corners are collinear, and many lie on a diagonal of others.
+TEST(Triangulate, CoversHeightProfilesWithCollinearCorners) {
     std::mt19937 random(3);
     for (int round = 0; round < 200; ++round) {
         SCOPED_TRACE(round);
@@ -163,17 +164,17 @@ TEST(Triangulate, UsesCollinearCornersWithoutSlivers) {
 
 TEST(Triangulate, CoversASpiral) {
     Polygon polygon;
-    const auto turnOf = [&](int i, double width) {
+    const auto addCorner = [&](int i, double width) {
         const double angle = i * 0.1, radius = 0.02 + i * 0.002 + width;
         polygon.emplace_back(radius * std::cos(angle), 0, -radius * std::sin(angle));
     };
-    // A revolution is 63 steps: the walls are 0.126 apart, and the corridor between them is 0.06 wide.
-    for (int i = 0; i < 400; ++i) turnOf(i, 0.06);
-    for (int i = 399; i >= 0; --i) turnOf(i, 0.0);
+    // A revolution has 63 steps: its radius grows by 0.126, and the spiral is 0.06 wide.
+    for (int i = 0; i < 400; ++i) addCorner(i, 0.06);
+    for (int i = 399; i >= 0; --i) addCorner(i, 0.0);
     expectCovered(polygon);
 }
 
-// A square with two square holes, each reached by a slit that is walked twice.
+// A square with two square holes, each connected by a slit, an edge that is used twice.
 TEST(Triangulate, CoversAPolygonWithSlitsToHoles) {
     const Polygon polygon = {{0, 0, 0}, {4, 0, 0},    {4, 4, 0},                                            //
                              {3, 3, 0}, {3, 2, 0},    {2, 2, 0},       {2, 3, 0},    {3, 3, 0}, {4, 4, 0},  //
@@ -182,7 +183,7 @@ TEST(Triangulate, CoversAPolygonWithSlitsToHoles) {
     expectCovered(polygon);
 }
 
-TEST(Triangulate, SeesANonPlanarPolygonAlongItsNormal) {
+TEST(Triangulate, ProjectsANonPlanarPolygonAlongItsNormal) {
     std::mt19937 random(4);
     std::uniform_real_distribution<float> height(-0.2f, 0.2f);
     Polygon polygon;
@@ -193,7 +194,7 @@ TEST(Triangulate, SeesANonPlanarPolygonAlongItsNormal) {
     const Corners triangles = triangulated(polygon);
     expectNumberOfTriangles(polygon, triangles);
     const glm::dvec3 normal = glm::normalize(area(polygon));
-    EXPECT_GT(normal.z, 0.9) << "the test's own polygon";
+    EXPECT_GT(normal.z, 0.9) << "the polygon of the test";
     for (std::size_t i = 0; i < triangles.size(); i += 3)
         EXPECT_GT(glm::dot(area(polygon, triangles[i], triangles[i + 1], triangles[i + 2]), normal), 0.0);
 }
@@ -245,7 +246,7 @@ TEST(Triangulate, AcceptsTheRangeOfFloats) {
     }
 }
 
-// Work that grows with the square of the corners would take minutes.
+// An algorithm of quadratic time would take minutes.
 TEST(Triangulate, CoversPolygonsOf100000Corners) {
     std::mt19937 random(7);
     expectCovered(randomStar(random, 100'000));

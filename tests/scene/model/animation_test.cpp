@@ -43,7 +43,7 @@ void append(std::vector<float>& values, const glm::dvec4& quaternion) {
     for (int i = 0; i < 4; ++i) values.push_back(static_cast<float>(quaternion[i]));
 }
 
-TEST(SampleChannel, HoldsTheFirstAndTheLastValue) {
+TEST(SampleChannel, IsClampedToTheFirstAndTheLastValue) {
     for (const Interpolation interpolation : {Interpolation::linear, Interpolation::step}) {
         const AnimationChannel channel = translations(interpolation, {1, 2, 3, 5, 6, 7});
         expectNear(sampleChannel(channel, -100.0), {1, 2, 3, 0});
@@ -58,7 +58,7 @@ TEST(SampleChannel, LinearAndStep) {
     expectNear(sampleChannel(translations(Interpolation::step, {0, 0, 0, 4, 8, -2}), 2.999), {0, 0, 0, 0});
 }
 
-TEST(SampleChannel, FindsTheRightKeys) {
+TEST(SampleChannel, FindsTheKeysOfATime) {
     AnimationChannel channel;
     for (int i = 0; i < 1000; ++i) {
         channel.times.push_back(static_cast<float>(i) * 0.5f);
@@ -69,7 +69,7 @@ TEST(SampleChannel, FindsTheRightKeys) {
     }
 }
 
-TEST(SampleChannel, CubicSplineFollowsTheHermiteForm) {
+TEST(SampleChannel, CubicSplineHasTheHermiteForm) {
     // Key 0: value 1, out-tangent 2 a second; key 1: in-tangent -1 a second, value 3. In-tangent of the first
     // and out-tangent of the last key (99) must not matter. Halfway, t = 1/2, over 2 seconds:
     // 1/2 × 1 + 2 × 1/8 × 2 + 1/2 × 3 + 2 × (-1/8) × (-1) = 0.5 + 0.5 + 1.5 + 0.25 = 2.75
@@ -82,7 +82,7 @@ TEST(SampleChannel, CubicSplineFollowsTheHermiteForm) {
     expectNear(sampleChannel(channel, 1.5), {1.96875, 0, 0, 0});
 }
 
-TEST(SampleChannel, RotatesAlongTheArcAtEvenSpeed) {
+TEST(SampleChannel, RotatesAtConstantAngularVelocity) {
     std::vector<float> values;
     append(values, aroundZ(0.0));
     append(values, aroundZ(2.0));
@@ -122,7 +122,7 @@ TEST(SampleChannel, RotationsAreUnitQuaternions) {
     expectNear(sampleChannel(cubic, 2.0), {0, 0, std::sqrt(0.5), std::sqrt(0.5)});
 }
 
-TEST(SampleChannel, SplineThroughZeroKeepsThePreviousKey) {
+TEST(SampleChannel, ASplineThroughZeroHasThePreviousKey) {
     const AnimationChannel cubic =
         rotations(Interpolation::cubicSpline,
                   {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0});
@@ -136,8 +136,8 @@ TEST(SampleChannel, OneKey) {
     for (const double time : {0.0, 2.0, 5.0}) expectNear(sampleChannel(channel, time), {1, 2, 3, 0});
 }
 
-Animation moving(std::uint32_t node, AnimationPath path, std::vector<float> from,
-                 const std::vector<float>& to) {
+Animation linearAnimation(std::uint32_t node, AnimationPath path, std::vector<float> from,
+                          const std::vector<float>& to) {
     AnimationChannel channel;
     channel.node = node;
     channel.path = path;
@@ -150,12 +150,12 @@ Animation moving(std::uint32_t node, AnimationPath path, std::vector<float> from
 TEST(WorldTransforms, EveryAnimationPlaysAndMovesChildNodes) {
     Scene scene;
     scene.nodes.resize(4);
-    Transform still;
-    still.translation = {0.0f, 5.0f, 0.0f};
-    for (Node& node : scene.nodes) node.transform = still;
+    Transform rest;
+    rest.translation = {0.0f, 5.0f, 0.0f};
+    for (Node& node : scene.nodes) node.transform = rest;
     scene.nodes[2].parent = 1;
-    scene.animations.push_back(moving(1, AnimationPath::translation, {0, 0, 0}, {2, 0, 0}));
-    scene.animations.push_back(moving(1, AnimationPath::scale, {1, 1, 1}, {1, 3, 1}));
+    scene.animations.push_back(linearAnimation(1, AnimationPath::translation, {0, 0, 0}, {2, 0, 0}));
+    scene.animations.push_back(linearAnimation(1, AnimationPath::scale, {1, 1, 1}, {1, 3, 1}));
     const std::vector<glm::mat4> world = worldTransforms(scene, 0.5);
     EXPECT_EQ(glm::vec3(world[0][3]), glm::vec3(0, 5, 0));
     EXPECT_EQ(glm::vec3(world[1][3]), glm::vec3(1, 0, 0));
@@ -166,8 +166,8 @@ TEST(WorldTransforms, EveryAnimationPlaysAndMovesChildNodes) {
 TEST(WorldTransforms, TheLaterAnimationOfAPropertyApplies) {
     Scene scene;
     scene.nodes.resize(1);
-    scene.animations.push_back(moving(0, AnimationPath::translation, {0, 0, 0}, {2, 0, 0}));
-    scene.animations.push_back(moving(0, AnimationPath::translation, {0, 0, 0}, {0, 8, 0}));
+    scene.animations.push_back(linearAnimation(0, AnimationPath::translation, {0, 0, 0}, {2, 0, 0}));
+    scene.animations.push_back(linearAnimation(0, AnimationPath::translation, {0, 0, 0}, {0, 8, 0}));
     EXPECT_EQ(glm::vec3(worldTransforms(scene, 1.0)[0][3]), glm::vec3(0, 8, 0));
 }
 

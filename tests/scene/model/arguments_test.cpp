@@ -10,7 +10,7 @@
 #include <functional>
 #include <limits>
 
-// What public functions refuse, in every build type.
+// Invalid arguments that public functions refuse in every build type.
 
 namespace candela {
 namespace {
@@ -35,7 +35,7 @@ TEST(Arguments, WorldTransforms) {
     expectRefused([&] { worldTransforms(scene); }, "an animated node with a matrix");
     scene = sampleCageScene();
     scene.animations[0].channels[0].node = 99;
-    expectRefused([&] { worldTransforms(scene); }, "a channel of no node");
+    expectRefused([&] { worldTransforms(scene); }, "a channel without a node");
     scene = sampleCageScene();
     scene.animations[0].channels[0].values.pop_back();
     expectRefused([&] { worldTransforms(scene); }, "a channel with too few values");
@@ -73,7 +73,7 @@ TEST(Arguments, CamerasAndLights) {
     expectRefused([&] { cameraView(scene, 1, world); }, "a camera that does not exist");
     expectRefused([&] { cameraView(scene, 0, {}); }, "too few matrices");
     expectRefused([&] { cameraView(scene, 0, notFinite); }, "a matrix that is NaN");
-    expectRefused([&] { worldLights(scene, world); }, "a light at no node");
+    expectRefused([&] { worldLights(scene, world); }, "a light at a node that does not exist");
     for (const float aspect : {0.0f, -1.0f, nan, INFINITY}) {
         expectRefused([&] { projection({}, aspect); }, "an aspect ratio");
         expectRefused([&] { frameBounds({glm::vec3(0.0f), glm::vec3(1.0f)}, aspect); }, "an aspect ratio");
@@ -98,16 +98,17 @@ TEST(Arguments, LimitSurfaces) {
         [&] {
             evaluateLimit(refined, points, {out.positions.first(1), normals, {}, {}});
         },
-        "too little room");
+        "an output that is too small");
     RefinedCage broken = refined;
-    broken.positions.columns.back() = 99;
-    expectRefused([&] { evaluateLimit(broken, points, out); }, "a column out of range");
+    broken.positions.controlIndices.back() = 99;
+    expectRefused([&] { evaluateLimit(broken, points, out); }, "a control index out of range");
     broken = refined;
-    broken.positions.rowStarts.back() += 1;
-    expectRefused([&] { evaluateLimit(broken, points, out); }, "a row without entries");
+    broken.positions.offsets.back() += 1;
+    expectRefused([&] { evaluateLimit(broken, points, out); }, "a stencil beyond the entries");
     broken = refined;
     broken.seamPoints.front() = 99;
-    expectRefused([&] { evaluateLimit(broken, points, out); }, "a seam vertex of no point");
+    expectRefused([&] { evaluateLimit(broken, points, out); },
+                  "a seam vertex of a point that does not exist");
     expectRefused([&] { refined.pointOf(999); }, "a vertex that does not exist");
     const RefinedCage hull = cagePolygons(sampleHull());
     expectRefused([&] { evaluateLimitUvs(hull, {}); }, "too few texture coordinates");
@@ -116,7 +117,7 @@ TEST(Arguments, LimitSurfaces) {
     expectRefused([&] { cagePolygons(cage); }, "a face vertex out of range");
 }
 
-TEST(TriangleCount, OfAMeshWithoutSubmeshesIsThatOfItsIndices) {
+TEST(TriangleCount, OfAMeshWithoutSubmeshesFollowsFromItsIndices) {
     Scene scene;
     scene.meshes.resize(1);
     scene.meshes[0].indices = {0, 1, 2, 0, 2, 3};

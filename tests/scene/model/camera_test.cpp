@@ -40,7 +40,7 @@ glm::vec3 project(const CameraView& view, float aspect, const glm::vec3& positio
     return glm::vec3(clip) / clip.w;
 }
 
-TEST(LookAt, StandsAtTheEyeAndLooksAlongMinusZ) {
+TEST(LookAt, IsAtTheEyeAndLooksAlongMinusZ) {
     const CameraView view = lookAt({1.0f, 2.0f, 3.0f}, {4.0f, 6.0f, 3.0f}, 1.0f);
     expectRigid(view.worldFromCamera);
     EXPECT_EQ(view.eye(), glm::vec3(1.0f, 2.0f, 3.0f));
@@ -70,7 +70,7 @@ TEST(LookAt, RefusesInvalidViews) {
     EXPECT_THROW(lookAt(eye, target, nan), Error);
 }
 
-TEST(LookAt, AcceptsMinAndMaxDistances) {
+TEST(LookAt, AcceptsVerySmallAndLargeDistances) {
     expectRigid(lookAt(glm::vec3(3e38f, 0.0f, 0.0f), glm::vec3(-3e38f, 0.0f, 1.0f), 1.0f).worldFromCamera);
     expectRigid(lookAt(glm::vec3(0.0f), glm::vec3(1e-40f, 0.0f, 0.0f), 1.0f).worldFromCamera);
 }
@@ -87,7 +87,7 @@ TEST(Projection, ReversesDepthWithoutAFarPlane) {
     EXPECT_EQ(infinitelyFar.z / infinitelyFar.w, 0.0f);
 }
 
-TEST(CameraView, TakesTheFrameOfItsNodeWithoutScale) {
+TEST(CameraView, HasTheFrameOfItsNodeWithoutScale) {
     Scene scene;
     scene.nodes.resize(2);
     Transform parent;
@@ -108,7 +108,7 @@ TEST(CameraView, TakesTheFrameOfItsNodeWithoutScale) {
     EXPECT_EQ(view.nearPlane, 0.3f);
 }
 
-TEST(CameraView, StaysRigidUnderMirrorsShearAndSingularMatrices) {
+TEST(CameraView, IsRigidForMirroringShearAndSingularMatrices) {
     Scene scene;
     scene.nodes.resize(1);
     scene.cameras.emplace_back().node = 0;
@@ -116,11 +116,11 @@ TEST(CameraView, StaysRigidUnderMirrorsShearAndSingularMatrices) {
     shear[1] = {0.7f, 1.0f, 0.2f, 0.0f};
     glm::mat4 flat(1.0f);
     flat[2] = glm::vec4(0.0f);
-    glm::mat4 nothing(0.0f);
-    nothing[3] = {1.0f, 2.0f, 3.0f, 1.0f};
+    glm::mat4 zero(0.0f);
+    zero[3] = {1.0f, 2.0f, 3.0f, 1.0f};
     glm::mat4 tiny = glm::scale(glm::mat4(1.0f), glm::vec3(1e-30f));
     for (const glm::mat4& matrix :
-         {glm::scale(glm::mat4(1.0f), glm::vec3(-1.0f, 1.0f, 1.0f)), shear, flat, nothing, tiny}) {
+         {glm::scale(glm::mat4(1.0f), glm::vec3(-1.0f, 1.0f, 1.0f)), shear, flat, zero, tiny}) {
         scene.nodes[0].transform = matrix;
         const CameraView view = cameraView(scene, 0, worldTransforms(scene));
         expectRigid(view.worldFromCamera);
@@ -135,7 +135,7 @@ TEST(CameraView, WithoutANodeIsTheWorldsFrame) {
     EXPECT_EQ(cameraView(scene, 0, {}).worldFromCamera, glm::mat4(1.0f));
 }
 
-TEST(FrameBounds, ShowsTheWholeBoxInEveryShape) {
+TEST(FrameBounds, ContainsTheWholeBoxAtEveryAspectRatio) {
     const Bounds boxes[] = {
         {glm::vec3(-1.0f), glm::vec3(1.0f)},
         {{-100.0f, 0.0f, -100.0f}, {100.0f, 0.1f, 100.0f}},
@@ -149,18 +149,18 @@ TEST(FrameBounds, ShowsTheWholeBoxInEveryShape) {
             const CameraView view = frameBounds(box, aspect);
             expectRigid(view.worldFromCamera);
             EXPECT_FLOAT_EQ(view.verticalFov, pi / 4.0f);
-            float reach = 0.0f;
+            float maxExtent = 0.0f;
             for (int i = 0; i < 8; ++i) {
                 const glm::vec3 corner((i & 1) != 0 ? box.max.x : box.min.x,
                                        (i & 2) != 0 ? box.max.y : box.min.y,
                                        (i & 4) != 0 ? box.max.z : box.min.z);
-                const glm::vec3 seen = project(view, aspect, corner);
-                reach = std::max({reach, std::abs(seen.x), std::abs(seen.y)});
-                EXPECT_GT(seen.z, 0.0f) << "behind the eye";
-                EXPECT_LT(seen.z, 1.0f) << "before the near plane";
+                const glm::vec3 projected = project(view, aspect, corner);
+                maxExtent = std::max({maxExtent, std::abs(projected.x), std::abs(projected.y)});
+                EXPECT_GT(projected.z, 0.0f) << "behind the eye";
+                EXPECT_LT(projected.z, 1.0f) << "in front of the near plane";
             }
-            EXPECT_LT(reach, 1.0f);
-            EXPECT_GT(reach, 0.9f) << "the box is needlessly small";
+            EXPECT_LT(maxExtent, 1.0f);
+            EXPECT_GT(maxExtent, 0.9f) << "the box is needlessly small";
         }
     }
 }
@@ -172,16 +172,16 @@ TEST(FrameBounds, LooksFromTheFrontTheRightAndAbove) {
     EXPECT_GT(view.eye().y, 0.0f);
 }
 
-TEST(FrameBounds, OfAPointKeepsADistance) {
-    for (const float where : {0.0f, 1.0f, 1e9f}) {
-        const CameraView view = frameBounds({glm::vec3(where), glm::vec3(where)}, 1.0f);
+TEST(FrameBounds, OfAPointHasADistance) {
+    for (const float coordinate : {0.0f, 1.0f, 1e9f}) {
+        const CameraView view = frameBounds({glm::vec3(coordinate), glm::vec3(coordinate)}, 1.0f);
         expectRigid(view.worldFromCamera);
         EXPECT_GT(view.nearPlane, 0.0f);
-        EXPECT_LT(view.nearPlane, glm::distance(view.eye(), glm::vec3(where)));
+        EXPECT_LT(view.nearPlane, glm::distance(view.eye(), glm::vec3(coordinate)));
     }
 }
 
-TEST(FrameBounds, OfNothingIsTheDefaultView) {
+TEST(FrameBounds, OfAnEmptyBoxIsTheDefaultView) {
     const CameraView view = frameBounds({}, 1.0f);
     EXPECT_EQ(view.eye(), glm::vec3(0.0f, 0.0f, 5.0f));
     expectNear(-glm::vec3(view.worldFromCamera[2]), {0.0f, 0.0f, -1.0f}, rounding);

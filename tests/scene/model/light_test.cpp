@@ -65,7 +65,7 @@ Light spotAt(std::optional<std::uint32_t> node) {
     return light;
 }
 
-TEST(PlaceLights, NodeMovesAndRotatesButScalesNeitherRangeNorIntensity) {
+TEST(WorldLights, ANodeMovesAndRotatesALightButDoesNotScaleIt) {
     Transform trs;
     trs.translation = {10.0f, 0.0f, 0.0f};
     trs.rotation = glm::angleAxis(-pi / 2.0f, glm::vec3(1.0f, 0.0f, 0.0f));  // -Z to -Y, Y to -Z.
@@ -83,7 +83,7 @@ TEST(PlaceLights, NodeMovesAndRotatesButScalesNeitherRangeNorIntensity) {
     EXPECT_EQ(placed[0].outerConeAngle, 0.5f);
 }
 
-TEST(PlaceLights, ScaleDoesNotRotateADirection) {
+TEST(WorldLights, ScaleDoesNotRotateADirection) {
     Transform trs;
     trs.rotation = glm::angleAxis(0.7f, glm::normalize(glm::vec3(1.0f, 2.0f, 3.0f)));
     trs.scale = {9.0f, 1.0f, 0.1f};
@@ -95,7 +95,7 @@ TEST(PlaceLights, ScaleDoesNotRotateADirection) {
     expectNear(worldLights(scene, worldTransforms(scene))[0].direction, trs.rotation * light.direction);
 }
 
-TEST(PlaceLights, MirrorReversesADirection) {
+TEST(WorldLights, MirrorReversesADirection) {
     Scene scene = sceneWithNode(glm::scale(glm::mat4(1.0f), glm::vec3(-2.0f, 1.0f, 1.0f)));
     Light light = spotAt(0);
     light.direction = {1.0f, 0.0f, 0.0f};
@@ -103,7 +103,7 @@ TEST(PlaceLights, MirrorReversesADirection) {
     expectNear(worldLights(scene, worldTransforms(scene))[0].direction, {-1.0f, 0.0f, 0.0f});
 }
 
-TEST(PlaceLights, WithoutNodeOrRange) {
+TEST(WorldLights, WithoutNodeOrRange) {
     Scene scene;
     Light light;
     light.position = {1.0f, 2.0f, 3.0f};
@@ -115,7 +115,7 @@ TEST(PlaceLights, WithoutNodeOrRange) {
     EXPECT_EQ(placed.intensity, glm::vec3(1.0f));
 }
 
-TEST(PlaceLights, SingularNodeStillGivesADirection) {
+TEST(WorldLights, ASingularNodeGivesAUnitDirection) {
     Scene scene = sceneWithNode(glm::scale(glm::mat4(1.0f), glm::vec3(0.0f)));
     scene.lights.push_back(spotAt(0));
     EXPECT_NEAR(glm::length(worldLights(scene, worldTransforms(scene))[0].direction), 1.0f, rounding);
@@ -127,7 +127,7 @@ TEST(ScatterLights, StayInTheBoxWithTheGivenParameters) {
     std::vector<Light> lights(1);
     scatterLights(lights, hall, 1000, 2.5f, 8.0f);
     ASSERT_EQ(lights.size(), 1001u);
-    EXPECT_FALSE(lights[0].range) << "a light that was there has changed";
+    EXPECT_FALSE(lights[0].range) << "an existing light has changed";
     for (std::size_t i = 1; i < lights.size(); ++i) {
         const Light& light = lights[i];
         EXPECT_EQ(light.type, LightType::point);
@@ -161,7 +161,7 @@ TEST(ScatterLights, SeedsGiveOtherLights) {
     EXPECT_EQ(equal, 0);
 }
 
-TEST(ScatterLights, FillTheBoxEvenly) {
+TEST(ScatterLights, FillTheBoxUniformly) {
     std::vector<Light> lights;
     constexpr std::uint32_t count = 64000;
     scatterLights(lights, hall, count, 1.0f, 1.0f);
@@ -173,7 +173,8 @@ TEST(ScatterLights, FillTheBoxEvenly) {
         ++cells[cell(at.x)][cell(at.y)][cell(at.z)];
         color += glm::dvec3(light.color);
     }
-    // 1000 per cell; a fair draw deviates by more than 5 sigma (158) in one cell of 64 once in 27,000 seeds.
+    // 1000 per cell; a uniform distribution deviates by more than 5 sigma (158) in one cell of 64 once in
+    // 27,000 seeds.
     for (const auto& plane : cells) {
         for (const auto& row : plane) {
             for (const int n : row) EXPECT_NEAR(n, 1000, 158);
@@ -183,8 +184,8 @@ TEST(ScatterLights, FillTheBoxEvenly) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(color[i] / count, 0.5, 0.01);
 }
 
-// Frozen values: every machine and every version must scatter the same lights, bit for bit.
-TEST(ScatterLights, AreFrozen) {
+// Every machine and every version scatters the same lights, bit for bit.
+TEST(ScatterLights, AreTheSameInEveryVersion) {
     std::vector<Light> lights;
     scatterLights(lights, hall, 1000, 1.0f, 1.0f);
     std::uint64_t digest = 0xcbf29ce484222325u;  // FNV-1a over the bits.
@@ -212,7 +213,7 @@ TEST(ScatterLights, RefuseInvalidParameters) {
     EXPECT_TRUE(lights.empty());
 }
 
-TEST(ScatterLights, AMillionAreValidAndPlaced) {
+TEST(ScatterLights, AMillionAreValid) {
     Scene scene;
     scatterLights(scene.lights, hall, 1'000'000, 1.0f, 1.0f);
     validate(scene);

@@ -23,7 +23,7 @@ void expectNear(const glm::vec3& actual, const glm::vec3& expected) {
         << ' ' << expected.z;
 }
 
-// A triangle with two morph targets, on a node that stands at (0, 0, 7).
+// A triangle with two morph targets, on a node at (0, 0, 7).
 Scene morphed(std::vector<float> weights) {
     Scene scene;
     Cage cage;
@@ -129,7 +129,7 @@ TEST(PoseCage, OneWeightOverManyKeys) {
 }
 
 // An arm along x: a joint at the origin and one at (2, 0, 0). The vertex at x = 1 follows the first, that at
-// x = 3 on both alike, and that at x = 4 on the second.
+// x = 3 both equally, and that at x = 4 the second.
 Scene arm() {
     Scene scene;
     Cage cage;
@@ -152,12 +152,12 @@ Scene arm() {
     return scene;
 }
 
-void bendElbow(Scene& scene) {
+void rotateElbow(Scene& scene) {
     std::get<Transform>(scene.nodes[2].transform).rotation =
         glm::angleAxis(pi / 2.0f, glm::vec3(0.0f, 0.0f, 1.0f));  // X to Y.
 }
 
-TEST(PoseCage, ASkinAtRestLeavesTheCageAndIgnoresItsNode) {
+TEST(PoseCage, ASkinAtRestHasNoEffectAndIgnoresTheNode) {
     const Scene scene = arm();
     const PosedCage posed = posedAt(scene, 0.0);
     expectPoints(posed, scene.cages[0].positions);
@@ -166,23 +166,23 @@ TEST(PoseCage, ASkinAtRestLeavesTheCageAndIgnoresItsNode) {
 
 TEST(PoseCage, JointsMoveVerticesByTheirWeights) {
     Scene scene = arm();
-    bendElbow(scene);
-    // Around (2, 0, 0): x = 4 comes to (2, 2, 0), x = 3 to (2, 1, 0), which counts by half.
+    rotateElbow(scene);
+    // Rotated about (2, 0, 0), x = 4 moves to (2, 2, 0) and x = 3 to (2, 1, 0), the latter with weight 0.5.
     expectPoints(posedAt(scene, 0.0), {{1, 0, 0}, {2.5, 0.5, 0}, {2, 2, 0}});
     std::get<Transform>(scene.nodes[1].transform).translation = {0.0f, 10.0f, 0.0f};
     expectPoints(posedAt(scene, 0.0), {{1, 10, 0}, {2.5, 10.5, 0}, {2, 12, 0}});
 }
 
-TEST(PoseCage, RoundedWeightsDoNotPullToTheOrigin) {
+TEST(PoseCage, RoundedWeightsAreNormalized) {
     Scene scene = arm();
     for (float& weight : scene.cages[0].jointWeights) weight *= 0.995f;
     std::get<Transform>(scene.nodes[1].transform).translation = {0.0f, 10.0f, 0.0f};
     expectPoints(posedAt(scene, 0.0), {{1, 10, 0}, {3, 10, 0}, {4, 10, 0}});
 }
 
-TEST(PoseCage, MorphTargetsComeBeforeTheSkin) {
+TEST(PoseCage, MorphTargetsApplyBeforeTheSkin) {
     Scene scene = arm();
-    bendElbow(scene);
+    rotateElbow(scene);
     scene.cages[0].morphTargets.push_back({{{0, 0, 1}, {0, 0, 1}, {2, 0, 0}}});
     scene.nodes[0].cage->morphWeights = {0.5f};
     // The last vertex moves to x = 5 before it is rotated.
@@ -212,14 +212,14 @@ TEST(WorldBounds, EnclosePosedCages) {
     expectNear(after.min, {0, 0, 7});
     expectNear(after.max, {2, 4, 15});
 
-    Scene bent = arm();
-    bendElbow(bent);
-    const Bounds box = worldBounds(bent, worldTransforms(bent));
+    Scene rotated = arm();
+    rotateElbow(rotated);
+    const Bounds box = worldBounds(rotated, worldTransforms(rotated));
     expectNear(box.min, {1, 0, 0});
     expectNear(box.max, {2.5, 2, 0});
 }
 
-TEST(TriangleCount, LeavesCagesOut) {
+TEST(TriangleCount, ExcludesCages) {
     EXPECT_EQ(triangleCount(arm()), 0u);
 }
 

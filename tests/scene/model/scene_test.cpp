@@ -82,19 +82,19 @@ TEST(WorldBounds, EncloseMeshesOfNodes) {
     scene.nodes.resize(3);
     scene.nodes[0].mesh = 0;
     scene.nodes[1].mesh = 0;
-    Transform turned;
-    turned.translation = {10.0f, 0.0f, -1.0f};
-    turned.rotation = glm::angleAxis(pi / 4.0f, glm::vec3(0.0f, 0.0f, 1.0f));
-    scene.nodes[1].transform = turned;
-    scene.nodes[2].transform = glm::translate(glm::mat4(1.0f), glm::vec3(1000.0f));  // Shows nothing.
+    Transform rotated;
+    rotated.translation = {10.0f, 0.0f, -1.0f};
+    rotated.rotation = glm::angleAxis(pi / 4.0f, glm::vec3(0.0f, 0.0f, 1.0f));
+    scene.nodes[1].transform = rotated;
+    scene.nodes[2].transform = glm::translate(glm::mat4(1.0f), glm::vec3(1000.0f));  // Without a mesh.
     const Bounds bounds = worldBounds(scene, worldTransforms(scene));
-    // Rotated by 45 degrees, (2, 0) comes to (√2, √2): the box is that of the vertices, not of a rotated box.
+    // Rotated by 45 degrees, (2, 0) moves to (√2, √2): the box is that of the vertices, not of a rotated box.
     const float root = std::sqrt(2.0f);
     expectNear(bounds.min, {0.0f, 0.0f, -1.0f});
     expectNear(bounds.max, {10.0f + root, root, 0.0f});
 }
 
-TEST(WorldBounds, OfNothingAreEmpty) {
+TEST(WorldBounds, OfAnEmptySceneAreEmpty) {
     Scene scene;
     EXPECT_TRUE(worldBounds(scene, {}).empty());
     scene.meshes.emplace_back();
@@ -110,7 +110,7 @@ TEST(TriangleCount, CountsEveryInstance) {
     scene.meshes.push_back(triangle());
     scene.meshes[1].indices = {0, 1, 2, 0, 2, 1};
     scene.meshes[1].submeshes = {{0, 3, {}}, {3, 3, {}}};
-    EXPECT_EQ(triangleCount(scene), 0u) << "no node shows a mesh";
+    EXPECT_EQ(triangleCount(scene), 0u) << "no node has a mesh";
     scene.nodes.resize(4);
     scene.nodes[0].mesh = 0;
     scene.nodes[1].mesh = 1;

@@ -10,7 +10,7 @@
 
 namespace candela {
 
-/// A change that breaks one rule, and the whole message that has to come of it.
+/// A change that breaks one rule, and the expected message.
 struct BrokenRule {
     const char* message;
     std::function<void(Scene&)> breakIt;
@@ -22,7 +22,7 @@ inline void expectMessages(const Scene& sample, const std::vector<BrokenRule>& r
         rule.breakIt(scene);
         try {
             validate(scene);
-            ADD_FAILURE() << "nothing was thrown where this was due: " << rule.message;
+            ADD_FAILURE() << "nothing was thrown, expected: " << rule.message;
         } catch (const Error& error) {
             EXPECT_STREQ(error.what(), rule.message);
             EXPECT_EQ(error.kind(), ErrorKind::badInput);

@@ -86,7 +86,7 @@ void corruptMotion(Cage& cage, FuzzInput& fuzz) {
     }
 }
 
-void corruptShown(Node& node, FuzzInput& fuzz) {
+void corruptInstance(Node& node, FuzzInput& fuzz) {
     if (!node.cage) node.cage.emplace();
     switch (fuzz.below(3)) {
         case 0:
@@ -150,7 +150,7 @@ Scene randomScene(FuzzInput& fuzz) {
                 corruptMotion(fuzz.pick(scene.cages), fuzz);
                 break;
             case 3:
-                corruptShown(fuzz.pick(scene.nodes), fuzz);
+                corruptInstance(fuzz.pick(scene.nodes), fuzz);
                 break;
             case 4:
                 corruptSkin(scene.skins[0], fuzz);
@@ -172,15 +172,15 @@ bool isValid(const Scene& scene) {
     }
 }
 
-void expectNearPlaces(const Scene& scene) {
+void expectPositionsInRange(const Scene& scene) {
     const std::vector<glm::mat4> world = worldTransforms(scene);
     for (std::uint32_t node = 0; node < scene.nodes.size(); ++node) {
         if (!scene.nodes[node].cage) continue;
         const PosedCage posed = poseCage(scene, node, world);
         ASSERT_EQ(posed.points.size(), scene.cages[scene.nodes[node].cage->cage].positions.size());
         for (const glm::vec3& point : posed.points) {
-            const glm::vec3 place(posed.worldFromPoints * glm::vec4(point, 1.0f));
-            for (int axis = 0; axis < 3; ++axis) ASSERT_LE(std::abs(place[axis]), 1e9f);
+            const glm::vec3 position(posed.worldFromPoints * glm::vec4(point, 1.0f));
+            for (int axis = 0; axis < 3; ++axis) ASSERT_LE(std::abs(position[axis]), 1e9f);
         }
     }
     ASSERT_TRUE(allFinite(frameBounds(worldBounds(scene, world), 1.5f).worldFromCamera));
@@ -190,11 +190,12 @@ void expectValidPolygons(const Cage& cage) {
     const RefinedCage polygons = cagePolygons(cage);
     for (const std::uint32_t vertex : polygons.faceVertices) ASSERT_LT(vertex, polygons.vertexCount());
     for (const std::uint32_t face : polygons.cageFaces) ASSERT_LT(face, cage.faceSizes.size());
-    for (const std::uint32_t point : polygons.positions.columns) ASSERT_LT(point, cage.positions.size());
-    for (const std::uint32_t uv : polygons.uvs.columns) ASSERT_LT(uv, cage.uvs.size());
+    for (const std::uint32_t point : polygons.positions.controlIndices)
+        ASSERT_LT(point, cage.positions.size());
+    for (const std::uint32_t uv : polygons.uvs.controlIndices) ASSERT_LT(uv, cage.uvs.size());
 }
 
-// What validation lets through can be posed at any time and drawn as polygons, and never crashes.
+// Scenes that pass validation can be posed at any time and drawn as polygons.
 TEST(CageFuzz, ValidCagesAreUsableAndOthersAreRefused) {
     std::uint32_t valid = 0;
     const std::uint32_t rounds = candela_test::fuzzIterations<std::uint32_t>(20'000);
@@ -203,14 +204,14 @@ TEST(CageFuzz, ValidCagesAreUsableAndOthersAreRefused) {
         const Scene scene = randomScene(fuzz);
         if (!isValid(scene)) continue;
         ++valid;
-        expectNearPlaces(scene);
+        expectPositionsInRange(scene);
         for (const Cage& cage : scene.cages) expectValidPolygons(cage);
         for (const double time : {-1e300, 0.25, 1e300}) {
             worldBounds(scene, worldTransforms(scene, time), time);
         }
         if (HasFatalFailure()) FAIL() << "seed " << seed;
     }
-    // The test means something only if both ways are taken often.
+    // The scenes have to exercise both outcomes.
     EXPECT_GT(valid, rounds / 20);
     EXPECT_LT(valid, rounds * 19 / 20);
 }

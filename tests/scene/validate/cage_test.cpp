@@ -22,20 +22,20 @@ TEST(ValidateCage, AcceptsValidCages) {
     Scene scene = sampleCageScene();
     scene.cages.emplace_back();  // Without a face.
     scene.nodes[4].cage->cage = 2;
-    scene.cages[0].jointWeights[1] = 0.246f;  // What 8-bit weights come to.
+    scene.cages[0].jointWeights[1] = 0.246f;  // As from 8-bit weights.
     scene.cages[0].creases[0].sharpness = 0.0f;
     scene.cages[0].holes = {0, 1, 2, 3, 4, 5};
-    scene.nodes[0].cage->skin.reset();  // The joints move nothing then.
+    scene.nodes[0].cage->skin.reset();  // The joints are not used then.
     EXPECT_NO_THROW(validate(scene));
 }
 
-TEST(ValidateCage, EveryPolygonMayHaveItsOwnSize) {
+TEST(ValidateCage, PolygonsMayHaveDifferentSizes) {
     Scene scene;
     Cage cage;
     cage.positions = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {-1, 0, 1}};
     cage.faceSizes = {5, 3};
     cage.faceVertices = {0, 1, 2, 3, 4, 0, 4, 5};
-    cage.creases = {{0, 4, 1.0f}, {0, 5, 1.0f}};  // The last edge of a face counts too.
+    cage.creases = {{0, 4, 1.0f}, {0, 5, 1.0f}};  // Including the last edge of a face.
     scene.cages.push_back(cage);
     EXPECT_NO_THROW(validate(scene));
 }
@@ -170,7 +170,7 @@ TEST(ValidateCage, Skins) {
     });
 }
 
-TEST(ValidateCage, NodesThatShowCages) {
+TEST(ValidateCage, CageInstances) {
     expectMessages({
         {"node 4 'camp': refers to cage 2, but the scene has 2 (counted from 0)",
          [](Scene& s) { s.nodes[4].cage->cage = 2; }},
@@ -191,36 +191,35 @@ TEST(ValidateCage, NodesThatShowCages) {
 
 TEST(ValidateCage, AnimatedMorphWeights) {
     expectMessages({
-        {"animation 0 'talk': channel 1: its node shows no cage with morph targets",
+        {"animation 0 'motion': channel 1: its node has no cage with morph targets",
          [](Scene& s) { s.animations[0].channels[1].node = 1; }},
-        {"animation 0 'talk': channel 1: its node shows no cage with morph targets",
+        {"animation 0 'motion': channel 1: its node has no cage with morph targets",
          [](Scene& s) { s.animations[0].channels[1].node = 4; }},
-        {"animation 0 'talk': channel 1: its node is placed by a matrix, which can not be animated",
+        {"animation 0 'motion': channel 1: its node has a matrix, which cannot be animated",
          [](Scene& s) { s.animations[0].channels[1].path = AnimationPath::scale; }},
-        {"animation 0 'talk': channel 1: the number of its values does not fit the number of its keys",
+        {"animation 0 'motion': channel 1: the number of its values does not fit the number of its keys",
          [](Scene& s) { s.animations[0].channels[1].values.pop_back(); }},
-        {"animation 0 'talk': channel 2: the number of its values does not fit the number of its keys",
+        {"animation 0 'motion': channel 2: the number of its values does not fit the number of its keys",
          [](Scene& s) { s.animations[0].channels[2].interpolation = Interpolation::step; }},
-        {"animation 0 'talk': channel 1: its values must be finite numbers of at most 1e9",
+        {"animation 0 'motion': channel 1: its values must be finite numbers of at most 1e9",
          [](Scene& s) { s.animations[0].channels[1].values[3] = 2e9f; }},
-        {"animation 0 'talk': channel 1: its times must be strictly increasing",
+        {"animation 0 'motion': channel 1: its times must be strictly increasing",
          [](Scene& s) {
              s.animations[0].channels[1].times = {1.0f, 0.0f};
          }},
     });
 }
 
-TEST(ValidateCage, PlacesInTheWorld) {
+TEST(ValidateCage, WorldPositions) {
     const char* statue =
-        "node 3 'statue': cage 0 'hull' stands farther than 1e9 metres from the world's origin, or at no "
-        "finite place";
+        "node 3 'statue': cage 0 'hull' is farther than 1e9 metres from the world's origin, or its position "
+        "is not finite";
     const char* body =
-        "node 0 'body': cage 0 'hull' stands farther than 1e9 metres from the world's origin, or at no "
-        "finite "
-        "place";
+        "node 0 'body': cage 0 'hull' is farther than 1e9 metres from the world's origin, or its position is "
+        "not finite";
     expectMessages({
-        {"node 4 'camp': cage 1 'tent' stands farther than 1e9 metres from the world's origin, or at no "
-         "finite place",
+        {"node 4 'camp': cage 1 'tent' is farther than 1e9 metres from the world's origin, or its position "
+         "is not finite",
          [](Scene& s) { std::get<Transform>(s.nodes[4].transform).translation.z = 2e9f; }},
         {statue, [](Scene& s) { std::get<glm::mat4>(s.nodes[3].transform)[3][0] = 1.1e9f; }},
         // By its morph targets, as animated at time 0.
@@ -230,7 +229,7 @@ TEST(ValidateCage, PlacesInTheWorld) {
              s.animations[0].channels[1].values[1] = 1.0f;
              s.animations[0].channels[2].values[3] = 0.0f;
          }},
-        // By its joints, wherever its node stands.
+        // By its joints, independent of its node.
         {body, [](Scene& s) { std::get<Transform>(s.nodes[1].transform).translation.x = 2e9f; }},
         {body, [](Scene& s) { s.skins[0].inverseBindMatrices[0][3].y = 3e38f; }},
         {body,
@@ -243,7 +242,7 @@ TEST(ValidateCage, PlacesInTheWorld) {
     });
     Scene scene = sampleCageScene();
     std::get<Transform>(scene.nodes[0].transform).translation.x = 1e12f;
-    EXPECT_NO_THROW(validate(scene)) << "a skinned cage does not stand where its node is";
+    EXPECT_NO_THROW(validate(scene)) << "the node's transform does not apply to a skinned cage";
 }
 
 }  // namespace

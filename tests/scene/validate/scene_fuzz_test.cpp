@@ -183,7 +183,7 @@ bool isValid(const Scene& scene) {
     }
 }
 
-// What validation lets through gives finite places, at any time, and never crashes.
+// Scenes that pass validation give finite positions at any time.
 void expectUsable(const Scene& scene) {
     const std::vector<glm::mat4> atStart = worldTransforms(scene);
     for (const glm::mat4& matrix : atStart) ASSERT_TRUE(allFinite(matrix));
@@ -209,7 +209,7 @@ TEST(SceneFuzz, ValidScenesAreUsableAndOthersAreRefused) {
         expectUsable(scene);
         if (HasFatalFailure()) FAIL() << "seed " << seed;
     }
-    // The test means something only if both ways are taken often.
+    // The scenes have to exercise both outcomes.
     EXPECT_GT(valid, rounds / 20);
     EXPECT_LT(valid, rounds * 19 / 20);
 }

@@ -32,7 +32,7 @@ TEST(Validate, Images) {
     expectMessages({
         {size, [](Scene& s) { s.images[0].width = 0; }},
         {size, [](Scene& s) { s.images[0].height = 32769; }},
-        {"image 0 'bricks': holds 8 bytes of pixels, but its size asks for 16",
+        {"image 0 'bricks': holds 8 bytes of pixels, but its size requires 16",
          [](Scene& s) { s.images[0].height = 2; }},
         {"image 0 'bricks': its pixel format is unknown",
          [](Scene& s) { s.images[0].format = unknown<PixelFormat>(); }},
@@ -139,7 +139,7 @@ TEST(Validate, MeshIndicesAndSubmeshes) {
          [](Scene& s) { s.meshes[0].submeshes[0].indexCount = 2; }},
         {"mesh 0 'wheel': a submesh ends at index 9, but there are 6",
          [](Scene& s) { s.meshes[0].submeshes[1].indexCount = 6; }},
-        // 2^32 - 1 is a multiple of 3: the sum must not wrap round.
+        // 2^32 - 1 is a multiple of 3: the sum must not overflow.
         {"mesh 0 'wheel': a submesh ends at index 4294967298, but there are 6",
          [](Scene& s) { s.meshes[0].submeshes[1].indexCount = 4294967295u; }},
         {"mesh 0 'wheel': refers to material 1, but the scene has 1 (counted from 0)",
@@ -229,7 +229,7 @@ TEST(Validate, Animations) {
     expectMessages({
         {"animation 0 'walk': refers to node 3, but the scene has 3 (counted from 0)",
          [](Scene& s) { s.animations[0].channels[0].node = 3; }},
-        {"animation 0 'walk': channel 0: its node is placed by a matrix, which can not be animated",
+        {"animation 0 'walk': channel 0: its node has a matrix, which cannot be animated",
          [](Scene& s) { s.animations[0].channels[0].node = 2; }},
         {"animation 0 'walk': channel 1: its path must be translation, rotation, scale or morph weights",
          [](Scene& s) { s.animations[0].channels[1].path = unknown<AnimationPath>(); }},
@@ -256,14 +256,14 @@ TEST(Validate, Animations) {
     });
 }
 
-TEST(Validate, PlacesInTheWorld) {
+TEST(Validate, WorldPositions) {
     expectMessages({
-        {"node 0 'root': mesh 0 'wheel' stands farther than 1e9 metres from the world's origin, or at no "
-         "finite place",
+        {"node 0 'root': mesh 0 'wheel' is farther than 1e9 metres from the world's origin, or its position "
+         "is not finite",
          [](Scene& s) { std::get<Transform>(s.nodes[0].transform).translation.x = 1.1e9f; }},
-        {"light 0 'bulb': stands farther than 1e9 metres from the world's origin, or at no finite place",
+        {"light 0 'bulb': is farther than 1e9 metres from the world's origin, or its position is not finite",
          [](Scene& s) { s.lights[0].position.y = -2e9f; }},
-        {"camera 0 'main': stands farther than 1e9 metres from the world's origin, or at no finite place",
+        {"camera 0 'main': is farther than 1e9 metres from the world's origin, or its position is not finite",
          [](Scene& s) {
              s.lights[1].node.reset();
              std::get<glm::mat4>(s.nodes[2].transform)[3][2] = 3e9f;
@@ -276,17 +276,17 @@ TEST(Validate, PlacesInTheWorld) {
     });
 }
 
-// The limit holds for the vertices, not for the box that stands for them.
-TEST(Validate, PlacesAreThoseOfTheVertices) {
+// The limit applies to the vertices, not to their bounding box.
+TEST(Validate, WorldPositionsAreThoseOfTheVertices) {
     Scene scene = sampleScene();
     scene.nodes.resize(1);
     scene.cameras.clear();
     scene.lights.clear();
     scene.animations.clear();
     scene.meshes[0].positions = {{0, 0, 0}, {1.2e9f, 0, 0}, {0, 1.2e9f, 0}, {0, 0, 0}};
-    Transform turned;
-    turned.rotation = glm::angleAxis(pi / 4.0f, glm::vec3(0.0f, 0.0f, 1.0f));
-    scene.nodes[0].transform = turned;  // The vertices come to 0.85e9, the corner of the box to 1.7e9.
+    Transform rotated;
+    rotated.rotation = glm::angleAxis(pi / 4.0f, glm::vec3(0.0f, 0.0f, 1.0f));
+    scene.nodes[0].transform = rotated;  // The vertices move to 0.85e9, the corner of the box to 1.7e9.
     EXPECT_NO_THROW(validate(scene));
 }
 
@@ -295,12 +295,12 @@ TEST(Validate, AcceptsUnusualValidScenes) {
     scene.nodes[2].transform = glm::scale(glm::mat4(1.0f), glm::vec3(0.0f));  // Singular.
     scene.meshes.emplace_back();                                              // Without a vertex.
     scene.nodes[1].mesh = 1;
-    scene.meshes[0].normals[0] = {0.0f, 0.0f, 0.994f};  // What 8-bit normals come to.
+    scene.meshes[0].normals[0] = {0.0f, 0.0f, 0.994f};  // As from 8-bit normals.
     scene.lights[1].outerConeAngle = pi / 2.0f;
     scene.lights[0].range.reset();
-    scene.lights[0].direction = glm::vec3(0.0f);  // A point light has none.
+    scene.lights[0].direction = glm::vec3(0.0f);  // A point light does not use it.
     scene.materials.push_back(scene.materials[0]);
-    scene.materials[1].baseColorTexture->uvSet = 1;  // No mesh uses it.
+    scene.materials[1].baseColorTexture->uvSet = 1;  // Not used by a mesh.
     EXPECT_NO_THROW(validate(scene));
 }
 

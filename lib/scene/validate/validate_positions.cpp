@@ -11,7 +11,7 @@ namespace candela {
 namespace {
 
 constexpr const char* tooFar =
-    "stands farther than 1e9 metres from the world's origin, or at no finite place";
+    "is farther than 1e9 metres from the world's origin, or its position is not finite";
 
 bool isNear(const glm::vec3& position) {
     for (int i = 0; i < 3; ++i) {
@@ -60,7 +60,7 @@ class BoxedPoints {
     Bounds box_;
 };
 
-void validateMeshPlaces(const Scene& scene, const std::vector<glm::mat4>& world) {
+void validateMeshPositions(const Scene& scene, const std::vector<glm::mat4>& world) {
     std::vector<BoxedPoints> meshes;
     meshes.reserve(scene.meshes.size());
     for (const Mesh& mesh : scene.meshes) meshes.emplace_back(mesh.positions);
@@ -72,7 +72,7 @@ void validateMeshPlaces(const Scene& scene, const std::vector<glm::mat4>& world)
     }
 }
 
-void validateCagePlaces(const Scene& scene, const std::vector<glm::mat4>& world) {
+void validateCagePositions(const Scene& scene, const std::vector<glm::mat4>& world) {
     std::vector<BoxedPoints> cages;
     cages.reserve(scene.cages.size());
     for (const Cage& cage : scene.cages) cages.emplace_back(cage.positions);
@@ -93,14 +93,14 @@ void validateCagePlaces(const Scene& scene, const std::vector<glm::mat4>& world)
 
 }  // namespace
 
-void validatePlaces(const Scene& scene) {
+void validatePositions(const Scene& scene) {
     const std::vector<glm::mat4> world = worldTransforms(scene);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         ErrorContext("node", i, scene.nodes[i].name)
             .require(allFinite(world[i]), "its matrix in the world is not finite");
     }
-    validateMeshPlaces(scene, world);
-    validateCagePlaces(scene, world);
+    validateMeshPositions(scene, world);
+    validateCagePositions(scene, world);
     const std::vector<WorldLight> lights = worldLights(scene, world);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const bool placed = lights[i].type == LightType::directional || isNear(lights[i].position);
