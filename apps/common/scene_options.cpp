@@ -32,8 +32,9 @@ constexpr const char* show =
     "wireframe, cage. Separated by commas, such as level,wireframe";
 
 constexpr const char* camera =
-    "A camera of the scene, by name or by number from 0. Default: the first one;\n"
-    "where there is none, one that frames the scene";
+    "A camera of the scene, by the name of its node, its own name or its number in\n"
+    "the file, from 0. Default: the first one; where there is none, one that frames\n"
+    "what is drawn and its whole motion";
 constexpr const char* eye = "Look from here instead, in metres, +Y up. Needs --target";
 constexpr const char* target = "Look at this point. Needs --eye";
 constexpr const char* fov =

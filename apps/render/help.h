@@ -15,9 +15,9 @@ constexpr const char* aov =
     "More channels for an .exr, separated by commas: Z, P, N, base_color, metallic,\n"
     "roughness, emission, light_count";
 constexpr const char* frames =
-    "Draw frames A to B of the scene's animation, 24 a second. A run of # in the\n"
-    "picture's name becomes the frame number; without one, out.png gives\n"
-    "out.0007.png";
+    "Draw frames of the scene's animation, 24 a second: A-B, A-BxSTEP, single\n"
+    "numbers, or several of these separated by commas. A run of # in the picture's\n"
+    "name becomes the frame number; without one, out.png gives out.0007.png";
 
 constexpr const char* device =
     "Draw on this device of --list devices, or on the software rasteriser.\n"

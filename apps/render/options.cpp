@@ -15,8 +15,6 @@
 
 namespace {
 
-constexpr int lastFrameNumber = 9'999'999;
-
 ListKind parseListKind(const std::string& text) {
     using enum ListKind;
     return parseWord("--list", text, std::array{plugins, devices, displays, views}, [](ListKind kind) {
@@ -33,16 +31,6 @@ PictureFormat parseFormat(const std::filesystem::path& output) {
     if (ending == ".png") return PictureFormat::png;
     if (ending == ".exr") return PictureFormat::exr;
     throw UsageError("-o \"" + output.string() + "\": expected a file name that ends in .png or .exr");
-}
-
-FrameRange parseFrames(const std::string& text) {
-    const std::size_t dash = text.find('-');
-    if (dash == text.npos) throw UsageError("--frames \"" + text + "\": expected FIRST-LAST, such as 0-47");
-    FrameRange range;
-    range.first = static_cast<int>(parseInteger("--frames", text.substr(0, dash), 0, lastFrameNumber));
-    range.last =
-        static_cast<int>(parseInteger("--frames", text.substr(dash + 1), range.first, lastFrameNumber));
-    return range;
 }
 
 std::vector<std::string> parseAovs(const std::string& text) {
@@ -66,8 +54,9 @@ void declarePicture(CLI::App& app, Options& options, std::optional<std::string>&
     app.add_option("-o,--output", options.output, help::output)->type_name("FILE")->group("Picture");
     app.add_option("--aov", aovs, help::aov)->type_name("all|LIST")->group("Picture");
     app.add_option_function<std::string>(
-           "--frames", [&](const std::string& text) { options.frames = parseFrames(text); }, help::frames)
-        ->type_name("A-B")
+           "--frames", [&](const std::string& text) { options.frames = FrameList::parse(text); },
+           help::frames)
+        ->type_name("LIST")
         ->group("Picture");
 }
 

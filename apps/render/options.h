@@ -4,6 +4,7 @@
 
 #include <candela/context.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,17 +13,39 @@
 enum class ListKind { plugins, devices, displays, views };
 enum class PictureFormat { png, exr };
 
-/// Frames `first` to `last`, both drawn.
-struct FrameRange {
-    int first = 0, last = 0;
+/// The frames of --frames, in the order in which they are drawn.
+class FrameList {
+  public:
+    /// "7", "0-47", "0-100x5" (every fifth), or several of these separated by commas. Throws `UsageError`.
+    static FrameList parse(const std::string& text);
+
+    std::uint64_t count() const { return count_; }
+    /// The frame at `index` (below `count`) of the list.
+    int operator[](std::uint64_t index) const;
+    int front() const { return runs_.front().first; }
+    int back() const { return (*this)[count_ - 1]; }
+
+  private:
+    struct Run {
+        int first = 0, step = 1;
+        std::uint64_t count = 1;
+    };
+    void add(const Run& run);
+
+    std::vector<Run> runs_;
+    std::uint64_t count_ = 0;
 };
+
+/// The file of a frame: the last run of # in the name of `output` becomes its number, which otherwise goes
+/// before the ending.
+std::filesystem::path framePath(const std::filesystem::path& output, int frame);
 
 /// The command line, checked as far as it can be without a file or a device.
 struct Options : SceneOptions {
     std::filesystem::path output = "candela.png";
     PictureFormat format = PictureFormat::png;
     std::vector<std::string> aovs;
-    std::optional<FrameRange> frames;
+    std::optional<FrameList> frames;   ///< None: one picture, without a number.
     std::optional<std::string> stats;  ///< A file, or "-" for standard output.
     candela::DeviceOptions device;
     bool quiet = false;

@@ -1,5 +1,6 @@
 #include "commands.h"
 
+#include "common/camera_selection.h"
 #include "common/output_file.h"
 #include "common/program.h"
 #include "common/scene_setup.h"
@@ -23,29 +24,6 @@ namespace {
 constexpr double framesPerSecond = 24.0;
 /// How often --stats draws and times a single frame.
 constexpr int statsDrawings = 5;
-/// Digits of a frame number in a name without #.
-constexpr std::size_t frameDigits = 4;
-
-std::string padded(int number, std::size_t digits) {
-    const std::string text = std::to_string(number);
-    return std::string(digits > text.size() ? digits - text.size() : 0, '0') + text;
-}
-
-/// The path of a frame's file. A run of '#' in the file's name becomes the frame number, padded with
-/// zeros; without one, and with more than one frame, the number precedes the extension.
-std::filesystem::path framePath(const std::filesystem::path& output, const FrameRange& frames, int frame) {
-    std::string name = output.filename().string();
-    const std::size_t last = name.find_last_of('#');
-    if (last != name.npos) {
-        const std::size_t before = name.find_last_not_of('#', last);
-        const std::size_t first = before == name.npos ? 0 : before + 1;
-        name.replace(first, last - first + 1, padded(frame, last - first + 1));
-        return output.parent_path() / name;
-    }
-    if (frames.first == frames.last) return output;
-    std::filesystem::path numbered = output;
-    return numbered.replace_extension("." + padded(frame, frameDigits) + output.extension().string());
-}
 
 using Clock = std::chrono::steady_clock;
 
@@ -61,15 +39,16 @@ struct Session {
         progress.clear();
         std::cerr << "note: " << text << "\n";
     }
-    FrameRange frames() const { return options.frames.value_or(FrameRange{}); }
+    std::uint64_t frameCount() const { return options.frames ? options.frames->count() : 1; }
+    int frame(std::uint64_t index) const { return options.frames ? (*options.frames)[index] : 0; }
     double timeOf(int frame) const { return options.time + frame / framesPerSecond; }
     std::filesystem::path pathOf(int frame) const {
-        return options.frames ? framePath(options.output, *options.frames, frame) : options.output;
+        return options.frames ? framePath(options.output, frame) : options.output;
     }
 };
 
 void checkOutputs(const Session& session) {
-    checkWritable(session.pathOf(session.frames().first));
+    checkWritable(session.pathOf(session.frame(0)));
     if (session.options.stats && *session.options.stats != "-") checkWritable(*session.options.stats);
 }
 
@@ -124,18 +103,19 @@ void noteLodClamped(Session& session, const candela::CageReport& report) {
 /// Draws frame after frame and writes each. Returns what the drawings took.
 std::vector<FrameTiming> drawFrames(Session& session, FrameWriter& frameWriter, candela::GpuScene& gpuScene,
                                     const candela::Scene& scene, const CameraSelection& views) {
-    const FrameRange frames = session.frames();
+    const std::uint64_t count = session.frameCount();
     std::vector<FrameTiming> timings;
-    for (int frame = frames.first; frame <= frames.last; ++frame) {
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const int frame = session.frame(i);
         const double time = session.timeOf(frame);
         const std::string name = session.pathOf(frame).string();
-        session.progress.show("drawing " + name + " (" + std::to_string(frame - frames.first + 1) + " of " +
-                              std::to_string(frames.last - frames.first + 1) + ")");
+        session.progress.show("drawing " + name + " (" + std::to_string(i + 1) + " of " +
+                              std::to_string(count) + ")");
         if (!scene.animations.empty()) gpuScene.setTime(time);
         const candela::CameraView view = views.at(time);
-        if (session.options.stats && frame == frames.first) frameWriter.draw(view);  // compiles and allocates
+        if (session.options.stats && i == 0) frameWriter.draw(view);  // compiles and allocates
         const int drawings = session.options.stats && !session.options.frames ? statsDrawings : 1;
-        for (int i = 0; i < drawings; ++i) timings.push_back(frameWriter.draw(view));
+        for (int drawn = 0; drawn < drawings; ++drawn) timings.push_back(frameWriter.draw(view));
         session.progress.show("writing " + name);
         frameWriter.write(session.pathOf(frame));
     }
@@ -151,10 +131,10 @@ void writeStats(Session& session, const Stats& stats) {
 }
 
 std::string resultLine(const Session& session, const Stats& stats, double seconds) {
-    const FrameRange frames = session.frames();
+    const std::uint64_t count = session.frameCount();
     std::ostringstream text;
-    text << "wrote " << session.pathOf(frames.first).string();
-    if (frames.first != frames.last) text << " to " << session.pathOf(frames.last).filename().string();
+    text << "wrote " << session.pathOf(session.frame(0)).string();
+    if (count > 1) text << " to " << session.pathOf(session.frame(count - 1)).filename().string();
     text << ": " << session.options.scene << ", " << stats.width << "x" << stats.height << ", "
          << stats.lights << (stats.lights == 1 ? " light" : " lights") << ", "
          << candela::toString(stats.technique) << " on " << stats.renderer << ", in " << std::fixed
@@ -174,7 +154,7 @@ void renderFrames(const Options& options) {
 
     const candela::PluginRegistry plugins(options.pluginFolders);
     const candela::Scene scene = readScene(session, plugins);
-    const CameraSelection views(scene, options, session.timeOf(session.frames().first));
+    const CameraSelection views(scene, options, [&] { return framedBox(scene); });
 
     session.progress.show("preparing the scene for drawing");
     const candela::Context context = candela::Context::createHeadless(options.device);

@@ -270,9 +270,6 @@ void Application::advanceTime() {
     lastStep_ = now;
     if (!model_.document) return;
     if (model_.playing) model_.options.time += seconds;
-    // A view that frames the scene would swim with what moves in it.
-    if (timeAdvances() && !model_.options.eye && model_.document->scene().cameras.empty())
-        storeCamera(model_);
     guarded([this] { model_.document->setTime(model_.options.time); });
 }
 

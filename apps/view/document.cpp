@@ -1,5 +1,6 @@
 #include "document.h"
 
+#include "common/camera_selection.h"
 #include "common/scene_setup.h"
 
 #include <algorithm>
@@ -152,4 +153,9 @@ candela::Bounds Document::bounds(std::uint32_t node) const {
         if (inside[i]) box.add(candela::nodeBounds(scene_, i, world, time_));
     }
     return box;
+}
+
+const candela::Bounds& Document::framedBox() {
+    if (!framedBox_) framedBox_ = ::framedBox(scene_);
+    return *framedBox_;
 }

@@ -8,6 +8,7 @@
 #include <candela/scene.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,8 @@ class Document {
     /// The world-space box of what node `node` shows, its children included; of the whole scene without one.
     candela::Bounds bounds() const;
     candela::Bounds bounds(std::uint32_t node) const;
+    /// What the automatic camera frames.
+    const candela::Bounds& framedBox();
 
   private:
     void showLights();
@@ -75,6 +78,7 @@ class Document {
     std::size_t ownLights_;       ///< Of the scene's lights, those that were not scattered.
     std::size_t firstScattered_;  ///< Of the resting lights.
     LightMotion motion_;
+    std::optional<candela::Bounds> framedBox_;  ///< Once it is asked for.
     std::vector<bool> changedMaterials_;
     bool lightsTaken_ = false;    ///< The device has the lights that the window places, not the scene's own.
     bool lightsChanged_ = false;  ///< By the user: nodes no longer move them.

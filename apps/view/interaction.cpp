@@ -1,6 +1,6 @@
 #include "interaction.h"
 
-#include "common/scene_setup.h"
+#include "common/camera_selection.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -92,7 +92,9 @@ bool clicked(const ImGuiIO& io) {
 }  // namespace
 
 candela::CameraView selectedView(const ViewModel& model) {
-    return CameraSelection(model.document->scene(), model.options, model.options.time).at(model.options.time);
+    const CameraSelection selection(model.document->scene(), model.options,
+                                    [&] { return model.document->framedBox(); });
+    return selection.at(model.options.time);
 }
 
 void loadCamera(ViewModel& model) {
@@ -119,7 +121,7 @@ void storeCamera(ViewModel& model) {
 }
 
 void selectSceneCamera(ViewModel& model, std::uint32_t index) {
-    model.options.camera = std::to_string(index);
+    model.options.camera = cameraText(model.document->scene(), index);
     model.options.eye.reset();
     model.options.verticalFov.reset();
     loadCamera(model);

@@ -11,12 +11,15 @@
 
 namespace candela {
 
-/// A perspective camera of a scene. It looks along -Z of its node's frame with +Y up.
+/// A camera of a scene. It looks along -Z of its node's frame with +Y up.
 struct Camera {
-    std::string name;
-    float verticalFov = 0.785398f;      ///< Radians, over 0 and under pi; default 45 degrees.
-    float nearPlane = 0.01f;            ///< Metres, over 0. The far plane is at infinity.
+    std::string name;               ///< The camera's own; its node may have another one.
+    float verticalFov = 0.785398f;  ///< Radians, over 0 and under pi; default 45 degrees.
+    std::optional<float> nearPlane =
+        {};                             ///< Metres, over 0. None: `defaultNearPlane` of what the scene shows.
     std::optional<std::uint32_t> node;  ///< Index into `Scene::nodes`; none: the world's frame.
+    /// The camera's number in its file, by which a user may name it. None: its index in `Scene::cameras`.
+    std::optional<std::uint32_t> number = {};
 };
 
 /// A camera in world space, which a picture is rendered from.

@@ -227,10 +227,13 @@ typedef struct candela_cage_instance {
 
 typedef struct candela_camera {
     uint32_t struct_size;
-    const char* name;
+    const char* name;   /* the camera's own, not that of its node */
     float vertical_fov; /* radians, over 0 and under pi */
-    float near_plane;   /* metres, over 0; 0 for the host's default. The far plane is at infinity. */
+    float near_plane;   /* metres, over 0; 0: the size of the scene decides. The far plane is at infinity. */
     int32_t node;       /* index of an added node that places the camera, -1: the camera is in world space */
+    uint32_t unused;    /* padding of version 1.0, which is not read */
+    /* since 1.3 */
+    uint32_t number; /* 1 + the number by which a user finds the camera in the file; 0: its index */
 } candela_camera;
 
 typedef enum candela_light_type {

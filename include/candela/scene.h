@@ -65,16 +65,28 @@ struct PosedCage {
 CANDELA_API PosedCage poseCage(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
                                double time = 0.0);
 
-/// The world-space box around the mesh and the cage that node `node` itself shows at `time`; `world` comes
-/// from `worldTransforms` of that time. A limit surface lies within the box of its cage. Empty for a node
-/// that shows neither. Throws `Error` (badInput) as `poseCage`.
+/// The world-space box around the triangles and cage faces that node `node` itself shows at `time`; `world`
+/// comes from `worldTransforms` of that time. A limit surface lies within the box of its cage. Vertices that
+/// no face uses do not count. Empty for a node that shows nothing, as one whose matrix flattens everything to
+/// a line or a point. Throws `Error` (badInput) as `poseCage`.
 CANDELA_API Bounds nodeBounds(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
                               double time = 0.0);
 
-/// The world-space box around all meshes and cages as their nodes place them at `time`; `world` comes from
-/// `worldTransforms` of that time. A limit surface lies within the box of its cage. Throws `Error` (badInput)
-/// as `nodeBounds`.
+/// The world-space box around the `nodeBounds` of all nodes. Throws `Error` (badInput) as `nodeBounds`.
 CANDELA_API Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& world, double time = 0.0);
+
+/// The world-space box that a picture of the whole scene has to hold: around what `worldBounds` encloses,
+/// from the first to the last key of the animations, without outliers. Outliers are vertices beside which the
+/// others would be a hundredth of the picture: the shortest intervals that hold more than half of the
+/// vertices along each axis grow by every vertex that lies within 100 times their largest length, and what is
+/// not reached is left out. Motion is sampled at keys and between them. Throws `Error` (badInput) as
+/// `worldTransforms` and `nodeBounds`.
+CANDELA_API Bounds framingBounds(const Scene& scene);
+
+/// The near plane, metres, of a view that shows `bounds` where nothing states one: a hundredth of the box's
+/// diagonal, at most 0.01; 0.01 for an empty box or one of no size. Throws `Error` (badInput) when a box that
+/// is not empty is not finite.
+CANDELA_API float defaultNearPlane(const Bounds& bounds);
 
 /// The view of camera `index` of the scene. A camera ignores its node's scale, shear and mirroring. Throws
 /// `Error` (badInput) when there is no such camera, it breaks a rule of `validate`, or `world` does not have
@@ -82,10 +94,11 @@ CANDELA_API Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>&
 CANDELA_API CameraView cameraView(const Scene& scene, std::uint32_t index,
                                   const std::vector<glm::mat4>& world);
 
-/// A view in which all of `bounds` is seen, from the front, a little to the right and above, 45 degrees high;
-/// `aspect` is width over height. An empty box gives a view from (0, 0, 5) to the origin. Throws `Error`
-/// (badInput) when `aspect` is not finite and over 0, or a box that is not empty is not finite.
-CANDELA_API CameraView frameBounds(const Bounds& bounds, float aspect);
+/// A view in which all of `bounds` is seen, from the front, a little to the right and above; `aspect` is
+/// width over height, and `verticalFov` is in radians, 45 degrees by default. An empty box gives a view from
+/// (0, 0, 5) to the origin. Throws `Error` (badInput) when `aspect` is not finite and over 0, `verticalFov`
+/// does not lie between 0 and pi, or a box that is not empty is not finite.
+CANDELA_API CameraView frameBounds(const Bounds& bounds, float aspect, float verticalFov = 0.785398163f);
 
 /// Appends `count` point lights to `lights`, scattered over `bounds` by a fixed hash of `seed`, with
 /// saturated colours, `range` in metres and intensity `candela` each. The first lights are the same for every

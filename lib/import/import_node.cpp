@@ -61,6 +61,7 @@ Camera cameraFrom(const candela_camera& source, const AbiReader& element, const 
     if (const float nearPlane = element.zeroOrMore("near_plane", source.near_plane); nearPlane > 0.0f)
         camera.nearPlane = nearPlane;
     camera.node = element.reference("node", source.node, scene.nodes.size());
+    if (source.number > 0) camera.number = source.number - 1;
     return camera;
 }
 

@@ -169,8 +169,8 @@ std::vector<std::int32_t> addNodes(const Document& document, const std::vector<D
 
 namespace {
 
-void addPerspective(const tinygltf::Camera& source, const std::string& element, const tinygltf::Node& node,
-                    std::int32_t nodeIndex, const Host& host) {
+void addPerspective(const tinygltf::Camera& source, const std::string& element, std::uint32_t number,
+                    std::int32_t node, const Host& host) {
     if (source.perspective.yfov <= 0.0) throw Failure{element, "\"perspective\" is missing"};
     if (source.perspective.yfov >= std::numbers::pi) {
         throw Failure{element,
@@ -178,10 +178,11 @@ void addPerspective(const tinygltf::Camera& source, const std::string& element, 
     }
     candela_camera camera{};
     camera.struct_size = sizeof camera;
-    camera.name = source.name.empty() ? node.name.c_str() : source.name.c_str();
+    camera.name = source.name.c_str();
     camera.vertical_fov = static_cast<float>(source.perspective.yfov);
     camera.near_plane = static_cast<float>(source.perspective.znear);
-    camera.node = nodeIndex;
+    camera.node = node;
+    camera.number = 1 + number;
     host.add(camera);
 }
 
@@ -200,7 +201,7 @@ void addCameras(const Document& document, const std::vector<DrawnNode>& drawn,
             host.note(CANDELA_NOTE_MISSING, element, "orthographic: left out");
             continue;
         }
-        addPerspective(camera, element, node, nodes[index], host);
+        addPerspective(camera, element, static_cast<std::uint32_t>(cameraIndex), nodes[index], host);
     }
 }
 

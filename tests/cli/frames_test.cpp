@@ -41,12 +41,25 @@ TEST(Frames, NumberLongerThanItsHashesIsNotTruncated) {
     EXPECT_EQ(folder.names(), Names{"123.png"});
 }
 
-TEST(Frames, OneFrameKeepsTheName) {
+TEST(Frames, OneFrameHasItsNumberToo) {
     const TemporaryFolder folder;
-    expectSuccess(render(folder, {"plaza:4", "-o", "one.png", "--frames", "5-5"}));
-    EXPECT_EQ(folder.names(), Names{"one.png"});
+    expectSuccess(render(folder, {"plaza:4", "-o", "one.png", "--frames", "7-7"}));
+    EXPECT_EQ(folder.names(), Names{"one.0007.png"});
+    expectSuccess(render(folder, {"plaza:4", "-o", "one.png", "--frames", "12345"}));
+    EXPECT_EQ(folder.names(), (Names{"one.0007.png", "one.12345.png"}));
+}
+
+TEST(Frames, WithoutFramesTheNameIsKept) {
+    const TemporaryFolder folder;
     expectSuccess(render(folder, {"plaza:4", "-o", "#.png"}));
-    EXPECT_EQ(folder.names(), (Names{"#.png", "one.png"}));
+    EXPECT_EQ(folder.names(), Names{"#.png"});
+}
+
+TEST(Frames, ListsAndSteps) {
+    const TemporaryFolder folder;
+    expectSuccess(render(folder, {"plaza:4", "-o", "f##.png", "--frames", "0-10x5,3,7-8,20-21x9"}));
+    EXPECT_EQ(folder.names(),
+              (Names{"f00.png", "f03.png", "f05.png", "f07.png", "f08.png", "f10.png", "f20.png"}));
 }
 
 TEST(Frames, TwentyFourASecondFromTheStartTime) {

@@ -120,7 +120,9 @@ static_assert(offsetof(candela_camera, name) == 8);
 static_assert(offsetof(candela_camera, vertical_fov) == 16);
 static_assert(offsetof(candela_camera, near_plane) == 20);
 static_assert(offsetof(candela_camera, node) == 24);
-static_assert(sizeof(candela_camera) == 32);
+static_assert(offsetof(candela_camera, unused) == 28);
+static_assert(offsetof(candela_camera, number) == 32);
+static_assert(sizeof(candela_camera) == 40);
 
 static_assert(offsetof(candela_light, struct_size) == 0);
 static_assert(offsetof(candela_light, name) == 8);

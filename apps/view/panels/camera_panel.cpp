@@ -1,3 +1,4 @@
+#include "common/camera_selection.h"
 #include "interaction.h"
 #include "panels/panel_values.h"
 #include "panels/panels.h"
@@ -21,16 +22,12 @@ struct Kept {
     std::optional<double> lastKey;
 };
 
-std::string nameOfCamera(const candela::Scene& scene, std::size_t index) {
-    return elementText("camera", index, scene.cameras[index].name);
-}
-
 /// Where the picture is taken from, in words.
 std::string standpoint(const ViewModel& model) {
     const candela::Scene& scene = model.document->scene();
     if (model.options.eye) return "interactive";
     if (scene.cameras.empty()) return "frames the scene";
-    return model.options.camera ? "camera " + *model.options.camera : nameOfCamera(scene, 0);
+    return model.options.camera ? "camera " + *model.options.camera : "camera " + cameraLabel(scene, 0);
 }
 
 void chooseCamera(ViewModel& model) {
@@ -38,7 +35,7 @@ void chooseCamera(ViewModel& model) {
     ImGui::BeginDisabled(scene.cameras.empty());
     if (ImGui::BeginCombo("from", standpoint(model).c_str())) {
         for (std::uint32_t i = 0; i < scene.cameras.size(); ++i)
-            if (listRow(i, Row::plain, nameOfCamera(scene, i)))
+            if (listRow(i, Row::plain, cameraLabel(scene, i)))
                 tryTo(model, [&] { selectSceneCamera(model, i); });
         ImGui::EndCombo();
     }

@@ -45,6 +45,12 @@ void requireAspect(float aspect) {
     ErrorContext("image").requirePositive("its aspect ratio", aspect);
 }
 
+void requireFiniteBox(const Bounds& bounds) {
+    const ErrorContext box("box");
+    box.requireFinite("its minimum", bounds.min);
+    box.requireFinite("its maximum", bounds.max);
+}
+
 }  // namespace
 
 CameraView lookAt(const glm::vec3& eye, const glm::vec3& target, float verticalFov) {
@@ -79,7 +85,7 @@ CameraView cameraView(const Scene& scene, std::uint32_t index, const std::vector
     validateCamera(camera, scene, element);
     CameraView view;
     view.verticalFov = camera.verticalFov;
-    view.nearPlane = camera.nearPlane;
+    view.nearPlane = camera.nearPlane ? *camera.nearPlane : defaultNearPlane(worldBounds(scene, world));
     if (!camera.node) return view;
     const glm::mat4& node = world[*camera.node];
     element.requireFinite("the world matrix of its node", node);
@@ -89,13 +95,19 @@ CameraView cameraView(const Scene& scene, std::uint32_t index, const std::vector
     return view;
 }
 
-CameraView frameBounds(const Bounds& bounds, float aspect) {
+float defaultNearPlane(const Bounds& bounds) {
+    constexpr double share = 0.01, most = 0.01;
+    if (bounds.empty()) return static_cast<float>(most);
+    requireFiniteBox(bounds);
+    const double size = glm::distance(glm::dvec3(bounds.min), glm::dvec3(bounds.max));
+    return static_cast<float>(size > 0.0 ? std::min(share * size, most) : most);
+}
+
+CameraView frameBounds(const Bounds& bounds, float aspect, float fov) {
     requireAspect(aspect);
-    constexpr float fov = std::numbers::pi_v<float> / 4.0f;
+    requireFov(fov);
     if (bounds.empty()) return lookAt({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f), fov);
-    const ErrorContext box("box");
-    box.requireFinite("its minimum", bounds.min);
-    box.requireFinite("its maximum", bounds.max);
+    requireFiniteBox(bounds);
 
     constexpr double margin = 1.05;  // Some room around the box.
     const glm::dvec3 from(0.4, 0.3, 1.0);

@@ -5,7 +5,6 @@
 
 #include <candela/error.h>
 
-#include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include <cmath>
@@ -25,24 +24,11 @@ glm::mat4 matrixOf(const Transform& transform) {
     return matrix;
 }
 
-void enclose(const std::vector<glm::vec3>& points, const glm::mat4& worldFromPoints, Bounds& bounds) {
-    for (const glm::vec3& point : points) {
-        const glm::vec3 placed(worldFromPoints * glm::vec4(point, 1.0f));
-        bounds.min = glm::min(bounds.min, placed);
-        bounds.max = glm::max(bounds.max, placed);
-    }
-}
-
 }  // namespace
 
 glm::mat4 localMatrix(const std::variant<Transform, glm::mat4>& transform) {
     if (const auto* parts = std::get_if<Transform>(&transform)) return matrixOf(*parts);
     return std::get<glm::mat4>(transform);
-}
-
-void Bounds::add(const Bounds& other) {
-    min = glm::min(min, other.min);
-    max = glm::max(max, other.max);
 }
 
 std::vector<glm::mat4> worldTransforms(const Scene& scene, double time) {
@@ -59,29 +45,6 @@ std::vector<glm::mat4> worldTransforms(const Scene& scene, double time) {
         world[i] = node.parent ? world[*node.parent] * local : local;
     }
     return world;
-}
-
-Bounds nodeBounds(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world, double time) {
-    ErrorContext("scene").requireIndex("node", node, scene.nodes.size());
-    requireWorldMatrices(scene, world);
-    requireTime(time);
-    const Node& element = scene.nodes[node];
-    ErrorContext("node", node, element.name).requireIndex("mesh", element.mesh, scene.meshes.size());
-    Bounds bounds;
-    if (element.mesh) enclose(scene.meshes[*element.mesh].positions, world[node], bounds);
-    if (element.cage) {
-        const PosedCage posed = poseCage(scene, node, world, time);
-        enclose(posed.points, posed.worldFromPoints, bounds);
-    }
-    return bounds;
-}
-
-Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& world, double time) {
-    requireWorldMatrices(scene, world);
-    requireTime(time);
-    Bounds bounds;
-    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) bounds.add(nodeBounds(scene, i, world, time));
-    return bounds;
 }
 
 std::uint64_t triangleCount(const Mesh& mesh) {

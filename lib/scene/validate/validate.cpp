@@ -43,7 +43,7 @@ void validateCamera(const Camera& camera, const Scene& scene, const ErrorContext
     element.requireIndex("node", camera.node, scene.nodes.size());
     element.require(camera.verticalFov > 0.0f && camera.verticalFov < std::numbers::pi_v<float>,
                     "its vertical field of view must lie between 0 and pi");
-    element.require(camera.nearPlane > 0.0f && std::isfinite(camera.nearPlane),
+    element.require(!camera.nearPlane || (*camera.nearPlane > 0.0f && std::isfinite(*camera.nearPlane)),
                     "its near plane must be over 0 metres");
 }
 

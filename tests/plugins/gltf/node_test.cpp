@@ -94,8 +94,20 @@ TEST(Camera, perspective) {
     EXPECT_EQ(scene.cameras[0].verticalFov, 0.5f);
     EXPECT_EQ(scene.cameras[0].nearPlane, 0.25f);
     EXPECT_EQ(scene.cameras[0].node, 0u);
-    EXPECT_EQ(scene.cameras[1].name, "above") << "a camera without a name gets its node's";
+    EXPECT_EQ(scene.cameras[0].number, 0u);
+    EXPECT_EQ(scene.cameras[1].name, "") << "its node is called above, which its index tells";
     EXPECT_EQ(scene.cameras[1].node, 1u);
+}
+
+TEST(Camera, hasItsNumberInTheFile) {
+    GltfFile file = fileWithNodes({R"({"camera":2})", R"({"camera":0})", R"({"camera":2})"});
+    for (int i = 0; i < 3; ++i)
+        file.add("cameras", R"({"type":"perspective","perspective":{"yfov":0.5,"znear":0.25}})");
+    const candela::Scene scene = load(file).scene;
+    ASSERT_EQ(scene.cameras.size(), 3u);
+    EXPECT_EQ(scene.cameras[0].number, 2u);
+    EXPECT_EQ(scene.cameras[1].number, 0u);
+    EXPECT_EQ(scene.cameras[2].number, 2u);
 }
 
 TEST(Camera, orthographicIsNotedAndOmitted) {
