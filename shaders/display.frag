@@ -23,6 +23,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy) - origin;
     vec3 radiance = texelFetch(radianceTexture, pixel, 0).rgb;
     vec3 value = displayTransform(vec4(radiance * exposure, 1.0)).rgb;
-    float dither = (pixelNoise(uvec2(pixel)) - 0.5) * (1.0 / 255.0);
+    // Clamped, so that a value within 1/16 of a code, such as that of a texture, always becomes this code. The mean of all others is kept.
+    float dither = clamp(pixelNoise(uvec2(pixel)) - 0.5, -7.0 / 16.0, 7.0 / 16.0) * (1.0 / 255.0);
     code = vec4(clamp(value + dither, 0.0, 1.0), 1.0);
 }

@@ -1,6 +1,6 @@
 #include "bench_scene.h"
 
-#include "common/scene_setup.h"
+#include "common/scene_lights.h"
 
 #include <candela/import.h>
 
@@ -63,7 +63,7 @@ BenchScene loadBenchScene(const candela::PluginRegistry& plugins, const BenchOpt
     candela::Scene scene = importScene(plugins, options.scene).scene;
     if (lights) {
         scene.lights.clear();
-        ScatterOptions scatter;
+        candela::LightScatter scatter;
         scatter.count = static_cast<std::uint32_t>(*lights);
         addScatteredLights(scene, scatter, options.scene);
     }

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -34,6 +35,8 @@ constexpr const char* eraseLine = "\r\x1b[K";
 }  // namespace
 
 int runProgram(const char* name, const std::function<void()>& work) {
+    // Beyond `ulimit -f` a write fails, and the error says so, instead of ending the process.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         work();
         if (!std::cout.flush())

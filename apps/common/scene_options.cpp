@@ -41,6 +41,9 @@ constexpr const char* fov =
     "Vertical field of view in degrees, between 0 and 180. Default: the camera's,\n"
     "or 45";
 
+constexpr const char* defaultLights =
+    "Add a key, a fill and a rim light that move with the camera: auto (where the\n"
+    "scene has no light), on or off. Default: auto";
 constexpr const char* brdf =
     "Reflection model: course (GGX with Schlick-Smith), or gltf (height-correlated,\n"
     "energy-compensated). Default: course";
@@ -52,6 +55,10 @@ constexpr const char* technique =
 constexpr const char* tiles =
     "What runs the technique tiles: auto (by device), cpu or compute (a shader).\n"
     "Default: auto";
+
+constexpr const char* rangeLoss =
+    "What lights without a range may lose together at any point, as a share of\n"
+    "their light there, between 0 and 1. Default: 0.01";
 
 constexpr const char* subdivisionLevel =
     "Refine every subdivision cage to this level, 1 to 8. Default: the cage's own\n"
@@ -72,7 +79,8 @@ constexpr const char* display = "Display of the config that a .png is encoded fo
 constexpr const char* view = "View of that display. Default: the display's";
 constexpr const char* look = "Look to apply. Default: none";
 constexpr const char* exposure =
-    "Brighten by this many stops (each doubles the light), between -64 and 64.\n"
+    "Brighten by this many stops (each doubles the light), between -64 and 64; or\n"
+    "auto: the median of what is lit becomes mid-grey, the same for all frames.\n"
     "Default: 0. Like display, view and look it applies to .png only";
 
 }  // namespace help
@@ -93,11 +101,11 @@ bool parseOverlay(const std::string& word, candela::Overlays& overlays) {
 
 }  // namespace
 
-ScatterOptions parseScatter(const std::string& text) {
+candela::LightScatter parseScatter(const std::string& text) {
     const std::string option = "--scatter-lights";
     const std::vector<std::string> parts = splitAtCommas(text);
     if (parts.size() > 4) throw UsageError(option + " \"" + text + "\": expected N[,RANGE[,CANDELA[,SEED]]]");
-    ScatterOptions parsed;
+    candela::LightScatter parsed;
     parsed.count = static_cast<std::uint32_t>(
         parseInteger(option, parts[0], 0, std::numeric_limits<std::int32_t>::max()));
     if (parts.size() > 1) parsed.range = static_cast<float>(parseNumberBetween(option, parts[1], 0.0, 1.0e9));
@@ -114,6 +122,23 @@ std::vector<candela::DebugView> selectableViews() {
     const auto debugViews = candela::debugViews();
     views.insert(views.end(), debugViews.begin(), debugViews.end());
     return views;
+}
+
+const char* toString(DefaultLights option) {
+    switch (option) {
+        case DefaultLights::on:
+            return "on";
+        case DefaultLights::off:
+            return "off";
+        default:
+            return "auto";
+    }
+}
+
+DefaultLights parseDefaultLights(const std::string& text) {
+    using enum DefaultLights;
+    return parseWord("--default-lights", text, std::array{automatic, on, off},
+                     [](DefaultLights option) { return toString(option); });
 }
 
 DebugViewOptions parseDebugView(const std::string& text) {
@@ -193,6 +218,12 @@ void SceneOptionReader::declareCamera(CLI::App& app) {
 
 void SceneOptionReader::declareLighting(CLI::App& app) {
     app.add_option_function<std::string>(
+           "--default-lights",
+           [this](const std::string& text) { options_.defaultLights = parseDefaultLights(text); },
+           help::defaultLights)
+        ->type_name("WORD")
+        ->group("Lighting");
+    app.add_option_function<std::string>(
            "--brdf", [this](const std::string& text) { options_.brdf = parseBrdf(text); }, help::brdf)
         ->type_name("WORD")
         ->group("Lighting");
@@ -205,6 +236,14 @@ void SceneOptionReader::declareLighting(CLI::App& app) {
            "--tiles", [this](const std::string& text) { options_.tileBackend = parseTileBackend(text); },
            help::tiles)
         ->type_name("WORD")
+        ->group("Lighting");
+    app.add_option_function<std::string>(
+           "--range-loss",
+           [this](const std::string& text) {
+               options_.rangeLoss = static_cast<float>(parseNumberBetween("--range-loss", text, 0.0, 1.0));
+           },
+           help::rangeLoss)
+        ->type_name("SHARE")
         ->group("Lighting");
 }
 
@@ -259,10 +298,12 @@ void SceneOptionReader::declareColor(CLI::App& app) {
     app.add_option_function<std::string>(
            "--exposure",
            [this](const std::string& text) {
-               options_.display.exposure = parseNumberBetween("--exposure", text, -maxStops, maxStops);
+               options_.autoExposure = text == "auto";
+               options_.display.exposure =
+                   options_.autoExposure ? 0.0 : parseNumberBetween("--exposure", text, -maxStops, maxStops);
            },
            help::exposure)
-        ->type_name("STOPS")
+        ->type_name("STOPS|auto")
         ->group("Colour");
 }
 

@@ -23,13 +23,15 @@ struct EyeOptions {
     glm::vec3 eye{0.0f}, target{0.0f};
 };
 
-/// Lights to scatter over the scene. A range or intensity that is not given follows from the mean spacing.
-struct ScatterOptions {
-    std::uint32_t count = 0;
-    std::optional<float> range;    ///< Metres, over 0.
-    std::optional<float> candela;  ///< Over 0.
-    std::uint32_t seed = 1;
+/// --default-lights: whether lights are added that move with the camera.
+enum class DefaultLights {
+    automatic,  ///< Where the scene has no light of its own.
+    on,
+    off,
 };
+
+/// The word on the command line: "auto", "on", "off".
+const char* toString(DefaultLights option);
 
 /// --show: a debug view, and overlays.
 struct DebugViewOptions {
@@ -45,8 +47,8 @@ struct DebugViewOptions {
 /// possible without a file or a device.
 struct SceneOptions {
     std::string scene;
-    std::optional<ScatterOptions> scatter;
     candela::Strictness strictness = candela::Strictness::tolerant;
+    std::optional<candela::LightScatter> scatter;
     std::vector<std::filesystem::path> pluginFolders;
     double time = 0.0;  ///< Seconds.
 
@@ -55,15 +57,18 @@ struct SceneOptions {
     std::optional<EyeOptions> eye;
     std::optional<float> verticalFov;  ///< Radians.
 
+    DefaultLights defaultLights = DefaultLights::automatic;
     candela::BrdfModel brdf = candela::BrdfModel::course;
     candela::Technique technique = candela::Technique::automatic;
     candela::TileBackend tileBackend = candela::TileBackend::automatic;
+    float rangeLoss = candela::GpuSceneOptions{}.rangeLoss;
     candela::SubdivisionSettings subdivision;
     candela::SubdivisionEvaluator subdivisionEvaluator = candela::SubdivisionEvaluator::automatic;
     DebugViewOptions debug;
 
     std::optional<std::string> ocio;
     candela::DisplayOptions display;
+    bool autoExposure = false;  ///< The exposure of `display` is to be measured.
 
     unsigned threads = 0;  ///< As `candela::setThreadCount` takes it.
 };
@@ -92,7 +97,8 @@ class SceneOptionReader {
 };
 
 /// Readers of option values as in parse.h.
-ScatterOptions parseScatter(const std::string& text);
+candela::LightScatter parseScatter(const std::string& text);
+DefaultLights parseDefaultLights(const std::string& text);
 DebugViewOptions parseDebugView(const std::string& text);
 /// The lit picture and all debug views.
 std::vector<candela::DebugView> selectableViews();

@@ -3,6 +3,7 @@
 #include "options.h"
 
 #include <candela/color.h>
+#include <candela/exposure.h>
 #include <candela/gpu_scene.h>
 #include <candela/renderer.h>
 
@@ -10,6 +11,9 @@
 #include <filesystem>
 #include <optional>
 #include <vector>
+
+/// The settings of a frame at the size of the options.
+candela::FrameSettings frameSettings(const SceneOptions& options);
 
 /// What one drawing of a frame took.
 struct FrameTiming {
@@ -27,6 +31,9 @@ class FrameWriter {
     FrameTiming draw(const candela::CameraView& view);
     /// The frame drawn last; `draw` comes first.
     const candela::Frame& frame() const { return *frame_; }
+    /// What a user should know of the frame drawn last. For an EXR, which takes no exposure, all that is lit
+    /// counts as over black and nothing as over white.
+    candela::ExposureCounts exposureCounts() const;
     /// Writes the frame drawn last; the file is whole or absent.
     void write(const std::filesystem::path& path);
 

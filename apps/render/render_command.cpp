@@ -3,7 +3,7 @@
 #include "common/camera_selection.h"
 #include "common/output_file.h"
 #include "common/program.h"
-#include "common/scene_setup.h"
+#include "common/scene_lights.h"
 #include "frame_writer.h"
 #include "stats.h"
 
@@ -13,10 +13,12 @@
 #include <candela/plugin_registry.h>
 #include <candela/threads.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <sstream>
 
 namespace {
@@ -58,7 +60,7 @@ std::optional<candela::DisplayTransform> chooseDisplay(Session& session, const c
     candela::DisplayTransform transform = color.displayTransform(displayOptions);
     if (session.options.format == PictureFormat::png) return transform;
     if (!displayOptions.display.empty() || !displayOptions.view.empty() || !displayOptions.look.empty() ||
-        displayOptions.exposure != 0.0)
+        displayOptions.exposure != 0.0 || session.options.autoExposure)
         session.note(
             "an .exr holds scene-linear light: --display, --view, --look and --exposure do not change it");
     return std::nullopt;
@@ -82,8 +84,10 @@ candela::Scene readScene(Session& session, const candela::PluginRegistry& plugin
 void noteLights(Session& session, const candela::LightReport& report) {
     if (report.rangesAssigned == 0) return;
     std::ostringstream text;
-    text << report.rangesAssigned << " lights without a range got one; what lies beyond it is at most "
-         << report.irradianceCut << " lux at any point";
+    text << report.rangesAssigned << " lights without a range end " << report.minRange;
+    if (report.minRange < report.maxRange) text << " to " << report.maxRange;
+    text << " m away, where they lose together at most " << 100.0f * session.options.rangeLoss
+         << " % of their light at any point (--range-loss)";
     session.note(text.str());
 }
 
@@ -100,9 +104,86 @@ void noteLodClamped(Session& session, const candela::CageReport& report) {
                  "maximum number of vertices of a cage limits their level");
 }
 
+/// What is wrong with the pictures of a run, told once for each kind.
+class PictureNotes {
+  public:
+    void add(const candela::ExposureCounts& counts) {
+        ++pictures_;
+        if (const std::optional<std::string> note = pictureNote(counts)) ++counts_[*note];
+    }
+    void tell(Session& session) const {
+        for (const auto& [note, count] : counts_) {
+            const std::string share =
+                "in " + std::to_string(count) + " of " + std::to_string(pictures_) + " pictures ";
+            session.note((pictures_ == 1 ? "" : share) + note);
+        }
+    }
+
+  private:
+    int pictures_ = 0;
+    std::map<std::string, int> counts_;
+};
+
+/// What lights the pictures of a run.
+class Lighting {
+  public:
+    /// All have to outlive it.
+    Lighting(Session& session, const candela::Scene& scene, candela::GpuScene& gpuScene)
+        : session_(session),
+          scene_(scene),
+          gpuScene_(gpuScene),
+          added_(usesDefaultLights(scene, session.options.defaultLights)) {
+        if (added_ && session.options.defaultLights == DefaultLights::automatic)
+            session.note(defaultLightsNote);
+    }
+
+    /// Brings the scene on the device to a time and, with default lights, to a view.
+    void pose(double time, const candela::CameraView& view) {
+        if (!scene_.animations.empty()) gpuScene_.setTime(time);
+        if (!added_) return;
+        // An EXR takes no exposure.
+        const bool exposed = session_.options.format == PictureFormat::png;
+        gpuScene_.setLights(
+            lightsWithDefaults(scene_, time, view, exposed ? session_.options.display.exposure : 0.0));
+    }
+
+  private:
+    Session& session_;
+    const candela::Scene& scene_;
+    candela::GpuScene& gpuScene_;
+    bool added_;
+};
+
+/// The size of a picture that is only measured: at most this many pixels wide and high.
+constexpr int measuredPixels = 256;
+
+/// The exposure that --exposure auto asks for; 0 where nothing is lit.
+double measureExposure(Session& session, candela::Renderer& renderer, candela::GpuScene& gpuScene,
+                       Lighting& lighting, const CameraSelection& views, const std::vector<double>& times,
+                       const glm::vec3& luminanceWeights) {
+    session.progress.show("measuring the exposure");
+    candela::FrameSettings settings = frameSettings(session.options);
+    settings.debugView = candela::DebugView::none;
+    settings.overlays = {};
+    const int larger = std::max({settings.width, settings.height, measuredPixels});
+    settings.width = std::max(1, settings.width * measuredPixels / larger);
+    settings.height = std::max(1, settings.height * measuredPixels / larger);
+    std::vector<candela::HdrImage> frames;
+    for (const double time : times) {
+        const candela::CameraView view = views.at(time);
+        lighting.pose(time, view);
+        frames.push_back(renderer.render(gpuScene, view, settings).radiance());
+    }
+    const std::optional<double> exposure = candela::autoExposure(frames, luminanceWeights);
+    std::ostringstream text;
+    text << "--exposure auto is " << exposure.value_or(0.0) << (exposure ? " stops" : ": nothing is lit");
+    session.note(text.str());
+    return exposure.value_or(0.0);
+}
+
 /// Draws frame after frame and writes each. Returns what the drawings took.
-std::vector<FrameTiming> drawFrames(Session& session, FrameWriter& frameWriter, candela::GpuScene& gpuScene,
-                                    const candela::Scene& scene, const CameraSelection& views) {
+std::vector<FrameTiming> drawFrames(Session& session, FrameWriter& frameWriter, Lighting& lighting,
+                                    const CameraSelection& views, PictureNotes& notes) {
     const std::uint64_t count = session.frameCount();
     std::vector<FrameTiming> timings;
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -111,13 +192,15 @@ std::vector<FrameTiming> drawFrames(Session& session, FrameWriter& frameWriter, 
         const std::string name = session.pathOf(frame).string();
         session.progress.show("drawing " + name + " (" + std::to_string(i + 1) + " of " +
                               std::to_string(count) + ")");
-        if (!scene.animations.empty()) gpuScene.setTime(time);
         const candela::CameraView view = views.at(time);
+        lighting.pose(time, view);
         if (session.options.stats && i == 0) frameWriter.draw(view);  // compiles and allocates
         const int drawings = session.options.stats && !session.options.frames ? statsDrawings : 1;
         for (int drawn = 0; drawn < drawings; ++drawn) timings.push_back(frameWriter.draw(view));
         session.progress.show("writing " + name);
         frameWriter.write(session.pathOf(frame));
+        if (!session.options.quiet && session.options.debug.view == candela::DebugView::none)
+            notes.add(frameWriter.exposureCounts());
     }
     return timings;
 }
@@ -150,7 +233,7 @@ void renderFrames(const Options& options) {
     checkOutputs(session);
     const candela::ColorConfig color = candela::ColorConfig::choose(options.ocio);
     for (const std::string& note : color.notes()) session.note(note);
-    const std::optional<candela::DisplayTransform> display = chooseDisplay(session, color);
+    std::optional<candela::DisplayTransform> display = chooseDisplay(session, color);
 
     const candela::PluginRegistry plugins(options.pluginFolders);
     const candela::Scene scene = readScene(session, plugins);
@@ -160,6 +243,7 @@ void renderFrames(const Options& options) {
     const candela::Context context = candela::Context::createHeadless(options.device);
     candela::GpuSceneOptions upload;
     upload.workingFromRec709 = color.workingFromRec709();
+    upload.rangeLoss = options.rangeLoss;
     upload.subdivider = plugins.subdivider();
     upload.subdivision = options.subdivision;
     upload.subdivisionEvaluator = options.subdivisionEvaluator;
@@ -167,10 +251,19 @@ void renderFrames(const Options& options) {
     noteLights(session, gpuScene.lightReport());
     noteMissingSubdivider(session, gpuScene.cageReport());
     candela::Renderer renderer(context);
+    Lighting lighting(session, scene, gpuScene);
+    if (display && options.autoExposure) {
+        candela::DisplayOptions exposed = options.display;
+        exposed.exposure = measureExposure(session, renderer, gpuScene, lighting, views,
+                                           exposureTimes(scene, options.time), color.luminanceWeights());
+        display = color.displayTransform(exposed);
+    }
     FrameWriter frameWriter(renderer, gpuScene, color, display, options);
 
     Stats stats;
-    stats.timings = drawFrames(session, frameWriter, gpuScene, scene, views);
+    PictureNotes pictureNotes;
+    stats.timings = drawFrames(session, frameWriter, lighting, views, pictureNotes);
+    pictureNotes.tell(session);
     noteLodClamped(session, gpuScene.cageReport());
     stats.renderer = context.renderer();
     stats.width = options.width;

@@ -4,6 +4,7 @@
 #include "common/output_file.h"
 #include "panels/panels.h"
 #include "render_command_line.h"
+#include "scene_lighting.h"
 #include "settings.h"
 #include "window.h"
 
@@ -206,6 +207,7 @@ void Application::takeLoaded() {
 candela::GpuSceneOptions Application::uploadOptions(const candela::ColorConfig& color) const {
     candela::GpuSceneOptions upload;
     upload.workingFromRec709 = color.workingFromRec709();
+    upload.rangeLoss = model_.options.rangeLoss;
     upload.subdivider = plugins_.subdivider();
     upload.subdivision = model_.options.subdivision;
     upload.subdivisionEvaluator = model_.options.subdivisionEvaluator;
@@ -239,6 +241,7 @@ void Application::install(SceneLoader::Result loaded) {
     model_.pickedMaterial.reset();
     model_.pairs.reset();
     drawnPicture_.clear();
+    newDocument_ = true;
     remember(model_.recent, rememberedName(model_.options.scene));
     window_.setTitle(model_.options.scene + " - candela");
 }
@@ -298,6 +301,7 @@ void Application::serveReadings() {
     guarded([&] {
         if (model_.panels.probe) probePointer();
         if (requests.pick) pick(*requests.pick);
+        if (requests.measureExposure) measureExposure();
         if (requests.countPairs) model_.pairs = viewport_.frame()->countPairs();
     });
     if (requests.savePng) guarded([&] { writePicture(*requests.savePng); });
@@ -355,6 +359,7 @@ void Application::drawPicture(Motion motion) {
     guarded([&] {
         const candela::CameraView view = selectedView(model_);
         followView(model_, view);
+        lightDocument(model_, view);
         const double milliseconds =
             viewport_.draw({model_.document->gpuScene(), model_.options, view, *display_, model_.divisor});
         resolutionScale_.tookMilliseconds(milliseconds);
@@ -364,7 +369,16 @@ void Application::drawPicture(Motion motion) {
         model_.maxLightCount = viewport_.frame()->maxLightCount();
         model_.pairs.reset();
         ++drawnFrames_;
+        if (!std::exchange(newDocument_, false)) return;
+        if (model_.options.autoExposure) measureExposure();
+        noteFirstPicture(model_, *viewport_.frame());
     });
+}
+
+void Application::measureExposure() {
+    ::measureExposure(model_, *viewport_.frame());
+    changeDisplay();
+    drawnPicture_.clear();
 }
 
 void Application::probePointer() {
@@ -378,6 +392,7 @@ void Application::probePointer() {
 /// The picture at full size, whatever is shown while it moves.
 void Application::writePicture(const std::filesystem::path& file) {
     const candela::CameraView view = selectedView(model_);
+    lightDocument(model_, view);
     viewport_.draw({model_.document->gpuScene(), model_.options, view, *display_, 1});
     drawnPicture_.clear();
     const candela::Frame& frame = *viewport_.frame();

@@ -55,6 +55,7 @@ class Application {
     void pick(const glm::ivec2& pixel);
     void advanceTime();
     void drawPicture(Motion motion);
+    void measureExposure();
     void probePointer();
     candela::GpuSceneOptions uploadOptions(const candela::ColorConfig& color) const;
     std::uint32_t wantedFrames() const;
@@ -81,6 +82,7 @@ class Application {
     ResolutionScale resolutionScale_;
     Motion motion_ = Motion::rests;  ///< In the last step.
     int settling_ = 0;               ///< Frames left in which panels settle after an event.
+    bool newDocument_ = false;       ///< No frame of it has been drawn yet.
     std::uint32_t drawnFrames_ = 0;
     Clock::time_point lastStep_ = Clock::now();
 };

@@ -1,7 +1,9 @@
 #include "document.h"
 
 #include "common/camera_selection.h"
-#include "common/scene_setup.h"
+#include "common/scene_lights.h"
+
+#include <candela/default_lights.h>
 
 #include <algorithm>
 #include <utility>
@@ -33,7 +35,7 @@ candela::GpuScene Document::upload(const candela::Context& context,
     for (std::uint32_t node = 0; node < visibility_.size(); ++node)
         if (visibility_[node] == candela::GpuScene::Visibility::hidden)
             uploaded.setVisibility(node, visibility_[node]);
-    if (lightsTaken_) uploaded.setLights(shownLights_);
+    if (lightsTaken_) uploadLights(uploaded);
     return uploaded;
 }
 
@@ -103,7 +105,7 @@ void Document::removeLight(std::uint32_t index) {
     showLights();
 }
 
-void Document::scatterLights(const ScatterOptions& options) {
+void Document::scatterLights(const candela::LightScatter& options) {
     scene_.lights.resize(ownLights_);
     addScatteredLights(scene_, options, "the scene");
     const std::vector<candela::WorldLight> placed =
@@ -123,7 +125,29 @@ void Document::showLights() {
     lightsTaken_ = true;
     ++revision_;
     moveLights(restingLights_, motion_, time_, shownLights_);
-    gpuScene_.setLights(shownLights_);
+    uploadLights(gpuScene_);
+}
+
+void Document::uploadLights(candela::GpuScene& scene) const {
+    if (defaultLights_.empty()) return scene.setLights(shownLights_);
+    std::vector<candela::WorldLight> lights = shownLights_;
+    lights.insert(lights.end(), defaultLights_.begin(), defaultLights_.end());
+    scene.setLights(lights);
+}
+
+void Document::setDefaultLighting(const std::optional<DefaultLighting>& lighting) {
+    std::vector<candela::WorldLight> lights;
+    if (lighting) {
+        const auto added = candela::defaultLights(lighting->view, lighting->exposure);
+        lights.assign(added.begin(), added.end());
+    }
+    const auto same = [](const candela::WorldLight& a, const candela::WorldLight& b) {
+        return a.direction == b.direction && a.intensity == b.intensity;
+    };
+    if (std::ranges::equal(lights, defaultLights_, same)) return;
+    defaultLights_ = std::move(lights);
+    lightsTaken_ = true;
+    uploadLights(gpuScene_);
 }
 
 std::vector<std::string> Document::changes() const {

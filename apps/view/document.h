@@ -51,7 +51,14 @@ class Document {
     void removeLight(std::uint32_t index);
     /// Takes away the lights of an earlier call (or of --scatter-lights) and scatters others. Throws
     /// `candela::Error` and leaves the lights when there is nothing to scatter them over.
-    void scatterLights(const ScatterOptions& options);
+    void scatterLights(const candela::LightScatter& options);
+    /// Adds the default lights of a view, scaled to an exposure (stops), behind all others; none takes them
+    /// away. They are not among `lights`.
+    struct DefaultLighting {
+        candela::CameraView view;
+        double exposure = 0.0;
+    };
+    void setDefaultLighting(const std::optional<DefaultLighting>& lighting);
     void setLightMotion(const LightMotion& motion);
     const LightMotion& lightMotion() const { return motion_; }
 
@@ -66,6 +73,7 @@ class Document {
 
   private:
     void showLights();
+    void uploadLights(candela::GpuScene& scene) const;
     void worldLights();
 
     candela::Scene scene_;
@@ -75,6 +83,7 @@ class Document {
     double time_ = 0.0;
     std::vector<candela::GpuScene::Visibility> visibility_;
     std::vector<candela::WorldLight> restingLights_, shownLights_;
+    std::vector<candela::WorldLight> defaultLights_;
     std::size_t ownLights_;       ///< Of the scene's lights, those that were not scattered.
     std::size_t firstScattered_;  ///< Of the resting lights.
     LightMotion motion_;

@@ -50,8 +50,8 @@ void orderCones(candela::WorldLight& light) {
     light.innerConeAngle = std::clamp(light.innerConeAngle, 0.0f, maxRatio * light.outerConeAngle);
 }
 
-ScatterOptions completed(ScatterOptions scatter, const candela::WorldLight& sample) {
-    const bool needsCandela = scatter.candela || scatter.seed != ScatterOptions().seed;
+candela::LightScatter completed(candela::LightScatter scatter, const candela::WorldLight& sample) {
+    const bool needsCandela = scatter.candela || scatter.seed != candela::LightScatter().seed;
     if (needsCandela && !scatter.range) scatter.range = sample.range;
     // Scattered colours have a maximum channel of 1.
     if (needsCandela && !scatter.candela) scatter.candela = splitColor(sample.intensity).strength;

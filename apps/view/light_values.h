@@ -28,7 +28,7 @@ void orderCones(candela::WorldLight& light);
 
 /// Completes `scatter` for the syntax of --scatter-lights, where an intensity needs a range before it and a
 /// seed needs both. `sample` is one of the lights that were scattered.
-ScatterOptions completed(ScatterOptions scatter, const candela::WorldLight& sample);
+candela::LightScatter completed(candela::LightScatter scatter, const candela::WorldLight& sample);
 
 /// Every point and spot light circles its rest position, each with its own phase.
 struct LightMotion {

@@ -61,7 +61,7 @@ class Command {
     std::string text_;
 };
 
-std::string scatterText(const ScatterOptions& options) {
+std::string scatterText(const candela::LightScatter& options) {
     std::string text = std::to_string(options.count);
     if (options.range) text += "," + numberText(*options.range);
     if (options.range && options.candela) text += "," + numberText(*options.candela);
@@ -109,10 +109,14 @@ std::string renderCommandLine(const SceneOptions& options) {
     if (options.strictness == candela::Strictness::strict) command.flag("--strict");
     for (const std::filesystem::path& folder : options.pluginFolders)
         command.option("--plugin-path", folder.string());
+    if (options.defaultLights != DefaultLights::automatic)
+        command.option("--default-lights", toString(options.defaultLights));
     command.option("--brdf", candela::toString(options.brdf));
     command.option("--technique", candela::toString(options.technique));
     if (options.tileBackend != candela::TileBackend::automatic)
         command.option("--tiles", candela::toString(options.tileBackend));
+    if (options.rangeLoss != candela::GpuSceneOptions{}.rangeLoss)
+        command.option("--range-loss", numberText(options.rangeLoss));
     if (!options.debug.isDefault()) command.option("--show", debugViewText(options.debug));
     addSubdivision(command, options.subdivision);
     if (options.subdivisionEvaluator != candela::SubdivisionEvaluator::automatic)
@@ -121,7 +125,11 @@ std::string renderCommandLine(const SceneOptions& options) {
     command.optionUnlessEmpty("--display", options.display.display);
     command.optionUnlessEmpty("--view", options.display.view);
     command.optionUnlessEmpty("--look", options.display.look);
-    if (options.display.exposure != 0.0) command.option("--exposure", numberText(options.display.exposure));
+    if (options.autoExposure) {
+        command.option("--exposure", "auto");
+    } else if (options.display.exposure != 0.0) {
+        command.option("--exposure", numberText(options.display.exposure));
+    }
     if (options.threads != 0) command.option("--threads", std::to_string(options.threads));
     command.option("-o", "candela.png");
     return command.text();

@@ -1,6 +1,6 @@
 #include "scene_loader.h"
 
-#include "common/scene_setup.h"
+#include "common/scene_lights.h"
 
 #include <candela/error.h>
 

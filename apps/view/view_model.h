@@ -43,6 +43,7 @@ struct Requests {
     bool frameAll = false, framePicked = false;
     std::optional<glm::ivec2> pick;  ///< What this pixel shows.
     bool countPairs = false;
+    bool measureExposure = false;
     std::optional<std::string> ocioConfig;        ///< Read this OpenColorIO config.
     std::optional<std::string> savePng, saveExr;  ///< Write the picture here.
     bool copyCommand = false;

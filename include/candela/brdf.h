@@ -84,8 +84,8 @@ CANDELA_API double spotFactor(double cosAngle, double innerConeAngle, double out
 
 /// The radiance that leaves `surface` towards `eye` by `light`: pi f L_i (n·l) with L_i = intensity / (pi d²)
 /// × window × spot factor; for a directional light, pi f (intensity / pi) (n·l). The light's intensity is in
-/// the working space, and the range of a point or spot light is over 0 (where a light has none, the renderer
-/// assigns one: `LightReport`).
+/// the working space. A range of 0 is none: the window is 1 (where a light has none, the renderer assigns
+/// one: `LightReport`).
 CANDELA_API glm::dvec3 reflectedRadiance(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& eye,
                                          const WorldLight& light);
 

@@ -8,7 +8,9 @@
 #include <candela/camera.h>
 #include <candela/color.h>
 #include <candela/context.h>
+#include <candela/default_lights.h>
 #include <candela/error.h>
+#include <candela/exposure.h>
 #include <candela/frame_data.h>
 #include <candela/frame_settings.h>
 #include <candela/gbuffer.h>

@@ -4,6 +4,7 @@
 #include <candela/image_file.h>
 
 #include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
 
 #include <memory>
 #include <optional>
@@ -56,6 +57,8 @@ class CANDELA_API ColorConfig {
     std::string workingSpace() const;
     /// Converts linear Rec.709 colours, as files give them, into the working space.
     glm::dmat3 workingFromRec709() const;
+    /// The luminance of a colour of the working space, relative to white's, is its dot product with these.
+    glm::vec3 luminanceWeights() const;
     /// The working space's primaries and white.
     Chromaticities chromaticities() const;
     /// Assumptions, one line each: a config may not state the primaries of its working space.

@@ -42,21 +42,25 @@ struct GpuSceneOptions {
     /// From linear Rec.709, in which scenes give colours, to the working space
     /// (`ColorConfig::workingFromRec709`).
     glm::dmat3 workingFromRec709{1.0};
-    /// A light without a range gets the distance at which its irradiance falls to this, in lux. Over 0.
-    float irradianceThreshold = 0.005f;
+    /// What point and spot lights without a range may lose together at any point, as a share of the light
+    /// that they give there; over 0 and under 1. Each gets a range (docs/lighting.md). A highlight counts
+    /// with the height of its lobe over diffuse white, so that a scene of sharper materials gets longer
+    /// ranges.
+    float rangeLoss = 0.01f;
     /// Refines the cages (`PluginRegistry::subdivider`); none: their polygons are drawn.
     std::optional<Subdivider> subdivider;
     SubdivisionSettings subdivision;
     SubdivisionEvaluator subdivisionEvaluator = SubdivisionEvaluator::automatic;
 };
 
-/// The lights of a `GpuScene`.
+/// The lights of a `GpuScene` as of the last frame, upload or `setLights`.
 struct LightReport {
     std::uint64_t lights = 0;
     std::uint64_t rangesAssigned = 0;  ///< Lights without a range of their own.
-    /// The maximum irradiance, in lux, that assigned ranges can take from any one point: each such light
-    /// loses at most its threshold.
-    double irradianceCut = 0.0;
+    /// An assigned range ends where the light gives this irradiance, in lux; 0 without such lights, or where
+    /// they have nothing to light.
+    double rangeIrradiance = 0.0;
+    float minRange = 0.0f, maxRange = 0.0f;  ///< Of the assigned ranges, metres; 0 without any.
 };
 
 /// The cages of a `GpuScene` as of the last frame (before the first, as of the upload).

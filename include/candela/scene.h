@@ -100,12 +100,21 @@ CANDELA_API CameraView cameraView(const Scene& scene, std::uint32_t index,
 /// does not lie between 0 and pi, or a box that is not empty is not finite.
 CANDELA_API CameraView frameBounds(const Bounds& bounds, float aspect, float verticalFov = 0.785398163f);
 
-/// Appends `count` point lights to `lights`, scattered over `bounds` by a fixed hash of `seed`, with
-/// saturated colours, `range` in metres and intensity `candela` each. The first lights are the same for every
-/// larger count, and the same on every machine. Throws `Error`: badInput when the box is empty or not finite,
-/// the range not over 0 or the intensity not within 0 to 1e20; limit when memory does not hold the lights.
-CANDELA_API void scatterLights(std::vector<Light>& lights, const Bounds& bounds, std::uint32_t count,
-                               float range, float candela, std::uint32_t seed = 1);
+/// Point lights that are scattered over a scene.
+struct LightScatter {
+    std::uint32_t count = 0;
+    std::optional<float> range;    ///< Metres, over 0. None: twice their mean spacing.
+    std::optional<float> candela;  ///< Each, 0 to 1e20. None: range² / 10.
+    std::uint32_t seed = 1;        ///< Another seed gives other lights.
+};
+
+/// Appends point lights of saturated colours to a scene. They hover over its surfaces as they stand at time
+/// 0, evenly by area, on the side that the normals point to, at 1/8 to 1/2 of their range, of the diagonal of
+/// the surfaces' box where that is smaller: an object is lit from outside, a room from inside. The first
+/// lights are the same for every larger count at the same range, and the same on every machine. Throws
+/// `Error`: badInput when the scene has no surface, a number is out of its range or the scene breaks a rule
+/// of `worldTransforms`; limit when memory does not hold the lights.
+CANDELA_API void scatterLights(Scene& scene, const LightScatter& scatter);
 
 /// Throws `Error` (badInput), naming the element, when the scene breaks a rule its types state: an index out
 /// of range, a number that is not finite or out of its range, arrays of differing length. Lengths of

@@ -8,8 +8,10 @@
 
 namespace candela {
 
-/// Writes a file atomically: into a temporary file in the same folder, which is renamed once every byte is on
-/// the disk. On failure the temporary file is deleted and an existing file is unchanged.
+/// Writes a file atomically: into a file without a name in the same folder, which gets its name once every
+/// byte is on the disk. When the process is killed, or the disk or the limit of file sizes (`ulimit -f`) is
+/// reached, nothing of it stays and an existing file is unchanged. (Where the file system has no files
+/// without a name, a temporary file is used, which stays behind a killed process.)
 ///
 /// A new file gets its permissions by the umask, a replaced one keeps its own. Symbolic links are followed.
 /// What is not an ordinary file (a device, a pipe, an open descriptor such as /dev/stdout) can not be

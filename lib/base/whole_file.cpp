@@ -8,6 +8,8 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
+#include <ctime>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -71,20 +73,41 @@ bool synchronise(int descriptor) {
     return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP || errno == ENOSYS;
 }
 
-/// A file that is deleted at the end of its scope unless it has been moved to its target.
+/// Keeps SIGXFSZ, which a write beyond the process's limit of file sizes raises, from ending the process: the
+/// write fails with EFBIG.
+class FileSizeSignalBlock {
+  public:
+    FileSizeSignalBlock() {
+        sigemptyset(&signal_);
+        sigaddset(&signal_, SIGXFSZ);
+        ::pthread_sigmask(SIG_BLOCK, &signal_, &before_);
+    }
+    FileSizeSignalBlock(const FileSizeSignalBlock&) = delete;
+    FileSizeSignalBlock& operator=(const FileSizeSignalBlock&) = delete;
+    ~FileSizeSignalBlock() {
+        constexpr timespec noTime{};
+        // Takes the signal that a write has raised before it could be delivered.
+        if (sigismember(&before_, SIGXFSZ) == 0) ::sigtimedwait(&signal_, nullptr, &noTime);
+        ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
+
+  private:
+    sigset_t signal_{}, before_{};
+};
+
+/// A file without a name, which the kernel deletes with the process, until it is moved to its target. Where
+/// the file system has no such files it has a name and is deleted at the end of its scope.
 class TemporaryFile {
   public:
     /// Creates the file in `folder`. `target` is what errors name.
-    TemporaryFile(const fs::path& folder, const fs::path& target) : target_(target) {
-        static std::atomic<unsigned> count{0};
-        for (int attempt = 0; attempt < maxNames; ++attempt) {
-            path_ =
-                folder / (".candela-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp");
-            descriptor_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-            if (descriptor_.isOpen()) return;
-            if (errno != EEXIST) break;
-        }
-        failWithReason(target_, "can not write in the folder '" + folder.string() + "'", errno);
+    TemporaryFile(const fs::path& folder, const fs::path& target) : target_(target), folder_(folder) {
+        descriptor_ = Descriptor(::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666));
+        if (descriptor_.isOpen()) return;
+        const bool named = tryNames([&](const fs::path& name) {
+            descriptor_ = Descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+            return descriptor_.isOpen();
+        });
+        if (!named) failWithReason(target_, "can not write in the folder '" + folder.string() + "'", errno);
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -98,19 +121,51 @@ class TemporaryFile {
     }
 
     void write(std::span<const std::byte> bytes) {
-        const bool written = writeAll(descriptor_.number(), bytes) && synchronise(descriptor_.number());
-        if (!written || !descriptor_.close()) failWithReason(target_, "can not write the file", errno);
+        if (!writeAll(descriptor_.number(), bytes) || !synchronise(descriptor_.number()))
+            failWithReason(target_, "can not write the file", errno);
     }
 
     void moveTo(const fs::path& place) {
+        if (path_.empty() && link(place)) return close();
+        // Only a file with a name can replace another.
+        if (path_.empty() && !tryNames([&](const fs::path& name) { return link(name); }))
+            failWithReason(target_, "can not put the written file in its place", errno);
+        close();
         if (::rename(path_.c_str(), place.c_str()) != 0)
             failWithReason(target_, "can not put the written file in its place", errno);
         path_.clear();
     }
 
   private:
-    fs::path target_;
-    fs::path path_;
+    /// Calls `create` with names until it succeeds, and keeps that name. False, with errno set, where it
+    /// fails otherwise than by a file that is there.
+    template <typename Create>
+    bool tryNames(const Create& create) {
+        static std::atomic<unsigned> count{0};
+        for (int attempt = 0; attempt < maxNames; ++attempt) {
+            const fs::path name =
+                folder_ / (".candela-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp");
+            if (create(name)) {
+                path_ = name;
+                return true;
+            }
+            if (errno != EEXIST) return false;
+        }
+        return false;
+    }
+
+    /// Gives the file a name that no other has; false, with errno set, if that failed.
+    bool link(const fs::path& name) const {
+        const std::string descriptor = "/proc/self/fd/" + std::to_string(descriptor_.number());
+        return ::linkat(AT_FDCWD, descriptor.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    }
+
+    void close() {
+        if (!descriptor_.close()) failWithReason(target_, "can not write the file", errno);
+    }
+
+    fs::path target_, folder_;
+    fs::path path_;  ///< Empty while it has no name.
     Descriptor descriptor_;
 };
 
@@ -154,6 +209,7 @@ fs::path folderOf(const fs::path& path, const fs::path& place) {
 
 void writeWholeFile(const fs::path& path, std::span<const std::byte> bytes) {
     if (path.empty()) fail(path, "a file to write has no name");
+    const FileSizeSignalBlock block;
     const std::optional<fs::path> place = followLinks(path);
     if (!place) return writeInPlace(path, bytes);
 

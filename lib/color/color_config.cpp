@@ -154,6 +154,12 @@ std::string ColorConfig::workingSpace() const {
 glm::dmat3 ColorConfig::workingFromRec709() const {
     return state_->working.fromRec709;
 }
+
+glm::vec3 ColorConfig::luminanceWeights() const {
+    // The middle row of XYZ from linear Rec.709 (ITU-R BT.709-6).
+    const glm::dvec3 ofRec709(0.2126, 0.7152, 0.0722);
+    return glm::vec3(ofRec709 * glm::inverse(workingFromRec709()));
+}
 Chromaticities ColorConfig::chromaticities() const {
     return state_->working.chromaticities;
 }

@@ -71,7 +71,7 @@ void requireLight(const WorldLight& light) {
         require(isUnit(glm::dvec3(light.direction)), "the light's direction", "of unit length");
     if (light.type == LightType::directional) return;
     require(isFinite(glm::dvec3(light.position)), "the light's position", "finite");
-    require(light.range > 0.0f, "the light's range", "over 0 metres");
+    require(light.range >= 0.0f, "the light's range", "over 0 metres, or 0 for none");
     if (light.type == LightType::spot) requireCone(light.innerConeAngle, light.outerConeAngle);
 }
 
@@ -109,7 +109,8 @@ glm::dvec3 directionBetween(const glm::dvec3& from, const glm::dvec3& to) {
 /// L_i of a point or spot light, as the lighting equation takes it: candela / pi over the squared distance.
 glm::dvec3 incidentRadiance(const WorldLight& light, const glm::dvec3& l, double distance) {
     const double clampedDistance = std::max(distance, minDistance);
-    double factor = rangeWindow(distance, light.range) / (clampedDistance * clampedDistance);
+    const double window = light.range > 0.0f ? rangeWindow(distance, light.range) : 1.0;
+    double factor = window / (clampedDistance * clampedDistance);
     if (light.type == LightType::spot) {
         const double cosAngle = glm::dot(glm::dvec3(light.direction), -l);
         factor *= spotFactor(cosAngle, light.innerConeAngle, light.outerConeAngle);

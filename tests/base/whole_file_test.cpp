@@ -8,6 +8,7 @@
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -51,10 +52,10 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 /// Lets no file of this process grow beyond `bytes`: the write fails as on a full disk, after some of the
-/// bytes were written.
+/// bytes were written. The signal SIGXFSZ keeps its default action, which ends the process.
 class FileSizeLimit {
   public:
-    explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    explicit FileSizeLimit(rlim_t bytes) {
         ::getrlimit(RLIMIT_FSIZE, &before_);
         rlimit limit = before_;
         limit.rlim_cur = bytes;
@@ -62,14 +63,10 @@ class FileSizeLimit {
     }
     FileSizeLimit(const FileSizeLimit&) = delete;
     FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-    ~FileSizeLimit() {
-        ::setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
+    ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before_); }
 
   private:
     rlimit before_{};
-    void (*handler_)(int);
 };
 
 TEST(WholeFile, writesAndReplaces) {
@@ -190,6 +187,23 @@ TEST(WholeFile, aFailedWriteLeavesOnlyTheOldFile) {
     }
     EXPECT_EQ(read(path), "old");
     EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(WholeFile, aKilledProcessLeavesNoTemporaryFile) {
+    const TemporaryFolder folder;
+    const pid_t writer = ::fork();
+    ASSERT_GE(writer, 0);
+    if (writer == 0) {
+        const std::string text(20'000'000, 'k');
+        for (int i = 0;; ++i) write(folder.path() / std::to_string(i), text);
+    }
+    while (folder.entries() < 2) std::this_thread::yield();
+    ::kill(writer, SIGKILL);
+    ::waitpid(writer, nullptr, 0);
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder.path())) {
+        EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << entry.path();
+        EXPECT_EQ(fs::file_size(entry.path()), 20'000'000u) << entry.path();
+    }
 }
 
 TEST(WholeFile, aFullDiskLeavesOnlyTheOldFile) {

@@ -246,7 +246,7 @@ TEST(BrdfArguments, reflectedRadianceNamesTheElement) {
     };
     EXPECT_EQ(radiance(surface(1, 0, 1), light), "no error");
     WorldLight bad = light;
-    bad.range = 0.0f;
+    bad.range = -1.0f;
     EXPECT_NE(radiance(surface(1, 0, 1), bad).find("range"), std::string::npos);
     bad = light;
     bad.intensity.x = std::numeric_limits<float>::quiet_NaN();

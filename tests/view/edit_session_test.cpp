@@ -78,6 +78,41 @@ TEST_F(EditSession, ScatteredLightsAreThoseOfTheCommandLine) {
     EXPECT_TRUE(session.document().changes().empty());
 }
 
+TEST_F(EditSession, DefaultLightsAreThoseOfTheCommandLine) {
+    writeChanged("dark.gltf", [](auto& scene) { scene["nodes"][1].erase("extensions"); });
+    ViewSession session(small({"dark.gltf"}));
+    session.awaitScene();
+    expectPicture(session, {"dark.gltf"});
+    EXPECT_TRUE(session.document().lights().empty()) << "they are not the scene's";
+    session.model().options.camera = "1";
+    session.step();
+    expectPicture(session, {"dark.gltf", "--camera", "1"});
+    session.model().options.display.exposure = 2.0;
+    session.step();
+    expectPicture(session, {"dark.gltf", "--camera", "1", "--exposure", "2"});
+    session.model().options.defaultLights = DefaultLights::off;
+    session.step();
+    EXPECT_EQ(session.picture().colors(), 1u);
+    session.model().options.defaultLights = DefaultLights::on;
+    session.document().addLight({});
+    session.step();
+    EXPECT_EQ(session.document().lights().size(), 1u);
+}
+
+TEST_F(EditSession, AutomaticExposureIsThatOfTheCommandLine) {
+    ViewSession session(small({"square.gltf", "--exposure", "auto"}));
+    session.awaitScene();
+    session.step();
+    const double measured = session.model().options.display.exposure;
+    EXPECT_NE(measured, 0.0);
+    session.model().options.display.exposure = 5.0;
+    session.model().options.autoExposure = false;
+    session.step();
+    session.model().requests.measureExposure = true;
+    session.step();
+    EXPECT_DOUBLE_EQ(session.model().options.display.exposure, measured);
+}
+
 TEST_F(EditSession, TimeMovesTheLightsOfNodesAmongScatteredOnes) {
     ViewSession session(small({"square.gltf"}));
     session.awaitScene();

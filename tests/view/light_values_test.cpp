@@ -86,22 +86,25 @@ candela::WorldLight scatteredLight() {
 }
 
 TEST(CompletedScatterOptions, OmitTrailingValues) {
-    const ScatterOptions options = completed({.count = 10, .range = {}, .candela = {}}, scatteredLight());
+    const candela::LightScatter options =
+        completed({.count = 10, .range = {}, .candela = {}}, scatteredLight());
     EXPECT_FALSE(options.range);
     EXPECT_FALSE(options.candela);
-    const ScatterOptions ranged = completed({.count = 10, .range = 2.0f, .candela = {}}, scatteredLight());
+    const candela::LightScatter ranged =
+        completed({.count = 10, .range = 2.0f, .candela = {}}, scatteredLight());
     EXPECT_EQ(ranged.range, 2.0f);
     EXPECT_FALSE(ranged.candela);
 }
 
 TEST(CompletedScatterOptions, HaveARangeBeforeAnIntensity) {
-    const ScatterOptions options = completed({.count = 10, .range = {}, .candela = 8.0f}, scatteredLight());
+    const candela::LightScatter options =
+        completed({.count = 10, .range = {}, .candela = 8.0f}, scatteredLight());
     EXPECT_EQ(options.range, 3.5f);
     EXPECT_EQ(options.candela, 8.0f);
 }
 
 TEST(CompletedScatterOptions, HaveBothBeforeASeed) {
-    const ScatterOptions options =
+    const candela::LightScatter options =
         completed({.count = 10, .range = {}, .candela = {}, .seed = 7}, scatteredLight());
     EXPECT_EQ(options.range, 3.5f);
     EXPECT_EQ(options.candela, 1.25f);

@@ -97,7 +97,7 @@ TEST(RenderCommandLine, PreservesNumbersExactly) {
     options.time = 1.0 / 7.0;
     options.display.exposure = -0.1;
     options.subdivision.edgePixels = 1.0f / 3.0f;
-    options.scatter = ScatterOptions{1000, 2.0f / 3.0f, 0.7f, 4294967295u};
+    options.scatter = candela::LightScatter{1000, 2.0f / 3.0f, 0.7f, 4294967295u};
     const SceneOptions read = readBack(options);
     ASSERT_TRUE(read.eye);
     EXPECT_EQ(read.eye->eye, options.eye->eye);
@@ -145,6 +145,9 @@ TEST(RenderCommandLine, PreservesEnumerationsAndLists) {
     options.subdivisionEvaluator = candela::SubdivisionEvaluator::compute;
     options.threads = 3;
     options.tileBackend = candela::TileBackend::cpu;
+    options.rangeLoss = 0.25f;
+    options.defaultLights = DefaultLights::off;
+    options.autoExposure = true;
     options.pluginFolders = {"one folder", "other"};
     options.display.display = "Display P3";
     const SceneOptions read = readBack(options);
@@ -160,6 +163,9 @@ TEST(RenderCommandLine, PreservesEnumerationsAndLists) {
     EXPECT_EQ(read.subdivisionEvaluator, candela::SubdivisionEvaluator::compute);
     EXPECT_EQ(read.threads, 3u);
     EXPECT_EQ(read.tileBackend, candela::TileBackend::cpu);
+    EXPECT_EQ(read.rangeLoss, 0.25f);
+    EXPECT_EQ(read.defaultLights, DefaultLights::off);
+    EXPECT_TRUE(read.autoExposure);
     EXPECT_EQ(read.pluginFolders, options.pluginFolders);
     EXPECT_EQ(read.display.display, "Display P3");
 }

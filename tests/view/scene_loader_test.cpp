@@ -33,7 +33,7 @@ class SceneLoaderTest : public testing::Test {
     }
 
     const candela::PluginRegistry plugins{{CANDELA_TEST_PLUGINS}};
-    std::optional<ScatterOptions> scatter;
+    std::optional<candela::LightScatter> scatter;
     SceneLoader loader;
 };
 
@@ -41,7 +41,7 @@ TEST_F(SceneLoaderTest, ReturnsTheSceneOnce) {
     wakes = 0;
     EXPECT_FALSE(loader.take());
     EXPECT_FALSE(loader.status());
-    scatter = ScatterOptions{5, {}, {}, 1};
+    scatter = candela::LightScatter{5, {}, {}, 1};
     start("plaza:16");
     const SceneLoader::Result result = await();
     ASSERT_TRUE(result.scene);

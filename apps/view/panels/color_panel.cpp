@@ -48,6 +48,20 @@ void chooseDisplay(ViewModel& model) {
     chooseName("view", options.view, views, model.color.defaultView(display) + " (default)");
 }
 
+void editExposure(ViewModel& model) {
+    double& exposure = model.options.display.exposure;
+    if (slideNumber("exposure", exposure, -maxStops, maxStops, "%+.2f stops"))
+        model.options.autoExposure = false;
+    if (ImGui::Button("No exposure")) {
+        exposure = 0.0;
+        model.options.autoExposure = false;
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Auto")) model.requests.measureExposure = true;
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("the median of what is lit in this picture becomes mid-grey");
+}
+
 }  // namespace
 
 void drawColorPanel(ViewModel& model) {
@@ -57,8 +71,7 @@ void drawColorPanel(ViewModel& model) {
     ImGui::Separator();
     chooseDisplay(model);
     chooseName("look", model.options.display.look, model.color.looks(), "none");
-    slideNumber("exposure", model.options.display.exposure, -maxStops, maxStops, "%+.2f stops");
-    if (ImGui::Button("No exposure")) model.options.display.exposure = 0.0;
+    editExposure(model);
     ImGui::Separator();
     showWrappedText("light is computed in " + model.color.workingSpace());
     for (const std::string& note : model.color.notes()) showWrappedText(note);

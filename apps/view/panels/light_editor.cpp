@@ -21,7 +21,7 @@ using candela::WorldLight;
 constexpr float brightest = 1.0e20f;
 constexpr float farthest = 1.0e9f;
 constexpr float minRange = 1.0e-3f;
-/// Irradiance in lux at which the renderer ends a light without a range; see `candela::GpuSceneOptions`.
+/// Irradiance in lux at the range that a light is first given.
 constexpr float rangeIrradiance = 0.005f;
 /// Numbers of every size change by this share of themselves for a pixel.
 constexpr float dragShare = 0.01f;

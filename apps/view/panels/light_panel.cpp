@@ -118,8 +118,17 @@ void drawEditor(ViewModel& model, Kept& kept) {
     if (changed) tryTo(model, [&] { model.document->setLight(*model.pickedLight, light); });
 }
 
+void chooseDefaultLights(ViewModel& model) {
+    using enum DefaultLights;
+    chooseOne("default lights", model.options.defaultLights, std::array{automatic, on, off},
+              [](DefaultLights option) { return toString(option); });
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("three lights that move with the camera; auto: where the scene brings none");
+}
+
 void drawLights(ViewModel& model) {
     auto& kept = keptOfScene<Kept>(model);
+    chooseDefaultLights(model);
     drawButtons(model);
     const std::size_t count = model.document->lights().size();
     if (model.pickedLight && *model.pickedLight >= count) model.pickedLight.reset();
@@ -133,7 +142,7 @@ void drawLights(ViewModel& model) {
 constexpr std::uint32_t maxScattered = 10'000'000;
 
 struct ScatterForm {
-    ScatterOptions options;
+    candela::LightScatter options;
     float range = 2.0f, candela = 1.0f;  ///< Shown where the options give none.
     bool initialised = false;
 };
@@ -152,7 +161,7 @@ void editOptional(const char* name, std::optional<float>& value, float& given, c
     ImGui::PopID();
 }
 
-void scatter(ViewModel& model, const ScatterOptions& options) {
+void scatter(ViewModel& model, const candela::LightScatter& options) {
     tryTo(model, [&] {
         model.document->scatterLights(options);
         model.pickedLight.reset();
@@ -169,7 +178,7 @@ void drawScattering(ViewModel& model) {
     auto& form = keptOfScene<ScatterForm>(model);
     if (!form.initialised) {
         form.options =
-            model.options.scatter.value_or(ScatterOptions{.count = 1000, .range = {}, .candela = {}});
+            model.options.scatter.value_or(candela::LightScatter{.count = 1000, .range = {}, .candela = {}});
         form.range = form.options.range.value_or(form.range);
         form.candela = form.options.candela.value_or(form.candela);
         form.initialised = true;

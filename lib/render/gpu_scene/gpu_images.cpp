@@ -1,9 +1,11 @@
 #include "render/gpu_scene/gpu_images.h"
 
-#include "render/gbuffer/srgb.h"
 #include "base/error_context.h"
+#include "render/gbuffer/srgb.h"
 
 #include <candela/error.h>
+
+#include <glm/gtc/packing.hpp>
 
 #include <algorithm>
 #include <array>
@@ -19,43 +21,76 @@ namespace {
 
 struct UploadFormat {
     GLenum internal, type;
+    std::size_t texelSize;  ///< Bytes of one texel as it is transferred.
+    bool decoded;           ///< Colour is decoded before the transfer.
 };
 
-UploadFormat formatOf(PixelFormat format, TexelEncoding encoding) {
+UploadFormat formatOf(PixelFormat format, TexelEncoding encoding, ColorDecoding decoding) {
     const bool color = encoding == TexelEncoding::color;
     switch (format) {
         case PixelFormat::rgba8:
-            return {color ? GLenum(GL_SRGB8_ALPHA8) : GLenum(GL_RGBA8), GL_UNSIGNED_BYTE};
+            if (!color) return {GL_RGBA8, GL_UNSIGNED_BYTE, 4, false};
+            if (decoding == ColorDecoding::device) return {GL_SRGB8_ALPHA8, GL_UNSIGNED_BYTE, 4, false};
+            // Half floats hold what 8 bits decode to within 1/40 of a code.
+            return {GL_RGBA16F, GL_HALF_FLOAT, 8, true};
         case PixelFormat::rgba16:
-            // OpenGL has no sRGB format of 16 bits: such colour is decoded to floats.
-            return color ? UploadFormat{GL_RGBA32F, GL_FLOAT} : UploadFormat{GL_RGBA16, GL_UNSIGNED_SHORT};
+            // OpenGL has no sRGB format of 16 bits.
+            if (color) return {GL_RGBA32F, GL_FLOAT, 16, true};
+            return {GL_RGBA16, GL_UNSIGNED_SHORT, 8, false};
         default:
-            return {GL_RGBA32F, GL_FLOAT};
+            return {GL_RGBA32F, GL_FLOAT, 16, false};
     }
 }
 
-bool isDecoded(const Image& image, TexelEncoding encoding) {
-    return image.format == PixelFormat::rgba16 && encoding == TexelEncoding::color;
+constexpr std::size_t alphaChannel = 3;
+
+/// For each code of a channel the half float that it is.
+std::array<std::uint16_t, 256> halfTable(bool color) {
+    std::array<std::uint16_t, 256> table;
+    for (std::size_t code = 0; code < table.size(); ++code) {
+        const float value = static_cast<float>(code) / 255.0f;
+        table[code] = glm::packHalf1x16(color ? srgbDecode(value) : value);
+    }
+    return table;
 }
 
-std::vector<float> decodeColor16(std::span<const std::byte> pixels) {
-    std::vector<std::uint16_t> codes(pixels.size() / sizeof(std::uint16_t));
-    std::memcpy(codes.data(), pixels.data(), pixels.size());
-    std::vector<float> decoded(codes.size());
-    for (std::size_t i = 0; i < codes.size(); ++i) {
-        const float value = static_cast<float>(codes[i]) / 65535.0f;
-        decoded[i] = i % 4 == 3 ? value : srgbDecode(value);
+void decodeColor8(std::span<const std::byte> pixels, std::span<std::byte> decoded) {
+    static const std::array<std::uint16_t, 256> color = halfTable(true), alpha = halfTable(false);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const std::uint16_t half =
+            (i % 4 == alphaChannel ? alpha : color)[std::to_integer<std::size_t>(pixels[i])];
+        std::memcpy(decoded.data() + i * sizeof half, &half, sizeof half);
     }
-    return decoded;
 }
 
-void encodeColor16(std::span<const float> decoded, std::span<std::byte> pixels) {
-    std::vector<std::uint16_t> codes(decoded.size());
-    for (std::size_t i = 0; i < codes.size(); ++i) {
-        const float value = i % 4 == 3 ? decoded[i] : srgbEncode(decoded[i]);
-        codes[i] = static_cast<std::uint16_t>(std::lround(65535.0f * value));
+void decodeColor16(std::span<const std::byte> pixels, std::span<std::byte> decoded) {
+    for (std::size_t i = 0; i < pixels.size() / sizeof(std::uint16_t); ++i) {
+        std::uint16_t code = 0;
+        std::memcpy(&code, pixels.data() + i * sizeof code, sizeof code);
+        const float value = static_cast<float>(code) / 65535.0f;
+        const float linear = i % 4 == alphaChannel ? value : srgbDecode(value);
+        std::memcpy(decoded.data() + i * sizeof linear, &linear, sizeof linear);
     }
-    std::memcpy(pixels.data(), codes.data(), pixels.size());
+}
+
+void encodeColor8(std::span<const std::byte> decoded, std::span<std::byte> pixels) {
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        std::uint16_t half = 0;
+        std::memcpy(&half, decoded.data() + i * sizeof half, sizeof half);
+        const float linear = glm::unpackHalf1x16(half);
+        const float value = i % 4 == alphaChannel ? linear : srgbEncode(linear);
+        pixels[i] = static_cast<std::byte>(std::lround(255.0f * value));
+    }
+}
+
+void encodeColor16(std::span<const std::byte> decoded, std::span<std::byte> pixels) {
+    for (std::size_t i = 0; i < pixels.size() / sizeof(std::uint16_t); ++i) {
+        float linear = 0.0f;
+        std::memcpy(&linear, decoded.data() + i * sizeof linear, sizeof linear);
+        const float value = i % 4 == alphaChannel ? linear : srgbEncode(linear);
+        const auto code = static_cast<std::uint16_t>(std::lround(65535.0f * value));
+        std::memcpy(pixels.data() + i * sizeof code, &code, sizeof code);
+    }
 }
 
 /// A run of an image's rows.
@@ -140,8 +175,8 @@ gl::Texture whiteTexture() {
 
 }  // namespace
 
-GpuImages::GpuImages(std::span<const Image> images, std::size_t maxTransferBytes)
-    : maxTransferBytes_(maxTransferBytes), images_(images), white_(whiteTexture()) {}
+GpuImages::GpuImages(std::span<const Image> images, ColorDecoding decoding, std::size_t maxTransferBytes)
+    : decoding_(decoding), maxTransferBytes_(maxTransferBytes), images_(images), white_(whiteTexture()) {}
 
 SampledTexture GpuImages::get(const std::optional<Texture>& texture, TexelEncoding encoding) {
     if (!texture) return {white_.name(), 0};
@@ -162,37 +197,32 @@ void GpuImages::releaseSources() {
 std::vector<std::byte> GpuImages::readPixels(GLuint texture, TexelEncoding encoding,
                                              const Image& image) const {
     std::vector<std::byte> pixels(std::size_t{image.width} * image.height * texelSize(image.format));
-    const GLenum type = formatOf(image.format, encoding).type;
-    const auto read = [&](const Rows& rows, std::size_t bytes, void* to) {
-        glGetTextureSubImage(texture, 0, 0, rows.first, 0, static_cast<GLsizei>(image.width), rows.count, 1,
-                             GL_RGBA, type, static_cast<GLsizei>(bytes), to);
-    };
+    const UploadFormat format = formatOf(image.format, encoding, decoding_);
     forEachRun(image, maxTransferBytes_, [&](const Rows& rows) {
         const std::span<std::byte> part = std::span(pixels).subspan(rows.offset, rows.size);
-        if (!isDecoded(image, encoding)) {
-            read(rows, part.size(), part.data());
-            return;
-        }
-        std::vector<float> decoded(part.size() / sizeof(std::uint16_t));
-        read(rows, decoded.size() * sizeof(float), decoded.data());
-        encodeColor16(decoded, part);
+        std::vector<std::byte> decoded(
+            format.decoded ? part.size() / texelSize(image.format) * format.texelSize : 0);
+        const std::span<std::byte> into = format.decoded ? std::span(decoded) : part;
+        glGetTextureSubImage(texture, 0, 0, rows.first, 0, static_cast<GLsizei>(image.width), rows.count, 1,
+                             GL_RGBA, format.type, static_cast<GLsizei>(into.size()), into.data());
+        if (!format.decoded) return;
+        image.format == PixelFormat::rgba8 ? encodeColor8(decoded, part) : encodeColor16(decoded, part);
     });
     return pixels;
 }
 
 void GpuImages::writePixels(GLuint texture, TexelEncoding encoding, const Image& image) const {
-    const GLenum type = formatOf(image.format, encoding).type;
-    const auto write = [&](const Rows& rows, const void* from) {
-        glTextureSubImage2D(texture, 0, 0, rows.first, static_cast<GLsizei>(image.width), rows.count, GL_RGBA,
-                            type, from);
-    };
+    const UploadFormat format = formatOf(image.format, encoding, decoding_);
+    std::vector<std::byte> decoded;
     forEachRun(image, maxTransferBytes_, [&](const Rows& rows) {
-        const std::span<const std::byte> part = std::span(image.pixels).subspan(rows.offset, rows.size);
-        if (isDecoded(image, encoding)) {
-            write(rows, decodeColor16(part).data());
-        } else {
-            write(rows, part.data());
+        std::span<const std::byte> part = std::span(image.pixels).subspan(rows.offset, rows.size);
+        if (format.decoded) {
+            decoded.resize(part.size() / texelSize(image.format) * format.texelSize);
+            image.format == PixelFormat::rgba8 ? decodeColor8(part, decoded) : decodeColor16(part, decoded);
+            part = decoded;
         }
+        glTextureSubImage2D(texture, 0, 0, rows.first, static_cast<GLsizei>(image.width), rows.count, GL_RGBA,
+                            format.type, part.data());
     });
 }
 
@@ -208,7 +238,8 @@ void GpuImages::restorePixels(std::uint32_t index) {
 GLuint GpuImages::upload(std::uint32_t index, TexelEncoding encoding) {
     const auto known = textures_.find({index, encoding});
     if (known != textures_.end()) return known->second.name();
-    gl::Texture texture = allocate(images_[index], index, formatOf(images_[index].format, encoding).internal);
+    gl::Texture texture =
+        allocate(images_[index], index, formatOf(images_[index].format, encoding, decoding_).internal);
     if (images_[index].pixels.empty()) restorePixels(index);
     writePixels(texture.name(), encoding, images_[index]);
     glGenerateTextureMipmap(texture.name());

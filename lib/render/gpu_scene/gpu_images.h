@@ -27,12 +27,20 @@ enum class TexelEncoding {
     data,   ///< Linear numbers.
 };
 
+/// What decodes sRGB-encoded colour of 8 bits.
+enum class ColorDecoding {
+    device,  ///< The device's sampler, which is exact on GPUs.
+    exact,   ///< The CPU, into half floats: software rasterisers only approximate the curve (llvmpipe misses
+            ///< one code in six).
+};
+
 /// The images of a scene on the device, each uploaded once for each encoding that materials read it in, with
 /// mipmaps.
 class GpuImages {
   public:
     /// `maxTransferBytes`: larger images are transferred in several runs of rows.
-    explicit GpuImages(std::span<const Image> images, std::size_t maxTransferBytes = std::size_t{1} << 28);
+    GpuImages(std::span<const Image> images, ColorDecoding decoding,
+              std::size_t maxTransferBytes = std::size_t{1} << 28);
 
     /// The texture of a material's slot; a white one where the slot is empty. Throws `Error` (limit) naming
     /// an image that does not fit the device.
@@ -51,6 +59,7 @@ class GpuImages {
     GLuint upload(std::uint32_t image, TexelEncoding encoding);
     GLuint sampler(const Texture& texture);
 
+    ColorDecoding decoding_;
     std::size_t maxTransferBytes_;
     std::span<const Image> images_;  ///< The caller's until `releaseSources`, then `kept_`.
     std::vector<Image> kept_;        ///< Without pixels where these are in a texture.

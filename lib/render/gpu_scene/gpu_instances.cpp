@@ -1,5 +1,6 @@
 #include "render/gpu_scene/gpu_instances.h"
 
+#include "base/error_context.h"
 #include "render/layout.h"
 
 #include <glm/common.hpp>
@@ -97,6 +98,16 @@ void GpuInstances::place(std::uint32_t index, const glm::mat4& worldFromLocal, c
         record[static_cast<std::size_t>(3 + row)] = glm::vec4(normalRows[row], handedness);
     }
     windings_[index] = normals.mirrored ? Winding::reversed : Winding::kept;
+}
+
+Bounds GpuInstances::bounds() const {
+    Bounds box;
+    for (const BoundingSphere& sphere : spheres_) {
+        const glm::vec3 reach(sphere.radius);
+        const Bounds own{sphere.center - reach, sphere.center + reach};
+        if (allFinite(own.min) && allFinite(own.max)) box.add(own);
+    }
+    return box;
 }
 
 }  // namespace candela

@@ -51,6 +51,8 @@ class GpuInstances {
     void place(std::uint32_t index, const glm::mat4& worldFromLocal, const BoundingSphere& local);
     /// As of the last `place`.
     Winding winding(std::uint32_t index) const { return windings_[index]; }
+    /// A world-space box that holds all instances, hidden ones included.
+    Bounds bounds() const;
     /// Uploads the records written since the last call. Returns how many those are.
     std::size_t upload() { return records_.upload(); }
 

@@ -1,6 +1,7 @@
 #include "render/gpu_scene/gpu_lights.h"
 
 #include "render/layout.h"
+#include "scene/model/light_range.h"
 
 #include <candela/brdf.h>
 #include <candela/error.h>
@@ -47,6 +48,11 @@ glm::vec4 coneRecord(const WorldLight& light) {
     return {light.direction * scale, -outer * scale};
 }
 
+// The shader's inverse square of a range must stay a normal number.
+constexpr float minRange = 1.0e-15f, maxRange = 1.0e15f;
+// Of a light that lights nothing.
+constexpr float unlitRange = 1.0e-3f;
+
 }  // namespace
 
 void LightReaches::reserve(std::size_t size) {
@@ -57,42 +63,61 @@ void LightReaches::resize(std::size_t size) {
     for (auto* column : {&x, &y, &z, &range}) column->resize(size + padding, 0.0f);
 }
 
-GpuLights::GpuLights(const GpuSceneOptions& options)
-    : options_(options),
+GpuLights::GpuLights(const glm::dmat3& workingFromRec709)
+    : workingFromRec709_(workingFromRec709),
       records_(GL_RGBA32F, layout::LIGHT_TEXELS, "lights"),
-      cones_(GL_RGBA32F, 1, "spot cones") {
-    if (!(options.irradianceThreshold > 0.0f) || !std::isfinite(options.irradianceThreshold)) {
-        throw Error(ErrorKind::badInput, "", "the irradiance threshold has to be a finite number over 0 lux");
-    }
-}
-
-float GpuLights::rangeOf(const WorldLight& light, const glm::vec3& intensity) {
-    if (light.range > 0.0f) return light.range;
-    const float brightest = std::max({intensity.r, intensity.g, intensity.b, 0.0f});
-    // At its range a light would still give the threshold: the window takes no more than that, and no more
-    // than the light gives at all.
-    const auto distance = static_cast<float>(minDistance);
-    ++report_.rangesAssigned;
-    report_.irradianceCut += std::min(brightest / (distance * distance), options_.irradianceThreshold);
-    // A light without intensity keeps a range, so that no record divides by zero.
-    return std::max(std::sqrt(brightest / options_.irradianceThreshold), 1.0e-3f);
-}
+      cones_(GL_RGBA32F, 1, "spot cones") {}
 
 glm::vec3 GpuLights::workingIntensity(const WorldLight& light) const {
-    return glm::vec3(options_.workingFromRec709 * glm::dvec3(light.intensity));
+    return glm::vec3(workingFromRec709_ * glm::dvec3(light.intensity));
+}
+
+float GpuLights::brightestChannel(std::uint32_t record) const {
+    const glm::vec4& intensity = records_.texels()[record * layout::LIGHT_TEXELS + 1];
+    return std::max({intensity.r, intensity.g, intensity.b, 0.0f});
+}
+
+void GpuLights::writeRange(std::uint32_t record, float range) {
+    if (range == reaches_.range[record]) return;
+    reaches_.range[record] = range;
+    records_.edit(record)[0].w = 1.0f / (range * range);
 }
 
 void GpuLights::writeLocal(std::uint32_t record, const WorldLight& light) {
-    const glm::vec3 intensity = workingIntensity(light);
-    // The shader's inverse square of the range must stay a normal number.
-    const float range = glm::clamp(rangeOf(light, intensity), 1.0e-15f, 1.0e15f);
     reaches_.x[record] = light.position.x;
     reaches_.y[record] = light.position.y;
     reaches_.z[record] = light.position.z;
-    reaches_.range[record] = range;
     const std::span<glm::vec4> texels = records_.edit(record);
-    texels[0] = glm::vec4(light.position, 1.0f / (range * range));
-    texels[1] = glm::vec4(intensity, 0.0f);
+    texels[0] = glm::vec4(light.position, 0.0f);
+    texels[1] = glm::vec4(workingIntensity(light), 0.0f);
+    reaches_.range[record] = 0.0f;
+    isRangeless_[record] = !(light.range > 0.0f);
+    if (isRangeless_[record]) {
+        rangeless_.push_back(record);
+    } else {
+        writeRange(record, glm::clamp(light.range, minRange, maxRange));
+    }
+}
+
+void GpuLights::assignRanges(const RangeRule& rule) {
+    std::vector<RangelessLight> lights;
+    lights.reserve(rangeless_.size());
+    for (const std::uint32_t record : rangeless_)
+        lights.push_back({reaches_.position(record), brightestChannel(record)});
+    report_.rangesAssigned = rangeless_.size();
+    report_.rangeIrradiance = rangeIrradiance(lights, rule.region, rule.maxLoss);
+    report_.minRange = report_.maxRange = 0.0f;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const double range = std::sqrt(lights[i].intensity / report_.rangeIrradiance);
+        // Without intensity or without a surface there is nothing to reach.
+        writeRange(rangeless_[i], std::isfinite(range) && range > 0.0
+                                      ? glm::clamp(static_cast<float>(range), minRange, maxRange)
+                                      : unlitRange);
+        const float written = reaches_.range[rangeless_[i]];
+        report_.minRange = i == 0 ? written : std::min(report_.minRange, written);
+        report_.maxRange = std::max(report_.maxRange, written);
+    }
+    rangelessMoved_ = false;
 }
 
 void GpuLights::writeDirectional(std::uint32_t record, const WorldLight& light) {
@@ -112,9 +137,11 @@ void GpuLights::reserve(const LightCounts& counts) {
     cones_.reserve(static_cast<std::size_t>(counts.spots));
     reaches_.reserve(local);
     recordOf_.reserve(all);
+    rangeless_.reserve(local);
+    isRangeless_.reserve(local);
 }
 
-void GpuLights::set(std::span<const WorldLight> lights) {
+void GpuLights::set(std::span<const WorldLight> lights, const RangeRule& rule) {
     LightCounts counts;
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (const char* text = fault(lights[i]))
@@ -131,6 +158,8 @@ void GpuLights::set(std::span<const WorldLight> lights) {
     cones_.resize(static_cast<std::size_t>(counts.spots));
     reaches_.resize(static_cast<std::size_t>(counts.points + counts.spots));
     recordOf_.clear();
+    rangeless_.clear();
+    isRangeless_.assign(reaches_.size(), false);
     auto point = 0u, spot = static_cast<std::uint32_t>(counts.points);
     auto directional = static_cast<std::uint32_t>(counts.points + counts.spots);
     for (const WorldLight& light : lights) {
@@ -146,6 +175,7 @@ void GpuLights::set(std::span<const WorldLight> lights) {
             recordOf_.push_back(directional++);
         }
     }
+    if (hasRangeless()) assignRanges(rule);
     upload();
 }
 
@@ -162,6 +192,7 @@ void GpuLights::move(std::uint32_t index, const WorldLight& light) {
     reaches_.z[record] = light.position.z;
     glm::vec4& texel = records_.edit(record)[0];
     texel = glm::vec4(light.position, texel.w);
+    rangelessMoved_ = rangelessMoved_ || isRangeless_[record];
 }
 
 std::size_t GpuLights::upload() {

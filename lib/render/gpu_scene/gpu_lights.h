@@ -30,18 +30,29 @@ struct LightReaches {
     glm::vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
+/// Where lights without a range end.
+struct RangeRule {
+    Bounds region;         ///< Where surfaces may be, world space.
+    double maxLoss = 0.0;  ///< As `rangeIrradiance` takes it.
+};
+
 /// The lights as the shaders read them: points first, then spots, then directional lights.
 class GpuLights {
   public:
-    explicit GpuLights(const GpuSceneOptions& options);
+    explicit GpuLights(const glm::dmat3& workingFromRec709);
 
     /// Replaces all lights and uploads them. Throws `Error`: badInput naming a light whose numbers break what
     /// `WorldLight` states, limit when the device can not hold as many; nothing is changed then.
-    void set(std::span<const WorldLight> lights);
+    void set(std::span<const WorldLight> lights, const RangeRule& rule);
     /// Moves and rotates one of the lights of the last `set`, whose other values do not change. A light whose
     /// new position is not finite, because a world matrix overflows, stays where it is.
     void move(std::uint32_t index, const WorldLight& light);
-    /// Uploads the lights moved since the last call. Returns how many those are.
+    bool hasRangeless() const { return !rangeless_.empty(); }
+    /// Has a light without a range moved since the last `assignRanges`?
+    bool rangelessMoved() const { return rangelessMoved_; }
+    /// Gives the lights without a range the ranges of the rule.
+    void assignRanges(const RangeRule& rule);
+    /// Uploads the lights changed since the last call. Returns how many those are.
     std::size_t upload();
 
     const LightCounts& counts() const { return counts_; }
@@ -60,14 +71,18 @@ class GpuLights {
     void writeLocal(std::uint32_t record, const WorldLight& light);
     void writeDirectional(std::uint32_t record, const WorldLight& light);
     void writeCone(std::uint32_t record, const WorldLight& light);
-    float rangeOf(const WorldLight& light, const glm::vec3& intensity);
+    void writeRange(std::uint32_t record, float range);
+    float brightestChannel(std::uint32_t record) const;
     glm::vec3 workingIntensity(const WorldLight& light) const;
 
-    GpuSceneOptions options_;
+    glm::dmat3 workingFromRec709_;
     LightCounts counts_;
     LightReport report_;
     LightReaches reaches_;
-    std::vector<std::uint32_t> recordOf_;  ///< Of each light of the last `set`.
+    std::vector<std::uint32_t> recordOf_;   ///< Of each light of the last `set`.
+    std::vector<std::uint32_t> rangeless_;  ///< Records of the lights without a range.
+    std::vector<bool> isRangeless_;         ///< Of each record of a point or spot light.
+    bool rangelessMoved_ = false;
     RecordBuffer<glm::vec4> records_, cones_;
 };
 

@@ -6,6 +6,7 @@
 #include "scene/model/animation.h"
 #include "scene/validate/scene_rules.h"
 
+#include <candela/brdf.h>
 #include <candela/error.h>
 
 #include <algorithm>
@@ -43,9 +44,22 @@ void requireIndex(const char* kind, std::uint32_t index, std::size_t count) {
 }
 
 const GpuSceneOptions& checked(const GpuSceneOptions& options) {
+    ErrorContext("GpuSceneOptions")
+        .require(options.rangeLoss > 0.0f && options.rangeLoss < 1.0f,
+                 "rangeLoss must be over 0 and under 1");
     const glm::dmat3& matrix = options.workingFromRec709;
     if (allFinite(matrix[0]) && allFinite(matrix[1]) && allFinite(matrix[2])) return options;
     throw Error(ErrorKind::badInput, "", "the matrix to the working space must be finite numbers");
+}
+
+/// How much brighter than diffuse white the peak of a material's specular lobe is: F D G / (4 (n·l)(n·v)) at
+/// normal incidence over 1 / pi, 1 or more. A texture of roughness may hold any.
+double lobeHeight(const Material& material) {
+    if (material.unlit) return 1.0;
+    const double roughness = material.metallicRoughnessTexture ? 0.0 : material.roughness;
+    const double alpha = std::max(roughness * roughness, minAlpha);
+    const double f0 = material.metallic > 0.0f ? 1.0 : 0.04;
+    return std::max(1.0, f0 / (4.0 * alpha * alpha));
 }
 
 ErrorContext nodeContext(const Scene& scene, std::uint32_t node) {
@@ -62,16 +76,16 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
       triangles(candela::triangleCount(scene)),
       transforms(sceneState),
       meshes(scene.meshes, detailOf(scene)),
-      images(scene.images),
+      images(scene.images, context.isSoftware() ? ColorDecoding::exact : ColorDecoding::device),
       materials(scene, options.workingFromRec709),
-      lights(options),
+      lights(options.workingFromRec709),
       cages(context, sceneState, options),
       instances(sceneState) {
     addDraws(scene);
     images.releaseSources();
     meshes.describe(vertexArray, draws.records(), defaultDetail_);
     update();
-    lights.set(worldLights(sceneState, transforms.world()));
+    lights.set(worldLights(sceneState, transforms.world()), rangeRule());
     listNodeLights();
 }
 
@@ -86,6 +100,12 @@ void GpuScene::State::addDraws(const Scene& scene) {
                       images);
     }
     draws.finish(instances.size());
+}
+
+RangeRule GpuScene::State::rangeRule() const {
+    double highest = 1.0;
+    for (const Material& material : sceneState.materials) highest = std::max(highest, lobeHeight(material));
+    return {instances.bounds(), options.rangeLoss / highest};
 }
 
 void GpuScene::State::listNodeLights() {
@@ -113,7 +133,7 @@ void GpuScene::State::setTime(double seconds) {
 }
 
 void GpuScene::State::setLights(std::span<const WorldLight> worldLights) {
-    lights.set(worldLights);
+    lights.set(worldLights, rangeRule());
     lightsFollowNodes_ = false;
 }
 
@@ -145,6 +165,7 @@ void GpuScene::State::setMaterial(std::uint32_t index, const Material& material)
     sceneState.materials[index] = material;
     materials.set(index, material);
     cages.setMaterial(index, material);
+    materialsChanged_ = true;
 }
 
 void GpuScene::State::setVisibility(std::uint32_t node, Visibility visibility) {
@@ -165,6 +186,9 @@ void GpuScene::State::update() {
     for (const std::uint32_t node : moved) moveNode(node);
     const std::span<const std::uint32_t> posed = cages.pose(transforms.world(), transforms.time());
     for (const std::uint32_t cageInstance : posed) placeCage(cageInstance);
+    const bool changed = !moved.empty() || !posed.empty() || materialsChanged_ || lights.rangelessMoved();
+    if (lights.hasRangeless() && changed) lights.assignRanges(rangeRule());
+    materialsChanged_ = false;
     lastUpdate.nodes = moved.size();
     lastUpdate.cages = posed.size();
     lastUpdate.instances = instances.upload();

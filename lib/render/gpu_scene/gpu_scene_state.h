@@ -74,6 +74,7 @@ struct GpuScene::State {
 
   private:
     void addDraws(const Scene& scene);
+    RangeRule rangeRule() const;
     void listNodeLights();
     void moveNode(std::uint32_t node);
     void place(std::uint32_t instance, const glm::mat4& worldFromLocal, const BoundingSphere& sphere);
@@ -81,6 +82,7 @@ struct GpuScene::State {
 
     DefaultDetail defaultDetail_;
     bool timeChanged_ = false;
+    bool materialsChanged_ = false;
     bool lightsFollowNodes_ = false;                      ///< Until `setLights`.
     std::vector<std::vector<std::uint32_t>> nodeLights_;  ///< Lights of each node; empty without any.
 };

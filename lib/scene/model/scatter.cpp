@@ -4,6 +4,12 @@
 #include "base/error_context.h"
 #include "scene/validate/scene_rules.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <stdexcept>
@@ -59,10 +65,6 @@ float between(float low, float high, float u) {
     return value < low ? low : value > high ? high : value;
 }
 
-void require(bool holds, const char* rule) {
-    if (!holds) throw Error(ErrorKind::badInput, {}, rule);
-}
-
 void reserve(std::vector<Light>& lights, std::uint32_t count) {
     const std::string reason = "there is no memory for " + std::to_string(count) + " more lights";
     try {
@@ -74,24 +76,134 @@ void reserve(std::vector<Light>& lights, std::uint32_t count) {
     }
 }
 
+/// The triangles of a scene's surfaces in world space, with their areas summed up.
+class Surfaces {
+  public:
+    explicit Surfaces(const Scene& scene) {
+        const std::vector<glm::mat4> world = worldTransforms(scene);
+        for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
+            if (scene.nodes[i].mesh) addMesh(scene.meshes[*scene.nodes[i].mesh], world[i]);
+            if (scene.nodes[i].cage) addCage(scene, i, world);
+        }
+    }
+
+    bool empty() const { return triangles_.empty(); }
+    double area() const { return triangles_.empty() ? 0.0 : triangles_.back().endArea; }
+    float diagonal() const { return glm::distance(bounds_.min, bounds_.max); }
+
+    struct Point {
+        glm::vec3 position, normal;
+    };
+    /// The point at a share of the area, 0 to 1, and at `u` and `v`, 0 to 1, of the triangle there.
+    Point at(double share, float u, float v) const {
+        const double area = share * this->area();
+        auto found = std::ranges::upper_bound(triangles_, area, {}, &Triangle::endArea);
+        if (found == triangles_.end()) --found;
+        // Osada et al., "Shape distributions", 2002: evenly over a triangle.
+        const float root = std::sqrt(u), b = root * (1.0f - v), c = root * v;
+        const glm::vec3& p = found->corner;
+        const glm::vec3 position = p + b * found->edge1 + c * found->edge2;
+        return {glm::clamp(position, bounds_.min, bounds_.max), found->normal};
+    }
+
+  private:
+    struct Triangle {
+        double endArea;  ///< Of all triangles up to and with this one, square metres.
+        glm::vec3 corner, edge1, edge2;
+        glm::vec3 normal;
+    };
+
+    void addMesh(const Mesh& mesh, const glm::mat4& world) {
+        std::vector<glm::vec3> points;
+        points.reserve(mesh.positions.size());
+        for (const glm::vec3& position : mesh.positions) points.push_back(transformed(world, position));
+        const glm::mat3 linear(world);
+        const float facing = glm::determinant(linear) < 0.0f ? -1.0f : 1.0f;
+        // The inverse transpose but for a factor over 0; defined for singular matrices too.
+        const glm::mat3 normalMatrix(facing * glm::cross(linear[1], linear[2]),
+                                     facing * glm::cross(linear[2], linear[0]),
+                                     facing * glm::cross(linear[0], linear[1]));
+        const auto add = [&](std::size_t first, std::size_t count) {
+            for (std::size_t i = first; i + 2 < first + count; i += 3) {
+                const std::uint32_t a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
+                addTriangle(points[a], points[b], points[c],
+                            normalMatrix * (mesh.normals[a] + mesh.normals[b] + mesh.normals[c]));
+            }
+        };
+        if (mesh.submeshes.empty()) return add(0, mesh.indices.size());
+        for (const Submesh& submesh : mesh.submeshes) add(submesh.firstIndex, submesh.indexCount);
+    }
+
+    void addCage(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world) {
+        const PosedCage posed = poseCage(scene, node, world);
+        std::vector<glm::vec3> points;
+        points.reserve(posed.points.size());
+        for (const glm::vec3& point : posed.points)
+            points.push_back(transformed(posed.worldFromPoints, point));
+        const Cage& cage = scene.cages[scene.nodes[node].cage->cage];
+        std::size_t first = 0;
+        for (const std::uint32_t size : cage.faceSizes) {
+            for (std::size_t i = 2; i < size; ++i) {
+                const glm::vec3 &a = points[cage.faceVertices[first]],
+                                &b = points[cage.faceVertices[first + i - 1]],
+                                &c = points[cage.faceVertices[first + i]];
+                addTriangle(a, b, c, glm::cross(b - a, c - a));
+            }
+            first += size;
+        }
+    }
+
+    static glm::vec3 transformed(const glm::mat4& world, const glm::vec3& point) {
+        return glm::vec3(world * glm::vec4(point, 1.0f));
+    }
+
+    /// Lights stand on the side of `side`.
+    void addTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& side) {
+        const glm::dvec3 normal = glm::cross(glm::dvec3(b - a), glm::dvec3(c - a));
+        const double length = glm::length(normal);
+        if (!(length > 0.0) || !std::isfinite(length)) return;
+        const double facing = glm::dot(normal, glm::dvec3(side)) < 0.0 ? -1.0 : 1.0;
+        triangles_.push_back({area() + 0.5 * length, a, b - a, c - a, glm::vec3(normal * (facing / length))});
+        for (const glm::vec3& corner : {a, b, c}) bounds_.add({corner, corner});
+    }
+
+    std::vector<Triangle> triangles_;
+    Bounds bounds_;
+};
+
+void check(const LightScatter& scatter) {
+    const ErrorContext context("scattered lights");
+    if (scatter.range) {
+        context.require(*scatter.range > 0.0f && std::isfinite(*scatter.range),
+                        "their range must be finite and over 0 metres");
+    }
+    if (scatter.candela) {
+        context.require(*scatter.candela >= 0.0f && *scatter.candela <= maxIntensity,
+                        "their intensity must be from 0 to 1e20 candela");
+    }
+}
+
 }  // namespace
 
-void scatterLights(std::vector<Light>& lights, const Bounds& bounds, std::uint32_t count, float range,
-                   float candela, std::uint32_t seed) {
-    require(!bounds.empty() && allFinite(bounds.min) && allFinite(bounds.max),
-            "lights need a box to be scattered over, and the scene has no geometry");
-    require(range > 0.0f && std::isfinite(range), "the range of scattered lights must be over 0 metres");
-    require(candela >= 0.0f && candela <= maxIntensity,
-            "the intensity of scattered lights must lie between 0 and 1e20 candela");
-    reserve(lights, count);
-    const std::uint32_t seedKey = mix(seed);
-    for (std::uint32_t i = 0; i < count; ++i) {
+void scatterLights(Scene& scene, const LightScatter& scatter) {
+    check(scatter);
+    const Surfaces surfaces(scene);
+    ErrorContext("scattered lights")
+        .require(!surfaces.empty(), "the scene has no surface to scatter them over");
+    reserve(scene.lights, scatter.count);
+    const double spacing = std::sqrt(surfaces.area() / std::max(scatter.count, 1u));
+    const float range = scatter.range.value_or(static_cast<float>(2.0 * spacing));
+    const float candela = scatter.candela.value_or(std::min(range * range / 10.0f, maxIntensity));
+    const float reach = std::min(range, surfaces.diagonal());
+    const std::uint32_t seedKey = mix(scatter.seed);
+    for (std::uint32_t i = 0; i < scatter.count; ++i) {
         const std::uint32_t key = mix(seedKey ^ mix(i));
-        Light& light = lights.emplace_back();
-        light.position = {between(bounds.min.x, bounds.max.x, unitFloat(key, 1)),
-                          between(bounds.min.y, bounds.max.y, unitFloat(key, 2)),
-                          between(bounds.min.z, bounds.max.z, unitFloat(key, 3))};
-        light.color = saturatedColor(unitFloat(key, 4));
+        // 48 bits, so that each of very many triangles has its share.
+        const double share = unitFloat(key, 1) + unitFloat(key, 2) * 0x1p-24;
+        const Surfaces::Point point = surfaces.at(share, unitFloat(key, 3), unitFloat(key, 4));
+        Light& light = scene.lights.emplace_back();
+        light.position = point.position + point.normal * (reach * between(0.125f, 0.5f, unitFloat(key, 5)));
+        light.color = saturatedColor(unitFloat(key, 6));
         light.range = range;
         light.intensity = candela;
     }

@@ -151,6 +151,15 @@ TEST_F(DisplayPassTest, ditherKeepsTheMeanOfLevelsBetweenCodes) {
     }
 }
 
+TEST_F(DisplayPassTest, valuesNearACodeBecomeThisCode) {
+    constexpr int height = 256;
+    for (const float level : {1.0f, 7.05f, 100.95f, 200.0f}) {
+        const auto codes = displayed8(filled(height, level / 255.0f), builtIn("sRGB", "Raw"));
+        const auto expected = static_cast<std::uint8_t>(std::lround(level));
+        for (std::size_t i = 0; i < codes.size(); i += 4) ASSERT_EQ(codes[i], expected) << level;
+    }
+}
+
 TEST_F(DisplayPassTest, blackAndWhiteHaveNoNoise) {
     for (const float level : {0.0f, 1.0f}) {
         const auto codes = displayed8(filled(64, level), builtIn("sRGB", "Un-tone-mapped"));

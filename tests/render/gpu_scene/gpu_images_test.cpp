@@ -10,6 +10,7 @@
 #include <candela/error.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace candela::test {
@@ -39,17 +40,16 @@ std::vector<float> texelsOf(GLuint texture) {
 
 class GpuImagesTest : public DrawingTest {};
 
-TEST_F(GpuImagesTest, uploadInBlocksOfRowsGivesTheWholeImage) {
-    const gl::StateGuard guard(*context().state().binding, "a test");
+void expectBlocksGiveTheWholeImage(ColorDecoding decoding) {
     for (const PixelFormat format : {PixelFormat::rgba8, PixelFormat::rgba16, PixelFormat::rgba32f}) {
         const std::vector<Image> source{imageOf(format)};
         for (const TexelEncoding encoding : {TexelEncoding::color, TexelEncoding::data}) {
-            GpuImages atOnce(source);
+            GpuImages atOnce(source, decoding);
             const std::vector<float> expected = texelsOf(atOnce.get(Texture{}, encoding).texture);
             // Less than a row, two rows, and all but one.
             for (const std::size_t maxBytes : {std::size_t{1}, std::size_t{2} * 5 * texelSize(format),
                                                std::size_t{6} * 5 * texelSize(format)}) {
-                GpuImages inBlocks(source, maxBytes);
+                GpuImages inBlocks(source, decoding, maxBytes);
                 EXPECT_EQ(texelsOf(inBlocks.get(Texture{}, encoding).texture), expected);
                 // The other encoding is uploaded from the read-back of this one.
                 inBlocks.releaseSources();
@@ -62,6 +62,26 @@ TEST_F(GpuImagesTest, uploadInBlocksOfRowsGivesTheWholeImage) {
     }
 }
 
+TEST_F(GpuImagesTest, uploadInBlocksOfRowsGivesTheWholeImage) {
+    const gl::StateGuard guard(*context().state().binding, "a test");
+    for (const ColorDecoding decoding : {ColorDecoding::device, ColorDecoding::exact})
+        expectBlocksGiveTheWholeImage(decoding);
+}
+
+TEST_F(GpuImagesTest, exactDecodingIsExactToAFractionOfACode) {
+    const gl::StateGuard guard(*context().state().binding, "a test");
+    const std::vector<Image> source{imageOf(PixelFormat::rgba8)};
+    GpuImages images(source, ColorDecoding::exact);
+    const std::vector<float> texels = texelsOf(images.get(Texture{}, TexelEncoding::color).texture);
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const double code = std::to_integer<int>(source[0].pixels[i]) / 255.0;
+        const double decoded = code < 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+        // Half floats have 11 bits.
+        const double expected = i % 4 == 3 ? code : decoded;
+        EXPECT_NEAR(texels[i], expected, expected * 0x1p-11) << i;
+    }
+}
+
 TEST_F(GpuImagesTest, imageBeyondTheDeviceMemoryIsNamed) {
     if (!context().isSoftware()) GTEST_SKIP() << "the device may have enough memory";
     GLint side = 0;
@@ -69,7 +89,7 @@ TEST_F(GpuImagesTest, imageBeyondTheDeviceMemoryIsNamed) {
     const auto size = static_cast<std::uint32_t>(side);
     // 16 bytes a texel: 4 GiB where the side is 16384, more than llvmpipe allocates for a texture.
     const std::vector<Image> source{{"panorama", size, size, PixelFormat::rgba32f, {}}};
-    GpuImages images(source);
+    GpuImages images(source, ColorDecoding::device);
     try {
         images.get(Texture{}, TexelEncoding::data);
         FAIL() << "no error was thrown";

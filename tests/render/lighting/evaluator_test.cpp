@@ -53,8 +53,8 @@ class EvaluatorTest : public DrawingTest {
         GpuScene scene = upload(lit.scene, lit.lights);
         FrameRequest inputs{width, height, lit.view, model, Technique::fullscreen};
         render(scene, inputs);
-        const std::vector<ExpectedPixel> expected =
-            evaluatedImage(model, aovs(width), width, height, lit.view.eye(), withRanges(lit.lights));
+        const std::vector<ExpectedPixel> expected = evaluatedImage(
+            model, aovs(width), width, height, lit.view.eye(), withRanges(lit.lights, scene.lightReport()));
         for (const Technique technique : techniques) {
             inputs.technique = technique;
             const Worst worst = compare(drawn(scene, inputs), expected);

@@ -182,66 +182,6 @@ TEST_F(LightTest, coloursAreConvertedToTheWorkingSpace) {
     }
 }
 
-TEST_F(LightTest, assignedRangeIsWhereTheIrradianceFallsToTheThreshold) {
-    const Scene scene = sceneOf(makeQuad(1.0f), white());
-    for (const float threshold : {0.005f, 0.5f}) {
-        GpuSceneOptions options;
-        options.irradianceThreshold = threshold;
-        const float range = std::sqrt(8.0f / threshold);
-        for (const Technique technique : techniques) {
-            const auto at = [&](float distance) {
-                GpuScene uploaded(context(), scene, options);
-                uploaded.setLights(std::vector{pointLight({0, 0, distance}, 0.0f, {2, 8, 4})});
-                return middleOf(drawn(uploaded, {size, size, front(), BrdfModel::course, technique}));
-            };
-            const float window = 1.0f - std::pow(0.5f, 4.0f);
-            EXPECT_NEAR(at(0.5f * range), normalIncidence * 8.0f * window / (0.25f * range * range),
-                        1e-5f * threshold * 4.0f);
-            EXPECT_GT(at(0.999f * range), 0.0f);
-            EXPECT_EQ(at(1.001f * range), 0.0f);
-        }
-    }
-}
-
-TEST_F(LightTest, reportCountsWhatAssignedRangesCut) {
-    GpuScene scene = upload(sceneOf(makeQuad(1.0f), white()));
-    EXPECT_EQ(scene.lightReport().lights, 0u);
-    EXPECT_EQ(scene.lightReport().irradianceCut, 0.0);
-    std::vector<WorldLight> lights(10, pointLight({0, 0, 1}, 3.0f, glm::vec3(5)));
-    lights.push_back(directionalLight({0, 0, -1}, glm::vec3(5)));
-    scene.setLights(lights);
-    EXPECT_EQ(scene.lightReport().lights, 11u);
-    EXPECT_EQ(scene.lightReport().rangesAssigned, 0u);
-    EXPECT_EQ(scene.lightReport().irradianceCut, 0.0);
-    for (int i = 0; i < 4; ++i) lights[std::size_t(2 * i)].range = 0.0f;
-    lights[1].type = LightType::spot;
-    lights[1].range = 0.0f;
-    scene.setLights(lights);
-    EXPECT_EQ(scene.lightReport().rangesAssigned, 5u);
-    EXPECT_NEAR(scene.lightReport().irradianceCut, 5 * 0.005, 1e-9);
-    lights.assign(3, pointLight({0, 0, 1}, 0.0f, glm::vec3(0)));
-    scene.setLights(lights);
-    EXPECT_EQ(scene.lightReport().irradianceCut, 0.0) << "black lights lose nothing";
-}
-
-TEST_F(LightTest, reportedCutBoundsTheLostIrradiance) {
-    // The same lights with ranges assigned and with ranges without end: the white surface facing them shows
-    // irradiance / pi times 0.97.
-    const Scene scene = sceneOf(makeQuad(1.0f), white());
-    std::vector<WorldLight> lights;
-    for (std::uint32_t i = 0; i < 50; ++i)
-        lights.push_back(
-            pointLight({0, 0, 1.0f + 60.0f * hashed(97, i)}, 0.0f, glm::vec3(0.1f + 9.0f * hashed(98, i))));
-    GpuScene uploaded = upload(scene, lights);
-    const double cut = uploaded.lightReport().irradianceCut;
-    const FrameRequest inputs{size, size, front(), BrdfModel::course, Technique::fullscreen};
-    const double kept = middleOf(drawn(uploaded, inputs)) / normalIncidence;
-    for (WorldLight& light : lights) light.range = 1e9f;
-    const double all = middleOf(drawn(upload(scene, lights), inputs)) / normalIncidence;
-    EXPECT_GT(all - kept, 0.01 * cut);
-    EXPECT_LE(all - kept, cut + 1e-5 * all);
-}
-
 std::string errorOf(GpuScene& scene, const WorldLight& bad) {
     std::vector<WorldLight> lights(3, pointLight({0, 0, 1}, 1.0f, glm::vec3(1)));
     lights[2] = bad;
@@ -304,14 +244,6 @@ TEST_F(LightTest, invalidLightsKeepTheOldOnes) {
     EXPECT_NE(errorOf(scene, bad), "no error");
     EXPECT_EQ(drawn(scene, inputs).rgba, before);
     EXPECT_EQ(scene.lightReport().lights, 1u);
-}
-
-TEST_F(LightTest, thresholdHasToBePositive) {
-    for (const float threshold : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN()}) {
-        GpuSceneOptions options;
-        options.irradianceThreshold = threshold;
-        EXPECT_THROW(GpuScene(context(), Scene{}, options), Error);
-    }
 }
 
 /// A quad with a node that has a point light, and its image.

@@ -102,12 +102,12 @@ std::vector<ExpectedPixel> evaluatedImage(BrdfModel model, const AovReader& aovs
     return pixels;
 }
 
-std::vector<WorldLight> withRanges(std::span<const WorldLight> lights) {
+std::vector<WorldLight> withRanges(std::span<const WorldLight> lights, const LightReport& report) {
     std::vector<WorldLight> ranged(lights.begin(), lights.end());
     for (WorldLight& light : ranged) {
         if (light.type == LightType::directional || light.range > 0.0f) continue;
         const float brightest = std::max({light.intensity.r, light.intensity.g, light.intensity.b});
-        light.range = std::sqrt(brightest / GpuSceneOptions{}.irradianceThreshold);
+        light.range = static_cast<float>(std::sqrt(brightest / report.rangeIrradiance));
     }
     return ranged;
 }

@@ -32,7 +32,7 @@ struct ExpectedPixel {
 std::vector<ExpectedPixel> evaluatedImage(BrdfModel model, const AovReader& aovs, int width, int height,
                                           const glm::vec3& eye, std::span<const WorldLight> lights);
 
-/// The lights, with the ranges that the renderer assigns at its default threshold.
-std::vector<WorldLight> withRanges(std::span<const WorldLight> lights);
+/// The lights, with the ranges that the renderer has assigned.
+std::vector<WorldLight> withRanges(std::span<const WorldLight> lights, const LightReport& report);
 
 }  // namespace candela::test

@@ -1,0 +1,33 @@
+#include "scene_lighting.h"
+
+#include "common/scene_lights.h"
+
+#include <candela/exposure.h>
+
+#include <array>
+
+void lightDocument(ViewModel& model, const candela::CameraView& view) {
+    const SceneOptions& options = model.options;
+    std::optional<Document::DefaultLighting> lighting;
+    if (usesDefaultLights(model.document->scene(), options.defaultLights))
+        lighting = {view, options.autoExposure ? 0.0 : options.display.exposure};
+    model.document->setDefaultLighting(lighting);
+}
+
+void measureExposure(ViewModel& model, const candela::Frame& frame) {
+    const std::array<candela::HdrImage, 1> frames{frame.radiance()};
+    model.options.display.exposure =
+        candela::autoExposure(frames, model.color.luminanceWeights()).value_or(0.0);
+    model.options.autoExposure = true;
+}
+
+void noteFirstPicture(ViewModel& model, const candela::Frame& frame) {
+    const bool added = usesDefaultLights(model.document->scene(), model.options.defaultLights);
+    if (added && model.options.defaultLights == DefaultLights::automatic)
+        model.messages.push_back({Message::Kind::note, defaultLightsNote});
+    if (model.options.debug.view != candela::DebugView::none) return;
+    const candela::ExposureCounts counts = candela::countExposure(
+        frame.radiance(), model.color.luminanceWeights(), model.options.display.exposure);
+    if (const std::optional<std::string> note = pictureNote(counts))
+        model.messages.push_back({Message::Kind::note, *note});
+}
