@@ -5,12 +5,24 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = LIMIT_OFFSETS_STORAGE) readonly buffer Offsets { uint offsets[]; };   // first entry of each stencil, and the end of the last; then the points of seam vertices
-layout(std430, binding = LIMIT_ENTRIES_STORAGE) readonly buffer Entries { uvec4 entries[]; };  // control index; weights of value, du, dv
-layout(std430, binding = LIMIT_POINTS_STORAGE) readonly buffer Points { float points[]; };
-layout(std430, binding = LIMIT_SURFACE_STORAGE) buffer Surface { float surface[]; };  // all positions, then all normals
-layout(std430, binding = LIMIT_UVS_STORAGE) readonly buffer Uvs { vec4 uvDerivatives[]; };
-layout(std430, binding = LIMIT_TANGENTS_STORAGE) writeonly buffer Tangents { vec4 tangents[]; };
+layout(std430, binding = LIMIT_OFFSETS_STORAGE) readonly buffer Offsets {
+    uint offsets[];
+};  // first entry of each stencil, and the end of the last; then the points of seam vertices
+layout(std430, binding = LIMIT_ENTRIES_STORAGE) readonly buffer Entries {
+    uvec4 entries[];
+};  // control index; weights of value, du, dv
+layout(std430, binding = LIMIT_POINTS_STORAGE) readonly buffer Points {
+    float points[];
+};
+layout(std430, binding = LIMIT_SURFACE_STORAGE) buffer Surface {
+    float surface[];
+};  // all positions, then all normals
+layout(std430, binding = LIMIT_UVS_STORAGE) readonly buffer Uvs {
+    vec4 uvDerivatives[];
+};
+layout(std430, binding = LIMIT_TANGENTS_STORAGE) writeonly buffer Tangents {
+    vec4 tangents[];
+};
 
 layout(location = LIMIT_RANGE_LOCATION) uniform uvec4 range;
 layout(location = LIMIT_TANGENTS_LOCATION) uniform bool needsTangents;
@@ -46,7 +58,9 @@ vec4 limitTangent(vec3 normal, vec3 du, vec3 dv, vec4 uv) {
     return vec4(inPlane, area < 0.0 ? 1.0 : -1.0);
 }
 
-vec3 readSurface(uint at) { return vec3(surface[at], surface[at + 1u], surface[at + 2u]); }
+vec3 readSurface(uint at) {
+    return vec3(surface[at], surface[at + 1u], surface[at + 2u]);
+}
 
 void writeSurface(uint at, vec3 value) {
     surface[at] = value.x;

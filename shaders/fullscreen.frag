@@ -2,8 +2,8 @@
 
 #include "lib/lighting.glsl"
 
-layout(location = LIGHT_SPANS_LOCATION) uniform ivec4 localLights;         // points: first, end; spots: first, end
-layout(location = DIRECTIONAL_SPAN_LOCATION) uniform ivec2 directionals;   // first, end
+layout(location = LIGHT_SPANS_LOCATION) uniform ivec4 localLights;        // points: first, end; spots: first, end
+layout(location = DIRECTIONAL_SPAN_LOCATION) uniform ivec2 directionals;  // first, end
 
 layout(location = 0) out vec4 radiance;
 

@@ -5,7 +5,7 @@
 layout(binding = LIGHTS_UNIT) uniform samplerBuffer lightRecords;
 layout(binding = CONES_UNIT) uniform samplerBuffer coneRecords;
 
-layout(location = POSITION_ATTRIBUTE) in vec3 vertex;   // of a polyhedron that holds the unit sphere
+layout(location = POSITION_ATTRIBUTE) in vec3 vertex;  // of a polyhedron that holds the unit sphere
 layout(location = LIGHT_ATTRIBUTE) in uint lightIndex;
 
 layout(location = 0) flat out vec4 lightPlace;

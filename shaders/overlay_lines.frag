@@ -11,9 +11,13 @@ layout(location = 0) out vec4 code;
 // lies on are rounded differently.
 const float DEPTH_SHARE = 5.0e-4;
 
-bool isInside(ivec2 pixel) { return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, frame.size.xy)); }
+bool isInside(ivec2 pixel) {
+    return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, frame.size.xy));
+}
 
-float depthAt(ivec2 pixel) { return texelFetch(depthTexture, pixel, 0).x; }
+float depthAt(ivec2 pixel) {
+    return texelFetch(depthTexture, pixel, 0).x;
+}
 
 // The change of depth from a pixel to its neighbour on one side, and from there to the next; 0 outside the picture.
 vec2 changes(ivec2 pixel, float depth, ivec2 side) {

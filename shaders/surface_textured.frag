@@ -17,7 +17,9 @@ layout(location = 4) flat in uint material;
 
 layout(location = RADIANCE_OUTPUT) out vec4 radiance;
 
-vec4 texel(sampler2D image, int slot) { return texture(image, textureCoordinate(material, slot, uvs.xy, uvs.zw)); }
+vec4 texel(sampler2D image, int slot) {
+    return texture(image, textureCoordinate(material, slot, uvs.xy, uvs.zw));
+}
 
 MaterialLobes texturedLobes() {
     MaterialLobes lobes = materialFactors(material);

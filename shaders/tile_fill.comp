@@ -1,5 +1,5 @@
-// Bins lights to tiles, one thread a light. Dispatched twice: FILL 0 counts the lights of each tile, FILL 1 writes them into its list. A light over many
-// tiles is taken by the whole group, so that no thread has a long loop of its own.
+// Bins lights to tiles, one thread a light. Dispatched twice: FILL 0 counts the lights of each tile, FILL 1 writes them into its list. A
+// light over many tiles is taken by the whole group, so that no thread has a long loop of its own.
 
 #define Real float
 #define SHARED_FUNCTION
@@ -30,9 +30,13 @@ ViewFrustum viewFrustum() {
     return ViewFrustum(frame.eye.w, halfExtent.x, halfExtent.y, edgeScale.x, edgeScale.y);
 }
 
-TileGrid tileGrid() { return TileGrid(frame.size.x, frame.size.y, TILE, tileGridSize().x, tileGridSize().y); }
+TileGrid tileGrid() {
+    return TileGrid(frame.size.x, frame.size.y, TILE, tileGridSize().x, tileGridSize().y);
+}
 
-int tileCount(Reach reach) { return (reach.tiles.right - reach.tiles.left + 1) * (reach.tiles.top - reach.tiles.bottom + 1); }
+int tileCount(Reach reach) {
+    return (reach.tiles.right - reach.tiles.left + 1) * (reach.tiles.top - reach.tiles.bottom + 1);
+}
 
 void visit(Reach reach, int index) {
     int width = reach.tiles.right - reach.tiles.left + 1;

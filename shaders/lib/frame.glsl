@@ -3,7 +3,9 @@
 #include "shared/bindings.h"
 #include "shared/frame.h"
 
-layout(std140, binding = FRAME_BINDING) uniform FrameBlock { FrameUniforms frame; };
+layout(std140, binding = FRAME_BINDING) uniform FrameBlock {
+    FrameUniforms frame;
+};
 
 // `precise` keeps products and sums apart (no fused multiply-add), so that every device and the CPU compute the same position: close to a
 // light, the last bit of a position far from the origin is visible.

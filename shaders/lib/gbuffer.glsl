@@ -15,13 +15,19 @@ struct GBufferSurface {
 #include "shared/srgb.h"
 #include "shared/gbuffer_encoding.h"
 
-vec3 srgbEncode(vec3 linear) { return vec3(srgbEncode(linear.r), srgbEncode(linear.g), srgbEncode(linear.b)); }
+vec3 srgbEncode(vec3 linear) {
+    return vec3(srgbEncode(linear.r), srgbEncode(linear.g), srgbEncode(linear.b));
+}
 
-GBufferSurface unpackSurface(uvec2 texel) { return unpackSurfaceWords(texel.x, texel.y); }
+GBufferSurface unpackSurface(uvec2 texel) {
+    return unpackSurfaceWords(texel.x, texel.y);
+}
 
 // All words of a pixel: a member for each texture of the G-buffer's layout (lib/render/gbuffer/gbuffer_targets.h).
 struct GBufferWords {
     uvec2 surface;
 };
 
-GBufferSurface unpackWords(GBufferWords words) { return unpackSurface(words.surface); }
+GBufferSurface unpackWords(GBufferWords words) {
+    return unpackSurface(words.surface);
+}

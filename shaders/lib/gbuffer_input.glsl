@@ -7,12 +7,18 @@ layout(binding = SURFACE_UNIT) uniform usampler2D surfaceTexture;
 layout(binding = DEPTH_UNIT) uniform sampler2D depthTexture;
 
 // Reversed depth; 0 on the background.
-float fetchDepth(ivec2 pixel) { return texelFetch(depthTexture, pixel, 0).x; }
+float fetchDepth(ivec2 pixel) {
+    return texelFetch(depthTexture, pixel, 0).x;
+}
 
-GBufferWords fetchWords(ivec2 pixel) { return GBufferWords(texelFetch(surfaceTexture, pixel, 0).xy); }
+GBufferWords fetchWords(ivec2 pixel) {
+    return GBufferWords(texelFetch(surfaceTexture, pixel, 0).xy);
+}
 
 // False on the background and on unlit surfaces: the G-buffer stores nothing of them.
-bool hasSurface(GBufferWords words) { return words.surface.y != 0u; }
+bool hasSurface(GBufferWords words) {
+    return words.surface.y != 0u;
+}
 
 // Zeros where there is no surface.
 GBufferSurface fetchSurfaceOrZero(ivec2 pixel) {

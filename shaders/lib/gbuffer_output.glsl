@@ -5,4 +5,6 @@
 
 layout(location = SURFACE_OUTPUT) out uvec2 surfaceWords;
 
-void writeWords(GBufferWords words) { surfaceWords = words.surface; }
+void writeWords(GBufferWords words) {
+    surfaceWords = words.surface;
+}

@@ -23,20 +23,28 @@ float directionalAlbedo(sampler2D table, float nDotV, float alpha) {
     return mix(a, b, weight.y);
 }
 
-float fastDivide(float a, float b) { return a / b; }
+float fastDivide(float a, float b) {
+    return a / b;
+}
 
 #include "shared/shading.h"
 
-LocalLight localLightOf(vec4 place, vec4 intensity) { return LocalLight(place.xyz, place.w, intensity.rgb); }
+LocalLight localLightOf(vec4 place, vec4 intensity) {
+    return LocalLight(place.xyz, place.w, intensity.rgb);
+}
 
 LocalLight fetchLight(int index) {
     return localLightOf(texelFetch(lightRecords, index * LIGHT_TEXELS), texelFetch(lightRecords, index * LIGHT_TEXELS + 1));
 }
 
-LightCone lightConeOf(vec4 record) { return LightCone(record.xyz, record.w); }
+LightCone lightConeOf(vec4 record) {
+    return LightCone(record.xyz, record.w);
+}
 
 // The cone of a light of `fetchLight` that is a spot.
-LightCone fetchCone(int index) { return lightConeOf(texelFetch(coneRecords, index - frame.lightCounts.x)); }
+LightCone fetchCone(int index) {
+    return lightConeOf(texelFetch(coneRecords, index - frame.lightCounts.x));
+}
 
 // Is the point within the light's range?
 bool isLit(vec3 position, LocalLight light) {

@@ -4,9 +4,13 @@
 
 layout(binding = MATERIALS_UNIT) uniform usamplerBuffer materialRecords;
 
-uvec4 materialWords(uint material, int texel) { return texelFetch(materialRecords, int(material) * MATERIAL_TEXELS + texel); }
+uvec4 materialWords(uint material, int texel) {
+    return texelFetch(materialRecords, int(material) * MATERIAL_TEXELS + texel);
+}
 
-vec4 materialTexel(uint material, int texel) { return uintBitsToFloat(materialWords(material, texel)); }
+vec4 materialTexel(uint material, int texel) {
+    return uintBitsToFloat(materialWords(material, texel));
+}
 
 // The lobes of a material at a point of a surface. Colours are linear Rec.709.
 struct MaterialLobes {

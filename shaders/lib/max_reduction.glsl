@@ -3,4 +3,6 @@
 
 #include "shared/bindings.h"
 
-layout(std430, binding = MAX_REDUCTION_STORAGE) buffer MaxReductionBlock { uint maximumBits; };
+layout(std430, binding = MAX_REDUCTION_STORAGE) buffer MaxReductionBlock {
+    uint maximumBits;
+};

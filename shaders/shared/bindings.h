@@ -4,27 +4,27 @@
 const int FRAME_BINDING = 0;
 
 // Texture units of the geometry pass.
-const int INSTANCES_UNIT = 0;           // RGBA32F buffer: INSTANCE_TEXELS an instance
-const int MATERIALS_UNIT = 1;           // RGBA32UI buffer: MATERIAL_TEXELS a material
+const int INSTANCES_UNIT = 0;  // RGBA32F buffer: INSTANCE_TEXELS an instance
+const int MATERIALS_UNIT = 1;  // RGBA32UI buffer: MATERIAL_TEXELS a material
 const int BASE_COLOR_UNIT = 2;
 const int METALLIC_ROUGHNESS_UNIT = 3;
 const int NORMAL_UNIT = 4;
 const int EMISSION_UNIT = 5;
 
 // Texture units of the lighting passes.
-const int SURFACE_UNIT = 0;             // RG32UI: the G-buffer's two words
-const int DEPTH_UNIT = 1;               // reversed depth
-const int LIGHTS_UNIT = 2;              // RGBA32F buffer: LIGHT_TEXELS a light: points, then spots, then directional lights
-const int CONES_UNIT = 3;               // RGBA32F buffer: one texel a spot
-const int ALBEDO_UNIT = 4;              // R32F: directional albedo table of the gltf model
+const int SURFACE_UNIT = 0;  // RG32UI: the G-buffer's two words
+const int DEPTH_UNIT = 1;    // reversed depth
+const int LIGHTS_UNIT = 2;   // RGBA32F buffer: LIGHT_TEXELS a light: points, then spots, then directional lights
+const int CONES_UNIT = 3;    // RGBA32F buffer: one texel a spot
+const int ALBEDO_UNIT = 4;   // R32F: directional albedo table of the gltf model
 
 // Texture units of the display pass; look-up textures of the display transform follow.
 const int RADIANCE_UNIT = 0;
 const int LOOKUP_UNIT = 1;
 
 // Texture units of the debug views, after those of the G-buffer.
-const int VIEW_UNIT = 2;                // what the view shows besides the G-buffer: emission, light counts or instances
-const int INSTANCE_COLORS_UNIT = 3;     // RGBA32F buffer: a texel an instance
+const int VIEW_UNIT = 2;             // what the view shows besides the G-buffer: emission, light counts or instances
+const int INSTANCE_COLORS_UNIT = 3;  // RGBA32F buffer: a texel an instance
 
 // Texture unit of the overlay display.
 const int OVERLAY_UNIT = 0;
@@ -46,45 +46,46 @@ const int LIMIT_TANGENTS_STORAGE = 5;
 const int RADIANCE_IMAGE = 0;
 
 // Uniform locations.
-const int FIRST_LIGHT_LOCATION = 0;      // tile_fill: the first light of a dispatch
-const int LIST_PART_LOCATION = 1;        // tile_shade: which part of the lists
-const int LIGHT_SPAN_LOCATION = 2;       // tile_fill, tile_prefix, tile_shade: first and end of the lights that the lists are of
-const int LIGHT_SPANS_LOCATION = 0;      // fullscreen: first and end of points and spots
-const int DIRECTIONAL_SPAN_LOCATION = 1; // fullscreen: first and end of directional lights
-const int EXPOSURE_LOCATION = 0;        // display: factor before the transform
-const int ORIGIN_LOCATION = 1;          // display: lower left corner of the picture in the target
-const int LIMIT_RANGE_LOCATION = 0;     // cage_limit: first and end of a dispatch's vertices, number of points, number of vertices
-const int LIMIT_TANGENTS_LOCATION = 1;  // cage_limit: are tangents needed?
-const int HEAT_STOPS_LOCATION = 0;      // debug_view: the colours between which the heat map blends
-const int LINE_COLOR_LOCATION = 0;      // overlays: the colour of a line, code values
-const int LINE_INSTANCE_LOCATION = 1;   // overlays: the instance on which lines of a cage lie
+const int FIRST_LIGHT_LOCATION = 0;       // tile_fill: the first light of a dispatch
+const int LIST_PART_LOCATION = 1;         // tile_shade: which part of the lists
+const int LIGHT_SPAN_LOCATION = 2;        // tile_fill, tile_prefix, tile_shade: first and end of the lights that the lists are of
+const int LIGHT_SPANS_LOCATION = 0;       // fullscreen: first and end of points and spots
+const int DIRECTIONAL_SPAN_LOCATION = 1;  // fullscreen: first and end of directional lights
+const int EXPOSURE_LOCATION = 0;          // display: factor before the transform
+const int ORIGIN_LOCATION = 1;            // display: lower left corner of the picture in the target
+const int LIMIT_RANGE_LOCATION = 0;       // cage_limit: first and end of a dispatch's vertices, number of points, number of vertices
+const int LIMIT_TANGENTS_LOCATION = 1;    // cage_limit: are tangents needed?
+const int HEAT_STOPS_LOCATION = 0;        // debug_view: the colours between which the heat map blends
+const int LINE_COLOR_LOCATION = 0;        // overlays: the colour of a line, code values
+const int LINE_INSTANCE_LOCATION = 1;     // overlays: the instance on which lines of a cage lie
 
 // Fragment outputs of the geometry pass. Further words of the G-buffer follow.
 const int SURFACE_OUTPUT = 0;
-const int RADIANCE_OUTPUT = 1;          // emissive surfaces only
+const int RADIANCE_OUTPUT = 1;  // emissive surfaces only
 
 // Vertex attributes.
 const int POSITION_ATTRIBUTE = 0;
 const int NORMAL_ATTRIBUTE = 1;
-const int DRAW_ATTRIBUTE = 2;           // uvec2 a draw: instance, material
+const int DRAW_ATTRIBUTE = 2;  // uvec2 a draw: instance, material
 const int TANGENT_ATTRIBUTE = 3;
 const int UV0_ATTRIBUTE = 4;
 const int UV1_ATTRIBUTE = 5;
 const int COLOR_ATTRIBUTE = 6;
-const int LIGHT_ATTRIBUTE = 1;          // uint an instance of a light volume: light
+const int LIGHT_ATTRIBUTE = 1;  // uint an instance of a light volume: light
 
-// The maximum number of lights that a loop of tile_shade iterates over: llvmpipe silently ends the loops of an invocation after 65,535 iterations.
+// The maximum number of lights that a loop of tile_shade iterates over: llvmpipe silently ends the loops of an invocation after 65,535
+// iterations.
 const int LIST_PART = 32768;
 
 // Texels a record.
-const int INSTANCE_TEXELS = 6;          // rows of the world matrix, then of its cofactor matrix with the handedness in w
+const int INSTANCE_TEXELS = 6;  // rows of the world matrix, then of its cofactor matrix with the handedness in w
 const int MATERIAL_TEXELS = 12;
 
 // Texels of a material's record.
-const int MATERIAL_BASE_COLOR = 0;      // base colour factor and alpha
-const int MATERIAL_FACTORS = 1;         // metallic, roughness, normal scale, alpha cutoff (negative: no mask)
-const int MATERIAL_EMISSION = 2;        // emission factor; 1 when unlit
-const int MATERIAL_PACKED = 3;          // x: base colour and metallic as the G-buffer packs them (uint)
-const int MATERIAL_UV_ROWS = 4;         // two rows of the coordinate transform a texture: base colour, metallic-roughness, normal,
-                                        // emission; w of the first is the set of texture coordinates
+const int MATERIAL_BASE_COLOR = 0;  // base colour factor and alpha
+const int MATERIAL_FACTORS = 1;     // metallic, roughness, normal scale, alpha cutoff (negative: no mask)
+const int MATERIAL_EMISSION = 2;    // emission factor; 1 when unlit
+const int MATERIAL_PACKED = 3;      // x: base colour and metallic as the G-buffer packs them (uint)
+const int MATERIAL_UV_ROWS = 4;     // two rows of the coordinate transform a texture: base colour, metallic-roughness, normal,
+                                    // emission; w of the first is the set of texture coordinates
 const int LIGHT_TEXELS = 2;

@@ -2,16 +2,16 @@
 
 struct FrameUniforms {
     mat4 clipFromWorld;
-    vec4 eye;                // w: distance of the near plane
-    vec4 rayCorner;          // world direction, one metre deep, through the centre of pixel (0, 0)
-    vec4 rayStepX;           // added for each pixel to the right
-    vec4 rayStepY;           // added for each pixel up
-    vec4 cameraRight;        // w: half the picture's width one metre deep
-    vec4 cameraUp;           // w: half its height
+    vec4 eye;          // w: distance of the near plane
+    vec4 rayCorner;    // world direction, one metre deep, through the centre of pixel (0, 0)
+    vec4 rayStepX;     // added for each pixel to the right
+    vec4 rayStepY;     // added for each pixel up
+    vec4 cameraRight;  // w: half the picture's width one metre deep
+    vec4 cameraUp;     // w: half its height
     vec4 cameraForward;
-    vec4 workingFromRed;     // columns of the matrix from linear Rec.709 to the working space
+    vec4 workingFromRed;  // columns of the matrix from linear Rec.709 to the working space
     vec4 workingFromGreen;
     vec4 workingFromBlue;
-    ivec4 size;              // width, height
-    ivec4 lightCounts;       // points, spots, directional lights
+    ivec4 size;         // width, height
+    ivec4 lightCounts;  // points, spots, directional lights
 };

@@ -1,13 +1,13 @@
-// The G-buffer's encoding, read by C++ and GLSL both: the only place that packs and unpacks it, except that the tile kernels unpack vectors of pixels
-// (lib/render/lighting/tiled/tile_shading.h). The includer has GLSL's vectors, GBufferSurface and the sRGB curve.
+// The G-buffer's encoding, read by C++ and GLSL both: the only place that packs and unpacks it, except that the tile kernels unpack vectors
+// of pixels (lib/render/lighting/tiled/tile_shading.h). The includer has GLSL's vectors, GBufferSurface and the sRGB curve.
 //   word 0: base colour, sRGB-encoded, 8 bits a channel (R lowest); metallic, 8 bits
 //   word 1: octahedral normal, 12 bits an axis (codes 1 to 4095, so that the word is never 0); perceptual roughness, 8 bits
 
 const float NORMAL_MAX = 2047.0f;     // code of 1, from the centre
 const float NORMAL_CENTER = 2048.0f;  // code of 0
 
-// Folds the lower half of the octahedron outwards; its own inverse. Cigolle et al., "A survey of efficient representations for independent unit vectors",
-// 2014.
+// Folds the lower half of the octahedron outwards; its own inverse. Cigolle et al., "A survey of efficient representations for independent
+// unit vectors", 2014.
 SHARED_FUNCTION vec2 octahedralFold(vec2 p) {
     return (1.0f - abs(vec2(p.y, p.x))) * vec2(p.x >= 0.0f ? 1.0f : -1.0f, p.y >= 0.0f ? 1.0f : -1.0f);
 }

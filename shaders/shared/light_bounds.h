@@ -1,11 +1,12 @@
-// Which tiles of the picture a light's sphere may reach, read by C++ and GLSL both: the tile kernels, the compute passes of the technique `tiles`, and the
-// culling of light volumes. The includer defines Real and SHARED_FUNCTION as for shared/shading.h; Real is a number or a vector of them.
+// Which tiles of the picture a light's sphere may reach, read by C++ and GLSL both: the tile kernels, the compute passes of the technique
+// `tiles`, and the culling of light volumes. The includer defines Real and SHARED_FUNCTION as for shared/shading.h; Real is a number or a
+// vector of them.
 
 // The view frustum without a far plane, in camera space: x points right, y up, and depth forward.
 struct ViewFrustum {
     float nearPlane;
-    float halfWidth, halfHeight;     // of the picture at a depth of one metre
-    float edgeScaleX, edgeScaleY;    // 1 / sqrt(1 + halfWidth²): 1 / length of a side plane's normal
+    float halfWidth, halfHeight;   // of the picture at a depth of one metre
+    float edgeScaleX, edgeScaleY;  // 1 / sqrt(1 + halfWidth²): 1 / length of a side plane's normal
 };
 
 // How far a point lies outside of the planes of the frustum, at most; negative inside. A sphere whose radius is less lies wholly outside.
@@ -20,8 +21,8 @@ struct Span {
     float first, last;
 };
 
-// The sphere lies wholly in front of the near plane. Tangent lines from the eye, after Mara and McGuire, "2D polyhedral bounds of a clipped,
-// perspective-projected 3D sphere", 2013. `side` is x or y, and `halfExtent` the half width or height that belongs to it.
+// The sphere lies wholly in front of the near plane. Tangent lines from the eye, after Mara and McGuire, "2D polyhedral bounds of a
+// clipped, perspective-projected 3D sphere", 2013. `side` is x or y, and `halfExtent` the half width or height that belongs to it.
 SHARED_FUNCTION Span projectedSpan(float side, float depth, float radius, float halfExtent) {
     float radius2 = radius * radius;
     float reach = radius * sqrt(max(side * side + depth * depth - radius2, 0.0f));
@@ -47,7 +48,8 @@ SHARED_FUNCTION int tileOf(float pixel, int tileSize, int tiles) {
     return pixel < float(tiles * tileSize) ? int(pixel) / tileSize : tiles - 1;
 }
 
-// The tiles under the projection of a sphere that meets the frustum, one pixel wider for rounding; all of them where the sphere reaches the near plane.
+// The tiles under the projection of a sphere that meets the frustum, one pixel wider for rounding; all of them where the sphere reaches the
+// near plane.
 SHARED_FUNCTION TileRange tilesUnder(TileGrid grid, ViewFrustum frustum, float x, float y, float depth, float radius) {
     TileRange tiles;
     tiles.left = 0;

@@ -1,6 +1,6 @@
-// The light equation in the merged form that docs/lighting.md derives: with t = l + v, neither the half vector nor its normalisation is computed, and D, G and
-// the denominator share one division. GLSL compiles this file over floats, the tile kernels of C++ over vectors of floats, the tests over float and double.
-// include/candela/brdf.h is the textbook form, kept independent as the reference of the tests.
+// The light equation in the merged form that docs/lighting.md derives: with t = l + v, neither the half vector nor its normalisation is
+// computed, and D, G and the denominator share one division. GLSL compiles this file over floats, the tile kernels of C++ over vectors of
+// floats, the tests over float and double. include/candela/brdf.h is the textbook form, kept independent as the reference of the tests.
 //
 // The includer defines
 //   Real, Real3      a number and three of them, with the operators and functions that GLSL has for float and vec3
@@ -112,8 +112,8 @@ SHARED_FUNCTION ShadingPoint shadingPoint(const int brdf, SurfaceLobes lobes, Re
     return point;
 }
 
-// D G / (4 (n·l) (n·v)), D after Walter et al. 2007, equation 33. `t2` is |t|² and `nDotT2` is (n·t)²; `tangential2` is their difference, computed without
-// cancellation.
+// D G / (4 (n·l) (n·v)), D after Walter et al. 2007, equation 33. `t2` is |t|² and `nDotT2` is (n·t)²; `tangential2` is their difference,
+// computed without cancellation.
 SHARED_FUNCTION Real specularLobe(const int brdf, ShadingPoint point, Real tangential2, Real nDotT2, Real t2, Real nDotL) {
     // |t|² ((n·h)² (alpha² - 1) + 1). The minimum only guards l = -v, where t is 0.
     Real q = max(tangential2 + point.alpha2 * nDotT2, 1.0e-15f);
@@ -147,8 +147,8 @@ SHARED_FUNCTION Real coneRamp(LightCone cone, Real3 l) {
     return min(max(cone.offset - dot(l, cone.axis), 0.0f), 1.0f);
 }
 
-// How a point or spot light reaches a surface. `attenuation` is the window over the squared distance. Where the light lies on the surface, l is 0: it has no
-// direction and gives nothing.
+// How a point or spot light reaches a surface. `attenuation` is the window over the squared distance. Where the light lies on the surface,
+// l is 0: it has no direction and gives nothing.
 struct LightPath {
     Real3 l;
     Real nDotL;
