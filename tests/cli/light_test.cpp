@@ -36,7 +36,7 @@ class Light : public testing::Test {
     CommandResult run(std::vector<std::string> arguments) const {
         arguments.insert(arguments.end(), {"--size", "33x33"});
         const CommandResult result = runCommand(arguments, {.folder = folder.path()});
-        expectDone(result);
+        expectSuccess(result);
         return result;
     }
     /// The green of the middle pixel.
