@@ -84,10 +84,12 @@ candela::Scene readScene(Session& session, const candela::PluginRegistry& plugin
 void noteLights(Session& session, const candela::LightReport& report) {
     if (report.rangesAssigned == 0) return;
     std::ostringstream text;
-    text << report.rangesAssigned << " lights without a range end " << report.minRange;
+    const bool one = report.rangesAssigned == 1;
+    text << report.rangesAssigned << (one ? " light" : " lights") << " without a range: drawn up to "
+         << report.minRange;
     if (report.minRange < report.maxRange) text << " to " << report.maxRange;
-    text << " m away, where they lose together at most " << 100.0f * session.options.rangeLoss
-         << " % of their light at any point (--range-loss)";
+    text << " m, which takes at most " << 100.0f * session.options.rangeLoss
+         << " % of their light from any point (--range-loss)";
     session.note(text.str());
 }
 
