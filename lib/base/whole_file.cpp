@@ -86,7 +86,7 @@ class FileSizeSignalBlock {
     FileSizeSignalBlock& operator=(const FileSizeSignalBlock&) = delete;
     ~FileSizeSignalBlock() {
         constexpr timespec noTime{};
-        // Takes the signal that a write has raised before it could be delivered.
+        // Takes the signal that a write has raised before it is handled.
         if (sigismember(&before_, SIGXFSZ) == 0) ::sigtimedwait(&signal_, nullptr, &noTime);
         ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
     }
