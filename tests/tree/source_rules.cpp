@@ -166,14 +166,15 @@ std::vector<std::string> missingFilesOfDocuments(const fs::path& root) {
     return violations;
 }
 
-std::size_t shortFileCount(const fs::path& root) {
-    std::size_t count = 0;
+double shortFileShare(const fs::path& root) {
+    std::size_t shortFiles = 0, all = 0;
     for (const char* folder : {"include", "lib", "plugins", "apps"}) {
         const std::vector<fs::path> files = filesBelow(root / folder, {".h", ".cpp"});
-        count += static_cast<std::size_t>(std::ranges::count_if(
+        all += files.size();
+        shortFiles += static_cast<std::size_t>(std::ranges::count_if(
             files, [](const fs::path& file) { return readLines(file).size() < minLines; }));
     }
-    return count;
+    return all == 0 ? 0.0 : static_cast<double>(shortFiles) / static_cast<double>(all);
 }
 
 }  // namespace candela

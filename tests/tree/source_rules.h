@@ -35,10 +35,10 @@ std::vector<std::string> wordViolations(const std::filesystem::path& root,
 /// A line for each file of the tree that a document names in a code span and that does not exist.
 std::vector<std::string> missingFilesOfDocuments(const std::filesystem::path& root);
 
-/// The number of files that are short today. It may fall, and must not grow.
-constexpr std::size_t maxShortFiles = 88;
+/// The share of files that are short today. It may fall, and must not grow.
+constexpr double maxShortFileShare = 0.22;
 
-/// The number of files of fewer than `minLines` lines in include, lib, plugins and apps.
-std::size_t shortFileCount(const std::filesystem::path& root);
+/// The share of files of fewer than `minLines` lines in include, lib, plugins and apps.
+double shortFileShare(const std::filesystem::path& root);
 
 }  // namespace candela
