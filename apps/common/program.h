@@ -1,5 +1,7 @@
 #pragma once
 
+#include <candela/error.h>
+
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -12,6 +14,20 @@ struct UsageError : std::runtime_error {
 /// Runs a program's work and returns its exit code: 0 done; 1 the input or the environment is at fault, with
 /// one line on standard error; 2 wrong usage (`UsageError`), likewise. `name` is the program's.
 int runProgram(const char* name, const std::function<void()>& work);
+
+/// Calls `upload`, which makes a device's copy of a scene. Limits that the scene exceeds, and what is wrong
+/// with it, become errors of the file `scene`.
+template <typename Upload>
+auto uploading(const std::string& scene, const Upload& upload) {
+    try {
+        return upload();
+    } catch (const candela::Error& error) {
+        const bool isOfTheScene =
+            error.kind() == candela::ErrorKind::limit || error.kind() == candela::ErrorKind::badInput;
+        if (!isOfTheScene || !error.path().empty()) throw;
+        throw candela::Error(error.kind(), scene, error.what());
+    }
+}
 
 enum class Verbosity { normal, quiet };
 

@@ -249,7 +249,8 @@ void renderFrames(const Options& options) {
     upload.subdivider = plugins.subdivider();
     upload.subdivision = options.subdivision;
     upload.subdivisionEvaluator = options.subdivisionEvaluator;
-    candela::GpuScene gpuScene(context, scene, upload);
+    candela::GpuScene gpuScene =
+        uploading(options.scene, [&] { return candela::GpuScene(context, scene, upload); });
     noteLights(session, gpuScene.lightReport());
     noteMissingSubdivider(session, gpuScene.cageReport());
     candela::Renderer renderer(context);

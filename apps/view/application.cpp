@@ -2,6 +2,7 @@
 
 #include "close_signals.h"
 #include "common/output_file.h"
+#include "common/program.h"
 #include "panels/panels.h"
 #include "render_command_line.h"
 #include "scene_lighting.h"
@@ -217,8 +218,10 @@ candela::GpuSceneOptions Application::uploadOptions(const candela::ColorConfig& 
 /// The old scene stays until the new one is on the device.
 void Application::install(SceneLoader::Result loaded) {
     const std::size_t scattered = loaded.options.scatter ? loaded.options.scatter->count : 0;
-    auto document = std::make_unique<Document>(std::move(*loaded.scene), context_,
-                                               uploadOptions(model_.color), scattered);
+    auto document = uploading(loaded.options.scene, [&] {
+        return std::make_unique<Document>(std::move(*loaded.scene), context_, uploadOptions(model_.color),
+                                          scattered);
+    });
     document->setTime(loaded.options.time);
     SceneOptions options = model_.options;
     options.scene = loaded.options.scene;

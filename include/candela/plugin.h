@@ -121,8 +121,8 @@ typedef struct candela_mesh {
     const char* name;
     uint32_t vertex_count;
     const float* positions; /* 3 a vertex, metres */
-    const float* normals;   /* 3 a vertex; the host normalises them */
-    const float* tangents;  /* 4 a vertex: direction, and the bitangent's sign in w */
+    const float* normals;   /* 3 a vertex; the host normalises them, and replaces those that it cannot */
+    const float* tangents;  /* 4 a vertex: direction, and the bitangent's sign in w; likewise */
     const float* uv0;       /* 2 a vertex */
     const float* uv1;       /* 2 a vertex */
     const float* colors;    /* 4 a vertex, linear Rec.709 and alpha: multiplies the base colour */
@@ -362,6 +362,11 @@ typedef struct candela_host {
      * or empty: the whole file. The host merges notes of the same kind and text into one that counts its
      * elements, so `text` holds nothing that differs between elements. */
     void (*add_note)(void* self, candela_note_kind kind, const char* element, const char* text);
+    /* Reads a file as `read_file` does, but the import goes on without a file that cannot be read: `reason`
+     * then says why, such as "file 'a.png': there is no such file", and is valid until `import_scene`
+     * returns. It is empty when the import has failed before. */
+    candela_status (*read_optional_file)(void* self, const char* path, candela_bytes* out,
+                                         const char** reason);
 } candela_host;
 
 /* ---- The subdivider (since 1.1) */

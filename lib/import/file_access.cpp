@@ -43,6 +43,10 @@ std::string systemMessage(int error) {
     throw Error(kind, "", joined("file '", oneLine(path), "': ", text));
 }
 
+[[noreturn]] void refuseLink(const std::string& path) {
+    refuse(ErrorKind::badInput, path, "a symbolic link leads out of the scene's folder");
+}
+
 // Checks the text of the path alone, for the clearest message. Links are checked on the opened file.
 void checkText(const std::string& path) {
     if (path.empty()) refuse(ErrorKind::badInput, path, "the path is empty");
@@ -80,14 +84,28 @@ FileAccess::Bytes readAll(int descriptor, std::size_t size, const std::string& p
     return bytes;
 }
 
+// Where a link leads out of the folder, that is the reason, and not that there is nothing at its end.
+[[noreturn]] void refuseAbsent(int folder, const std::string& path, int error) {
+    const fs::path root = openedPath(folder);
+    fs::path walked = root;
+    std::error_code ignored;
+    for (const fs::path& part : fs::path(path)) {
+        walked /= part;
+        if (!fs::is_symlink(walked, ignored)) continue;
+        const fs::path target = (walked.parent_path() / fs::read_symlink(walked, ignored)).lexically_normal();
+        if (!liesWithin(target.string(), root.string())) refuseLink(path);
+        walked = target;
+    }
+    refuse(ErrorKind::environment, path, systemMessage(error));
+}
+
 // The file is first opened without reading (O_PATH), which touches no device and waits for no pipe. Its path
 // and type are checked, and the same file is then opened for reading, so that it cannot be replaced in
 // between.
 FileAccess::Bytes readWithin(int folder, const std::string& path) {
     const Descriptor named(::openat(folder, path.c_str(), O_PATH | O_CLOEXEC));
-    if (named.number() < 0) refuse(ErrorKind::environment, path, systemMessage(errno));
-    if (!liesWithin(openedPath(named.number()), openedPath(folder)))
-        refuse(ErrorKind::badInput, path, "a symbolic link leads out of the scene's folder");
+    if (named.number() < 0) refuseAbsent(folder, path, errno);
+    if (!liesWithin(openedPath(named.number()), openedPath(folder))) refuseLink(path);
     struct stat status {};
     if (::fstat(named.number(), &status) != 0) refuse(ErrorKind::environment, path, systemMessage(errno));
     if (S_ISDIR(status.st_mode)) refuse(ErrorKind::badInput, path, "it is a folder, but a file was expected");

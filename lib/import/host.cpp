@@ -93,19 +93,42 @@ candela_status ImportHost::addCageInstance(const candela_cage_instance* instance
     return done ? CANDELA_OK : CANDELA_FAILED;
 }
 
+candela_bytes ImportHost::fileBytes(const char* path) {
+    if (!files_)
+        throw Error(
+            ErrorKind::badInput, "",
+            joined("file '", oneLine(path), "': a procedural scene has no folder to read files from"));
+    const auto bytes = files_->read(path);
+    return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+}
+
 candela_status ImportHost::readFile(const char* path, candela_bytes* out) noexcept {
     const bool done = guarded("reading a file", [&] {
         if (!path || !out)
             throw Error(ErrorKind::badInput, uri_, "read_file: its path or its result is NULL");
         *out = {};
-        if (!files_)
-            throw Error(
-                ErrorKind::badInput, uri_,
-                joined("file '", oneLine(path), "': a procedural scene has no folder to read files from"));
-        const auto bytes = files_->read(path);
-        *out = {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+        *out = fileBytes(path);
     });
     return done ? CANDELA_OK : CANDELA_FAILED;
+}
+
+candela_status ImportHost::readOptionalFile(const char* path, candela_bytes* out,
+                                            const char** reason) noexcept {
+    if (reason) *reason = "";
+    bool read = false;
+    guarded("reading a file", [&] {
+        if (!path || !out || !reason)
+            throw Error(ErrorKind::badInput, uri_,
+                        "read_optional_file: its path, its result or its reason is NULL");
+        *out = {};
+        try {
+            *out = fileBytes(path);
+            read = true;
+        } catch (const Error& error) {
+            *reason = reasons_.emplace_back(error.what()).c_str();
+        }
+    });
+    return read ? CANDELA_OK : CANDELA_FAILED;
 }
 
 // False: cancelled. What the caller's own callback throws reaches the caller unchanged.
@@ -158,6 +181,10 @@ struct ImportHost::Functions {
 
     static candela_status readFile(void* self, const char* path, candela_bytes* out) {
         return from(self).readFile(path, out);
+    }
+    static candela_status readOptionalFile(void* self, const char* path, candela_bytes* out,
+                                           const char** reason) {
+        return from(self).readOptionalFile(path, out, reason);
     }
     static void fail(void* self, const char* element, const char* reason) {
         from(self).fail(element, reason);
@@ -231,6 +258,7 @@ struct ImportHost::Functions {
         host.worker_count = self->pool_->size();
         host.parallel_for = parallelFor;
         host.add_note = addNote;
+        host.read_optional_file = readOptionalFile;
         return host;
     }
 };

@@ -7,6 +7,7 @@
 #include <candela/plugin.h>
 #include <candela/scene.h>
 
+#include <deque>
 #include <exception>
 #include <memory>
 #include <string>
@@ -46,7 +47,9 @@ class ImportHost {
                      Convert convert) noexcept;
 
     candela_status addCageInstance(const candela_cage_instance* instance) noexcept;
+    candela_bytes fileBytes(const char* path);
     candela_status readFile(const char* path, candela_bytes* out) noexcept;
+    candela_status readOptionalFile(const char* path, candela_bytes* out, const char** reason) noexcept;
     bool continues(double fraction) noexcept;
     candela_status progress(double fraction) noexcept;
     void fail(const char* element, const char* reason) noexcept;
@@ -58,6 +61,7 @@ class ImportHost {
     ImportProgress progress_;
     Scene scene_;
     NoteList notes_;
+    std::deque<std::string> reasons_;  ///< Lent by `readOptionalFile`.
     std::exception_ptr failure_;
     std::shared_ptr<ThreadPool> pool_;
     candela_host interface_{};

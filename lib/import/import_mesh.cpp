@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -107,8 +108,8 @@ Submesh PolygonFaces::translated(const Submesh& run, const std::string& label) c
 
 // Lengths are computed in double precision, where the square of no float overflows or vanishes.
 
-// Normalises the normals. One of length 0 becomes the normal of a face that uses the vertex. Returns the
-// number of those.
+// Normalises the normals. One of length 0 or not finite becomes the normal of a face that uses the vertex.
+// Returns the number of those.
 std::size_t repairNormals(Mesh& mesh) {
     if (mesh.normals.empty()) return 0;
     const std::size_t replaced = replaceZeroNormals(mesh);
@@ -116,14 +117,14 @@ std::size_t repairNormals(Mesh& mesh) {
     return replaced;
 }
 
-// Normalises the tangents, and sets their signs to -1 or 1 (0 counts as 1). One of length 0 becomes a
-// direction perpendicular to the normal, which has unit length. Returns the number of those.
+// Normalises the tangents, and sets their signs to -1 or 1 (0 counts as 1). One of length 0 or not finite
+// becomes a direction perpendicular to the normal, which has unit length. Returns the number of those.
 std::size_t repairTangents(Mesh& mesh) {
     std::size_t replaced = 0;
     for (std::size_t i = 0; i < mesh.tangents.size(); ++i) {
         glm::vec4& tangent = mesh.tangents[i];
         glm::dvec3 direction(tangent);
-        if (!(glm::length(direction) > 0.0)) {
+        if (const double length = glm::length(direction); !(length > 0.0) || !std::isfinite(length)) {
             direction = anyPerpendicular(glm::dvec3(mesh.normals[i]));
             ++replaced;
         }
@@ -138,8 +139,14 @@ void takeVertices(const candela_mesh& source, const AbiReader& element, Mesh& me
     const auto takeOptional = [&](const char* member, const float* from, auto& to) {
         if (from) element.numbers(member, from, count, to);
     };
-    takeOptional("normal", source.normals, mesh.normals);
-    takeOptional("tangent", source.tangents, mesh.tangents);
+    // These may hold anything: what is no direction is replaced later.
+    const auto copyDirections = [&](const float* from, auto& to) {
+        if (!from) return;
+        to.resize(count);
+        std::memcpy(static_cast<void*>(to.data()), from, to.size() * sizeof to[0]);
+    };
+    copyDirections(source.normals, mesh.normals);
+    copyDirections(source.tangents, mesh.tangents);
     takeOptional("uv0", source.uv0, mesh.uv0);
     takeOptional("uv1", source.uv1, mesh.uv1);
     takeOptional("color", source.colors, mesh.colors);
@@ -214,14 +221,14 @@ Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene&
     if (polygons) polygons->triangulateFaces(mesh);
     if (repairNormals(mesh) > 0)
         notes.add(NoteKind::repaired, element.label(),
-                  "normals of length 0, replaced by that of a face that uses them");
+                  "normals of length 0 or not finite, replaced by that of a face that uses them");
     if (mesh.normals.empty() && !mesh.tangents.empty()) {
         mesh.tangents.clear();
         notes.add(NoteKind::repaired, element.label(), "tangents without normals, not used");
     }
     if (repairTangents(mesh) > 0)
         notes.add(NoteKind::repaired, element.label(),
-                  "tangents of length 0, replaced by a direction perpendicular to the normal");
+                  "tangents of length 0 or not finite, replaced by a direction perpendicular to the normal");
     return mesh;
 }
 

@@ -18,6 +18,22 @@ Bytes Host::readFile(const std::string& path) const {
     return {bytes.data, bytes.size};
 }
 
+Bytes Host::readOptionalFile(const std::string& path, const std::string& element) const {
+    const bool offered =
+        host_.struct_size >= offsetof(candela_host, read_optional_file) + sizeof host_.read_optional_file;
+    if (!offered) return readFile(path);
+    candela_bytes bytes{};
+    const char* reason = "";
+    if (host_.read_optional_file(host_.self, path.c_str(), &bytes, &reason) == CANDELA_OK)
+        return {bytes.data, bytes.size};
+    if (!*reason) throw HostRefused{};
+    throw Failure{element, reason};
+}
+
+void Host::noteLeftOut(const Failure& failure) const {
+    note(CANDELA_NOTE_MISSING, failure.element, failure.reason + ": left out");
+}
+
 void Host::note(candela_note_kind kind, const std::string& element, const std::string& text) const {
     if (host_.struct_size >= offsetof(candela_host, add_note) + sizeof host_.add_note) {
         host_.add_note(host_.self, kind, element.c_str(), text.c_str());

@@ -17,9 +17,26 @@ class Host {
 
     /// Valid until the import ends.
     Bytes readFile(const std::string& path) const;
+    /// The same, for a file without which the import goes on: throws `Failure` for `element` when it cannot
+    /// be read. An older host fails the import.
+    Bytes readOptionalFile(const std::string& path, const std::string& element) const;
     /// `element` names the part that the note is about, such as "mesh 3 'wheel'"; empty: the whole file. The
     /// host merges notes of the same kind and text, so `text` holds nothing that differs between elements.
     void note(candela_note_kind kind, const std::string& element, const std::string& text) const;
+    /// Notes that the part at fault is missing from the picture.
+    void noteLeftOut(const Failure& failure) const;
+    /// Calls `action`, which reads a part of the scene. A `Failure` becomes a note that this part is left
+    /// out. Returns whether there was one.
+    template <typename Action>
+    bool leavesOut(const Action& action) const {
+        try {
+            action();
+            return false;
+        } catch (const Failure& failure) {
+            noteLeftOut(failure);
+            return true;
+        }
+    }
     /// `fraction` of the whole import, 0 to 1.
     void progress(double fraction) const;
 

@@ -1,6 +1,8 @@
 #include "image.h"
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
 #include "parallel.h"
 
@@ -33,12 +35,63 @@ std::size_t batchEnd(const std::vector<ImageJob>& jobs, std::size_t first) {
     return end;
 }
 
+/// How the files of other formats begin; "?" stands for any byte.
+struct Signature {
+    std::string_view bytes;
+    const char* name;
+};
+
+using namespace std::string_view_literals;
+
+constexpr Signature signatures[] = {
+    {"\xABKTX 20\xBB"sv, "a KTX2 file"},
+    {"\xABKTX 11\xBB"sv, "a KTX file"},
+    {"RIFF????WEBP"sv, "a WebP file"},
+    {"GIF8"sv, "a GIF file"},
+    {"BM????\0\0\0\0"sv, "a BMP file"},
+    {"DDS "sv, "a DDS file"},
+    {"#?RADIANCE"sv, "a Radiance HDR file"},
+    {"#?RGBE"sv, "a Radiance HDR file"},
+    {"????ftypavi"sv, "an AVIF file"},
+    {"????ftyphei"sv, "a HEIC file"},
+    {"II*\0"sv, "a TIFF file"},
+    {"MM\0*"sv, "a TIFF file"},
+    {"\x76\x2F\x31\x01"sv, "an OpenEXR file"},
+    {"8BPS"sv, "a Photoshop file"},
+    {"sB"sv, "a Basis Universal file"},
+    {"\0\0\0\x0CjP  "sv, "a JPEG 2000 file"},
+    {"\xFF\x0A"sv, "a JPEG XL file"},
+    {"\0\0\0\x0CJXL "sv, "a JPEG XL file"},
+    {"\0\0\1\0"sv, "an icon file"},
+    {"<svg"sv, "an SVG file"},
+    {"<?xml"sv, "an XML file"},
+    {"<!DOCTYPE"sv, "an HTML page"},
+    {"<html"sv, "an HTML page"},
+    {"version https://git-lfs"sv, "a Git LFS pointer in place of the file"},
+};
+
+bool begins(const Bytes& file, std::string_view signature) {
+    if (file.size < signature.size()) return false;
+    for (std::size_t i = 0; i < signature.size(); ++i) {
+        if (signature[i] != '?' && static_cast<std::uint8_t>(signature[i]) != file.data[i]) return false;
+    }
+    return true;
+}
+
 }  // namespace
+
+std::string otherFormat(const Bytes& file) {
+    if (file.size == 0) return "an empty file, expected PNG or JPEG";
+    for (const Signature& signature : signatures) {
+        if (begins(file, signature.bytes)) return std::string(signature.name) + ", expected PNG or JPEG";
+    }
+    return "neither a PNG nor a JPEG file";
+}
 
 Image decodeImage(const Bytes& file, const std::string& element) {
     if (isPng(file)) return decodePng(file, element);
     if (isJpeg(file)) return decodeJpeg(file, element);
-    throw Failure{element, "is neither a PNG nor a JPEG file"};
+    throw Failure{element, otherFormat(file)};
 }
 
 std::uint64_t decodedSize(const Bytes& file) {
@@ -52,10 +105,18 @@ std::vector<std::int32_t> addImages(const std::vector<ImageJob>& jobs, const Hos
     for (std::size_t first = 0; first < jobs.size();) {
         const std::size_t end = batchEnd(jobs, first);
         std::vector<Image> images(end - first);
+        std::vector<std::optional<Failure>> failures(end - first);
         host.progress(from + (to - from) * static_cast<double>(first) / static_cast<double>(jobs.size()));
-        host.parallelFor(images.size(), [&](std::size_t i) { images[i] = jobs[first + i].make(); });
+        host.parallelFor(images.size(), [&](std::size_t i) {
+            try {
+                images[i] = jobs[first + i].make();
+            } catch (const Failure& failure) {
+                failures[i] = failure;
+            }
+        });
         for (std::size_t i = 0; i < images.size(); ++i) {
-            indices.push_back(addImage(jobs[first + i].name, images[i], host));
+            if (failures[i]) host.noteLeftOut(*failures[i]);
+            indices.push_back(failures[i] ? -1 : addImage(jobs[first + i].name, images[i], host));
             images[i] = {};
         }
         first = end;

@@ -40,6 +40,9 @@ std::uint64_t decodedJpegSize(const Bytes& file);
 /// The same for either format; 0 for other files.
 std::uint64_t decodedSize(const Bytes& file);
 
+/// What a file is that is neither PNG nor JPEG, for messages: "a WebP file, expected PNG or JPEG".
+std::string otherFormat(const Bytes& file);
+
 /// Decodes a PNG or JPEG file. Throws `Failure` for `element` when it is neither, damaged or cut off.
 Image decodeImage(const Bytes& file, const std::string& element);
 
@@ -50,9 +53,9 @@ struct ImageJob {
     std::function<Image()> make;  ///< Called on any thread of the host; must not call the host.
 };
 
-/// Creates images on all threads of the host, and adds them in order. Returns their indices. Jobs run in
-/// batches of a limited size in memory, which does not depend on the number of threads. Of several failures
-/// that of the first job is thrown. Progress goes from `from` to `to`.
+/// Creates images on all threads of the host, and adds them in order. Returns their indices: -1, and a note,
+/// where `make` throws `Failure`. Jobs run in batches of a limited size in memory, which does not depend on
+/// the number of threads. Progress goes from `from` to `to`.
 std::vector<std::int32_t> addImages(const std::vector<ImageJob>& jobs, const Host& host, double from,
                                     double to);
 

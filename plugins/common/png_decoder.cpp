@@ -29,7 +29,8 @@ class PngReader {
     /// False after an error; see `message`.
     bool readHeader() {
         if (setjmp(png_jmpbuf(png_))) return false;
-        png_set_user_limits(png_, maxSide, maxSide);
+        // `decodePng` has a limit of its own, and says so.
+        png_set_user_limits(png_, 0x7FFFFFFF, 0x7FFFFFFF);
         png_read_info(png_, info_);
         storedBytes_ = std::uint64_t(png_get_rowbytes(png_, info_)) * png_get_image_height(png_, info_);
         convertToRgba();
@@ -107,6 +108,9 @@ std::uint64_t decodedPngSize(const Bytes& file) {
 Image decodePng(const Bytes& file, const std::string& element) {
     PngReader reader(file);
     if (!reader.readHeader()) fail(reader, element);
+    if (reader.width() > maxSide || reader.height() > maxSide) {
+        throw Failure{element, "the PNG file is wider or higher than " + std::to_string(maxSide)};
+    }
     // Deflate packs at most 1032 bytes into one, so no memory is allocated for an image that the file cannot
     // hold.
     constexpr std::uint64_t maxRatio = 1032;

@@ -82,6 +82,7 @@ struct Checked {
 
 Checked check(const Document& document, int index, int components, Encodings allowed,
               const std::string& element) {
+    requireAccessor(document, index, element);
     const tinygltf::Accessor& accessor = document.model.accessors.at(static_cast<std::size_t>(index));
     const Encoding encoding{accessor.componentType, accessor.normalized};
     const int found = componentCount(accessor);
@@ -93,6 +94,7 @@ Checked check(const Document& document, int index, int components, Encodings all
         checked.fail("is " + (isMat2 ? "MAT2" : typeName(found)) + " of " + encodingName(encoding) +
                      ", expected " + expectation(components, allowed));
     }
+    if (accessor.count == 0) checked.fail("has no elements");
     return checked;
 }
 
@@ -108,37 +110,48 @@ const std::uint8_t* elementsAt(const Bytes& view, std::uint64_t offset, std::uin
     return view.data + offset;
 }
 
-std::uint64_t strideOf(const tinygltf::BufferView& view, const Checked& checked) {
+/// Any stride that holds an element can be read, also one that is no multiple of 4.
+std::uint64_t strideOf(const BufferView& view, const Checked& checked) {
     if (view.byteStride == 0) return checked.elementSize;
-    if (view.byteStride % 4 != 0 || view.byteStride < checked.elementSize) {
+    if (view.byteStride < checked.elementSize) {
         checked.fail("has elements of " + std::to_string(checked.elementSize) + " bytes at a byteStride of " +
-                     std::to_string(view.byteStride) + ", expected a multiple of 4 that holds an element");
+                     std::to_string(view.byteStride));
     }
     return view.byteStride;
 }
 
-std::vector<std::uint8_t> denseElements(const Document& document, const Checked& checked) {
+/// Elements as they lie in a buffer; `first` is null where there is no buffer, which stands for zeros.
+struct Elements {
+    const std::uint8_t* first = nullptr;
+    std::uint64_t stride = 0;
+};
+
+Elements findElements(const Document& document, const Checked& checked) {
     const tinygltf::Accessor& accessor = checked.accessor;
-    const std::uint64_t size = checked.elementSize, count = accessor.count;
     if (accessor.bufferView < 0) {
-        if (count > maxElementsWithoutView) {
-            checked.fail("has no bufferView and " + std::to_string(count) + " elements, expected at most " +
-                         std::to_string(maxElementsWithoutView));
-        }
-        return std::vector<std::uint8_t>(size * count);
+        if (accessor.count <= maxElementsWithoutView) return {};
+        checked.fail("has no bufferView and " + std::to_string(accessor.count) +
+                     " elements, expected at most " + std::to_string(maxElementsWithoutView));
     }
     const auto viewIndex = static_cast<std::size_t>(accessor.bufferView);
     const Bytes view = viewBytes(document, viewIndex, checked.element);
-    const std::uint64_t stride = strideOf(document.model.bufferViews[viewIndex], checked);
-    const std::uint8_t* from =
-        elementsAt(view, accessor.byteOffset, stride, size, count, checked, "has elements that");
+    const std::uint64_t stride = strideOf(document.bufferViews[viewIndex], checked);
+    return {elementsAt(view, accessor.byteOffset, stride, checked.elementSize, accessor.count, checked,
+                       "has elements that"),
+            stride};
+}
+
+std::vector<std::uint8_t> denseElements(const Document& document, const Checked& checked) {
+    const Elements elements = findElements(document, checked);
+    const std::uint64_t size = checked.elementSize, count = checked.accessor.count;
     std::vector<std::uint8_t> packed(size * count);
-    if (stride == size) {
-        std::memcpy(packed.data(), from, packed.size());
+    if (!elements.first) return packed;
+    if (elements.stride == size) {
+        std::memcpy(packed.data(), elements.first, packed.size());
         return packed;
     }
     for (std::uint64_t i = 0; i < count; ++i) {
-        std::memcpy(packed.data() + i * size, from + i * stride, size);
+        std::memcpy(packed.data() + i * size, elements.first + i * elements.stride, size);
     }
     return packed;
 }
@@ -152,6 +165,7 @@ std::uint32_t unsignedAt(const std::uint8_t* bytes, std::uint64_t index, std::ui
 void applySparse(const Document& document, const Checked& checked, std::vector<std::uint8_t>& packed) {
     const auto& sparse = checked.accessor.sparse;
     const auto count = static_cast<std::uint64_t>(sparse.count);
+    if (count == 0) return;
     const Encoding encoding{sparse.indices.componentType, false};
     if (!contains(indexEncodings, encoding)) {
         checked.fail("has sparse indices of " + encodingName(encoding) + ", expected " +
@@ -211,8 +225,25 @@ int componentCount(const tinygltf::Accessor& accessor) {
     return tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
 }
 
+void requireAccessor(const Document& document, int accessor, const std::string& element) {
+    const auto index = static_cast<std::size_t>(accessor);
+    const std::string name = elementName("accessor", index, document.model.accessors.at(index).name);
+    const auto fault = document.faults.find(name);
+    if (fault == document.faults.end()) return;
+    // The fault may be about a part of the accessor: "accessor 7, sparse".
+    throw Failure{element, fault->second.element + ": " + fault->second.reason};
+}
+
+void checkAccessor(const Document& document, int accessor, int components, Encodings allowed,
+                   const std::string& element) {
+    const Checked checked = check(document, accessor, components, allowed, element);
+    findElements(document, checked);
+    // Whether the values of a sparse accessor fit is found out by applying them.
+    if (checked.accessor.sparse.isSparse) packedElements(document, checked);
+}
+
 std::vector<float> readFloats(const Document& document, int accessor, int components, Encodings allowed,
-                              const std::string& element) {
+                              const std::string& element, Finiteness finiteness) {
     const Checked checked = check(document, accessor, components, allowed, element);
     const std::vector<std::uint8_t> packed = packedElements(document, checked);
     const bool normalized = checked.accessor.normalized;
@@ -234,7 +265,7 @@ std::vector<float> readFloats(const Document& document, int accessor, int compon
             std::memcpy(numbers.data(), packed.data(), packed.size());
             break;
     }
-    requireFinite(numbers, components, checked);
+    if (finiteness == Finiteness::required) requireFinite(numbers, components, checked);
     return numbers;
 }
 

@@ -31,12 +31,22 @@ using Encodings = std::span<const Encoding>;
 /// Numbers an element of an accessor has: 1 for SCALAR, 2 to 4 for vectors, 4, 9, 16 for matrices.
 int componentCount(const tinygltf::Accessor& accessor);
 
+/// Whether numbers that are not finite are refused.
+enum class Finiteness { required, any };
+
+/// Throws the fault of an accessor, if it has one, as a `Failure` for `element`.
+void requireAccessor(const Document& document, int accessor, const std::string& element);
+
+/// Throws `Failure` for `element` unless the accessor has `components` numbers an element (16 for MAT4) in
+/// one of `allowed`, one element at least, and lies within its buffer.
+void checkAccessor(const Document& document, int accessor, int components, Encodings allowed,
+                   const std::string& element);
+
 /// The numbers of an accessor, element after element. Integers become the floating-point numbers they stand
 /// for: normalised ones f = c / max, and max(c / max, -1) where signed (glTF 2.0, 3.11). Throws `Failure` for
-/// `element` unless the accessor has `components` numbers an element (16 for MAT4) in one of `allowed`, lies
-/// within its buffer, and is finite.
+/// `element` as `checkAccessor`, and when a number is not finite.
 std::vector<float> readFloats(const Document& document, int accessor, int components, Encodings allowed,
-                              const std::string& element);
+                              const std::string& element, Finiteness finiteness = Finiteness::required);
 
 /// The numbers of a SCALAR accessor of unsigned integers. Throws `Failure` for `element` as `readFloats`.
 std::vector<std::uint32_t> readIndices(const Document& document, int accessor, const std::string& element);

@@ -1,5 +1,6 @@
 #include "animations.h"
 
+#include "animation_keys.h"
 #include "primitives.h"
 
 namespace candela_plugins::gltf {
@@ -9,10 +10,6 @@ namespace {
 constexpr Encoding normalizedEncodings[] = {float32, int8Normalized, uint8Normalized, int16Normalized,
                                             uint16Normalized};
 
-struct Keys {
-    std::vector<float> times, values;
-};
-
 candela_animation_path pathOf(const std::string& path, const std::string& element) {
     if (path == "translation") return CANDELA_ANIMATE_TRANSLATION;
     if (path == "rotation") return CANDELA_ANIMATE_ROTATION;
@@ -21,23 +18,9 @@ candela_animation_path pathOf(const std::string& path, const std::string& elemen
     throw Failure{element, "path '" + readable(path) + "', expected translation, rotation, scale or weights"};
 }
 
-candela_interpolation interpolationOf(const std::string& name, const std::string& element) {
-    if (name == "LINEAR") return CANDELA_INTERPOLATE_LINEAR;
+candela_interpolation interpolationOf(const std::string& name) {
     if (name == "STEP") return CANDELA_INTERPOLATE_STEP;
-    if (name == "CUBICSPLINE") return CANDELA_INTERPOLATE_CUBIC_SPLINE;
-    throw Failure{element, "interpolation '" + readable(name) + "', expected LINEAR, STEP or CUBICSPLINE"};
-}
-
-std::vector<float> readTimes(const Document& document, int accessor, const std::string& element) {
-    std::vector<float> times = readFloats(document, accessor, 1, onlyFloat, element + ", input");
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        const bool grows = i == 0 ? times[i] >= 0.0f : times[i] > times[i - 1];
-        if (grows) continue;
-        throw Failure{element + ", input", "accessor " + std::to_string(accessor) + ": time " +
-                                               std::to_string(i) + " is " + std::to_string(times[i]) +
-                                               ", expected times from 0 on that grow"};
-    }
-    return times;
+    return name == "CUBICSPLINE" ? CANDELA_INTERPOLATE_CUBIC_SPLINE : CANDELA_INTERPOLATE_LINEAR;
 }
 
 std::vector<float> readValues(const Document& document, int accessor, candela_animation_path path,
@@ -64,7 +47,10 @@ class AnimationReader {
         : document_(document), nodes_(nodes), cages_(cages), source_(source), element_(std::move(element)) {}
 
     void add(const Host& host) {
-        for (std::size_t i = 0; i < source_.channels.size(); ++i) readChannel(i);
+        if (host.leavesOut([&] { requireUsable(document_, element_); })) return;
+        for (std::size_t i = 0; i < source_.channels.size(); ++i) {
+            host.leavesOut([&] { readChannel(i, host); });
+        }
         if (weights_ > 0) {
             host.note(CANDELA_NOTE_MISSING, element_,
                       "morph weights are not applied: drawn in the bind pose");
@@ -79,9 +65,12 @@ class AnimationReader {
     }
 
   private:
-    void readChannel(std::size_t index) {
+    /// Throws `Failure` and adds nothing when the channel is broken.
+    void readChannel(std::size_t index, const Host& host) {
         const tinygltf::AnimationChannel& source = source_.channels[index];
         const std::string element = element_ + ", channel " + std::to_string(index);
+        requireUsable(document_, element);
+        if (source.target_path.empty()) return;  // It has no node.
         const auto node = static_cast<std::size_t>(source.target_node);
         const bool isWeights = source.target_path == "weights";
         if (isWeights && !cageOf(document_, node, cages_)) {
@@ -94,7 +83,7 @@ class AnimationReader {
         channel.path = pathOf(source.target_path, element);
         const std::size_t perKey = isWeights ? morphTargetsOf(node, element) : 1;
         if (!isWeights) refuseMatrix(node, element);
-        readKeys(samplerOf(source, element), element, perKey, channel);
+        readKeys(samplerOf(source, element), element, perKey, host, channel);
         channels_.push_back(channel);
     }
 
@@ -116,6 +105,7 @@ class AnimationReader {
     const tinygltf::AnimationSampler& samplerOf(const tinygltf::AnimationChannel& channel,
                                                 const std::string& element) const {
         const auto index = static_cast<std::size_t>(channel.sampler);
+        requireUsable(document_, element_ + ", sampler " + std::to_string(index));
         if (index < source_.samplers.size()) return source_.samplers[index];
         throw Failure{element, "sampler " + std::to_string(index) + " does not exist: the animation has " +
                                    std::to_string(source_.samplers.size())};
@@ -123,13 +113,14 @@ class AnimationReader {
 
     /// A key has `perKey` elements of the output accessor.
     void readKeys(const tinygltf::AnimationSampler& sampler, const std::string& element, std::size_t perKey,
-                  candela_animation_channel& channel) {
-        channel.interpolation = interpolationOf(sampler.interpolation, element);
-        Keys keys;
-        keys.times = readTimes(document_, sampler.input, element);
+                  const Host& host, candela_animation_channel& channel) {
+        channel.interpolation = interpolationOf(sampler.interpolation);
+        AnimationKeys keys;
+        keys.times = readFloats(document_, sampler.input, 1, onlyFloat, element + ", input");
         if (channel.interpolation == CANDELA_INTERPOLATE_CUBIC_SPLINE) perKey *= 3;
         keys.values =
             readValues(document_, sampler.output, channel.path, keys.times.size() * perKey, element);
+        repairKeys(channel, keys, element, host);
         channel.key_count = static_cast<std::uint32_t>(keys.times.size());
         // Moving a vector does not move its elements.
         channel.times = keys.times.data();
@@ -143,7 +134,7 @@ class AnimationReader {
     const tinygltf::Animation& source_;
     std::string element_;
     std::vector<candela_animation_channel> channels_;
-    std::vector<Keys> keys_;
+    std::vector<AnimationKeys> keys_;
     std::size_t weights_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "buffers.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <string_view>
@@ -23,46 +24,60 @@ struct Chunk {
     Bytes content;
 };
 
-Chunk readChunk(const Bytes& file, std::uint64_t offset, int number) {
+Chunk readChunk(const Bytes& file, std::uint64_t offset, int number, const Host& host) {
     const std::string which = "chunk " + std::to_string(number);
     if (file.size - offset < chunkHeaderSize) failBinary(which + " is cut off within its header");
     const std::uint64_t length = littleEndian32(file.data + offset);
     const std::uint64_t available = file.size - offset - chunkHeaderSize;
+    const Chunk chunk{littleEndian32(file.data + offset + 4),
+                      {file.data + offset + chunkHeaderSize, std::min(length, available)}};
     if (length > available) {
-        failBinary(which + " has a length of " + std::to_string(length) + " bytes, but only " +
-                   std::to_string(available) + " are left");
+        const std::string reason = which + " has a length of " + std::to_string(length) +
+                                   " bytes, but only " + std::to_string(available) + " are left";
+        if (chunk.type == jsonChunk) failBinary(reason);
+        host.note(CANDELA_NOTE_MISSING, "binary glTF", reason);
     }
-    if (length % 4 != 0) failBinary(which + " has a length that is not a multiple of 4");
-    return {littleEndian32(file.data + offset + 4), {file.data + offset + chunkHeaderSize, length}};
+    if (length % 4 != 0) {
+        host.note(CANDELA_NOTE_REPAIRED, "binary glTF",
+                  which + " has a length that is not a multiple of 4: read as it is");
+    }
+    return chunk;
 }
 
-Container openBinary(Bytes file) {
+/// The second chunk, where it is of type BIN; what follows it belongs to extensions. It begins where the
+/// first one ends, or, where that is not a multiple of 4, at the next one.
+std::optional<Bytes> readBinaryChunk(const Bytes& file, std::uint64_t end, const Host& host) {
+    const std::uint64_t aligned = (end + 3) / 4 * 4;
+    for (const std::uint64_t offset : {end, aligned}) {
+        if (offset > file.size || file.size - offset < chunkHeaderSize) return std::nullopt;
+        if (littleEndian32(file.data + offset + 4) != binaryChunk) continue;
+        return readChunk(file, offset, 1, host).content;
+    }
+    return std::nullopt;
+}
+
+Container openBinary(const Bytes& file, const Host& host) {
     if (file.size < headerSize) failBinary("the file is cut off within its header");
     const std::uint32_t version = littleEndian32(file.data + 4);
+    if (version == 1) failBinary("glTF 1.0 (container version 1) is not supported, expected glTF 2.0");
     if (version != 2) failBinary("container version " + std::to_string(version) + ", expected 2");
     const std::uint64_t length = littleEndian32(file.data + 8);
-    if (length < headerSize || length > file.size) {
-        failBinary("the header says " + std::to_string(length) + " bytes, but the file has " +
-                   std::to_string(file.size));
+    if (length != file.size) {
+        host.note(CANDELA_NOTE_REPAIRED, "binary glTF",
+                  "the header says " + std::to_string(length) + " bytes, but the file has " +
+                      std::to_string(file.size));
     }
-    file.size = length;
-
-    const Chunk first = readChunk(file, headerSize, 0);
+    const Chunk first = readChunk(file, headerSize, 0, host);
     if (first.type != jsonChunk) failBinary("chunk 0 is not of type JSON");
-    Container container{first.content, std::nullopt};
-    const std::uint64_t next = headerSize + chunkHeaderSize + first.content.size;
-    if (next == file.size) return container;
-    // Only the second chunk may be BIN; what follows it belongs to extensions.
-    const Chunk second = readChunk(file, next, 1);
-    if (second.type == binaryChunk) container.binary = second.content;
-    return container;
+    const std::uint64_t end = headerSize + chunkHeaderSize + first.content.size;
+    return {first.content, readBinaryChunk(file, end, host)};
 }
 
 }  // namespace
 
-Container openContainer(const Bytes& file) {
+Container openContainer(const Bytes& file, const Host& host) {
     const bool binary = file.size >= 4 && std::memcmp(file.data, "glTF", 4) == 0;
-    return binary ? openBinary(file) : Container{file, std::nullopt};
+    return binary ? openBinary(file, host) : Container{file, std::nullopt};
 }
 
 namespace {
@@ -182,32 +197,55 @@ Bytes findBytes(const Source& source, std::size_t index, const std::string& elem
 }  // namespace
 
 Bytes loadUri(const std::string& uri, const std::string& element, Storage& storage, const Host& host) {
-    if (!isDataUri(uri)) return host.readFile(pathOfUri(uri, element));
+    if (!isDataUri(uri)) return host.readOptionalFile(pathOfUri(uri, element), element);
     const std::vector<std::uint8_t>& data = storage.emplace_back(decodeDataUri(uri, element));
     return {data.data(), data.size()};
 }
+
+namespace {
+
+void noteLength(const Bytes& bytes, const Source& source, const std::string& element, const Host& host) {
+    if (!source.byteLength || bytes.size >= *source.byteLength) return;
+    host.note(CANDELA_NOTE_MISSING, element,
+              "holds " + std::to_string(bytes.size) +
+                  " bytes, expected byteLength = " + std::to_string(*source.byteLength));
+}
+
+}  // namespace
 
 void loadBuffers(Document& document, const Container& container, Storage& storage, const Host& host) {
     for (std::size_t i = 0; i < document.bufferSources.size(); ++i) {
         Source& source = document.bufferSources[i];
         const std::string element = elementName("buffer", i, source.name);
-        const Bytes bytes = findBytes(source, i, element, container, storage, host);
-        if (bytes.size < source.byteLength) {
-            throw Failure{element, "holds " + std::to_string(bytes.size) +
-                                       " bytes, expected byteLength = " + std::to_string(source.byteLength)};
+        Bytes bytes;
+        try {
+            requireUsable(document, element);
+            bytes = findBytes(source, i, element, container, storage, host);
+            noteLength(bytes, source, element, host);
+        } catch (const Failure& failure) {
+            document.faults.emplace(element, failure);
         }
-        document.buffers.push_back({bytes.data, source.byteLength});
+        document.buffers.push_back(bytes);
         source.uri.reset();
     }
 }
 
 Bytes viewBytes(const Document& document, std::size_t bufferView, const std::string& element) {
-    const tinygltf::BufferView& view = document.model.bufferViews.at(bufferView);
-    const Bytes& buffer = document.buffers.at(static_cast<std::size_t>(view.buffer));
+    const BufferView& view = document.bufferViews.at(bufferView);
+    const std::string viewName = elementName("bufferView", bufferView, view.name);
+    const std::string bufferName =
+        elementName("buffer", view.buffer, document.bufferSources.at(view.buffer).name);
+    for (const std::string& name : {viewName, bufferName}) {
+        const auto fault = document.faults.find(name);
+        if (fault != document.faults.end())
+            throw Failure{element, fault->second.element + ": " + fault->second.reason};
+    }
+    // What lies behind the buffer's byteLength is read where it is there.
+    const Bytes& buffer = document.buffers.at(view.buffer);
     if (view.byteOffset > buffer.size || view.byteLength > buffer.size - view.byteOffset) {
-        throw Failure{element, "bufferView " + std::to_string(bufferView) + " ends at byte " +
-                                   std::to_string(view.byteOffset + view.byteLength) + ", but buffer " +
-                                   std::to_string(view.buffer) + " has " + std::to_string(buffer.size)};
+        throw Failure{element, viewName + " ends at byte " +
+                                   std::to_string(view.byteOffset + view.byteLength) + ", but " + bufferName +
+                                   " has " + std::to_string(buffer.size)};
     }
     return {buffer.data + view.byteOffset, view.byteLength};
 }

@@ -17,9 +17,9 @@ struct Container {
     std::optional<Bytes> binary;  ///< The BIN chunk of a .glb file.
 };
 
-/// Splits a .glb, which its first bytes distinguish from a .gltf, into its chunks. Throws `Failure` when a
-/// .glb does not keep to section 4.4 of the glTF 2.0 specification.
-Container openContainer(const Bytes& file);
+/// Splits a .glb, which its first bytes distinguish from a .gltf, into its chunks. What a .glb has against section
+/// 4.4 of the glTF 2.0 specification is noted; throws `Failure` when there is no whole JSON chunk.
+Container openContainer(const Bytes& file, const Host& host);
 
 /// Whether `uri` holds the data itself ("data:...").
 bool isDataUri(const std::string& uri);
@@ -34,13 +34,16 @@ std::string pathOfUri(const std::string& uri, const std::string& element);
 /// Owns the bytes decoded from data URIs. A deque, whose elements do not move when it grows.
 using Storage = std::deque<std::vector<std::uint8_t>>;
 
-/// The bytes of a URI: a data URI is decoded into `storage`, a file is read by the host.
+/// The bytes of a URI: a data URI is decoded into `storage`, a file is read by the host. Throws `Failure` for
+/// `element`.
 Bytes loadUri(const std::string& uri, const std::string& element, Storage& storage, const Host& host);
 
-/// Fills `document.buffers`. Each has the length of its byteLength.
+/// Fills `document.buffers`. A buffer that cannot be read has a fault, and one of another length than its
+/// byteLength is noted.
 void loadBuffers(Document& document, const Container& container, Storage& storage, const Host& host);
 
-/// The bytes of a buffer view. Throws `Failure` for `element` when it reaches beyond its buffer.
+/// The bytes of a buffer view. Throws `Failure` for `element` when it reaches beyond its buffer, or when
+/// either has a fault.
 Bytes viewBytes(const Document& document, std::size_t bufferView, const std::string& element);
 
 }  // namespace candela_plugins::gltf

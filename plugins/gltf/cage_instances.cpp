@@ -22,6 +22,7 @@ std::string nodeName(const Document& document, std::size_t node) {
 
 std::vector<std::int32_t> jointsOf(const Document& document, std::size_t skin,
                                    const std::vector<std::int32_t>& nodes) {
+    requireUsable(document, skinName(document, skin));
     std::vector<std::int32_t> joints;
     for (const std::size_t joint : document.skins[skin].joints) {
         if (nodes.at(joint) < 0) {
@@ -85,7 +86,8 @@ std::vector<std::int32_t> addSkins(const Document& document, const std::vector<D
         const int skin = document.model.nodes[node].skin;
         if (skin < 0 || !cageOf(document, node, cages)) continue;
         std::int32_t& index = indices.at(static_cast<std::size_t>(skin));
-        if (index < 0) index = addSkin(document, static_cast<std::size_t>(skin), nodes, host);
+        if (index >= 0) continue;
+        host.leavesOut([&] { index = addSkin(document, static_cast<std::size_t>(skin), nodes, host); });
     }
     return indices;
 }
@@ -108,15 +110,20 @@ void checkFit(const Document& document, std::size_t node, std::size_t skin, cons
 
 void addCageInstance(const Document& document, std::size_t node, std::int32_t hostNode, const AddedCage& cage,
                      const std::vector<std::int32_t>& skins, const Host& host) {
-    const std::vector<float> weights = morphWeights(document, node, cage.morphTargetCount);
+    std::vector<float> weights(cage.morphTargetCount);
+    host.leavesOut([&] { weights = morphWeights(document, node, cage.morphTargetCount); });
     candela_cage_instance instance{};
     instance.struct_size = sizeof instance;
     instance.node = hostNode;
     instance.cage = cage.index;
     instance.skin = -1;
-    if (const int skin = document.model.nodes[node].skin; skin >= 0) {
-        checkFit(document, node, static_cast<std::size_t>(skin), cage);
-        instance.skin = skins.at(static_cast<std::size_t>(skin));
+    const int skin = document.model.nodes[node].skin;
+    const std::int32_t hostSkin = skin < 0 ? -1 : skins.at(static_cast<std::size_t>(skin));
+    if (hostSkin >= 0) {
+        host.leavesOut([&] {
+            checkFit(document, node, static_cast<std::size_t>(skin), cage);
+            instance.skin = hostSkin;
+        });
     }
     instance.morph_weight_count = cage.morphTargetCount;
     instance.morph_weights = weights.empty() ? nullptr : weights.data();

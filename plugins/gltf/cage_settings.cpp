@@ -179,7 +179,7 @@ std::string meshName(const Json& mesh, std::size_t index) {
 
 }  // namespace
 
-std::map<std::size_t, CageSettings> readCageSettings(const nlohmann::json& document) {
+std::map<std::size_t, CageSettings> readCageSettings(const nlohmann::json& document, const Host& host) {
     std::map<std::size_t, CageSettings> cages;
     const auto meshes = document.find("meshes");
     if (meshes == document.end() || !meshes->is_array()) return cages;
@@ -188,7 +188,12 @@ std::map<std::size_t, CageSettings> readCageSettings(const nlohmann::json& docum
         if (!mesh.is_object() || !mesh.contains("extras") || !mesh["extras"].is_object()) continue;
         const auto settings = mesh["extras"].find(settingsKey);
         if (settings == mesh["extras"].end()) continue;
-        cages.emplace(i, readSettings(*settings, meshName(mesh, i) + ", " + settingsKey));
+        const std::string element = meshName(mesh, i);
+        try {
+            cages.emplace(i, readSettings(*settings, element + ", " + settingsKey));
+        } catch (const Failure& failure) {
+            host.note(CANDELA_NOTE_MISSING, failure.element, failure.reason + ": drawn without subdivision");
+        }
     }
     return cages;
 }

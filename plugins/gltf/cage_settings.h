@@ -6,6 +6,8 @@
 #include <map>
 #include <vector>
 
+#include "../common/host.h"
+
 namespace candela_plugins::gltf {
 
 struct SharpEdge {
@@ -34,7 +36,7 @@ struct CageSettings {
 };
 
 /// The settings of the meshes that are cages, by the index of the mesh. `document` need not be well-formed
-/// elsewhere. Throws `Failure` that names mesh and key.
-std::map<std::size_t, CageSettings> readCageSettings(const nlohmann::json& document);
+/// elsewhere. A mesh with wrong settings is no cage, with a note that names mesh and key.
+std::map<std::size_t, CageSettings> readCageSettings(const nlohmann::json& document, const Host& host);
 
 }  // namespace candela_plugins::gltf

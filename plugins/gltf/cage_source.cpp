@@ -26,11 +26,13 @@ struct Layout {
     std::size_t morphTargets = 0;
 };
 
-std::vector<Part> partsOf(const tinygltf::Mesh& mesh, const std::string& element, const Host& host) {
+std::vector<Part> partsOf(const Document& document, const tinygltf::Mesh& mesh, const std::string& element,
+                          const Host& host) {
     std::vector<Part> parts;
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
         const tinygltf::Primitive& primitive = mesh.primitives[i];
         const std::string where = element + ", primitive " + std::to_string(i);
+        requireUsable(document, where);
         if (!hasTriangles(primitive.mode)) {
             host.note(CANDELA_NOTE_MISSING, where, "points and lines are no part of a cage: left out");
         } else if (accessorOf(primitive, "POSITION") < 0) {
@@ -164,10 +166,16 @@ class SourceReader {
         return readAttribute(document_, accessor, layout_.uvs, uvForm, count, part.element);
     }
 
+    std::vector<std::uint32_t> cornersOf(const Part& part, std::uint32_t vertices) const {
+        std::vector<std::uint32_t> corners = readCorners(document_, part.primitive, vertices, part.element);
+        requireCornersBelow(vertices, corners, part.element);
+        return corners;
+    }
+
     Polygons facesOf(const Part& part, const VertexRange& range) const {
         const tinygltf::Primitive& primitive = part.primitive;
-        std::vector<std::uint32_t> triangles = triangulate(
-            primitive.mode, readCorners(document_, primitive, range.count, part.element), part.element);
+        std::vector<std::uint32_t> triangles =
+            triangulate(primitive.mode, cornersOf(part, range.count), part.element);
         if (!primitive.extensions.contains("FB_ngon_encoding")) {
             return polygonsOfTriangles(std::move(triangles));
         }
@@ -204,7 +212,7 @@ CageSource readCageSource(const Document& document, std::size_t mesh, const std:
                           const Host& host) {
     const tinygltf::Mesh& source = document.model.meshes.at(mesh);
     const std::string element = elementName("mesh", mesh, source.name);
-    const std::vector<Part> parts = partsOf(source, element, host);
+    const std::vector<Part> parts = partsOf(document, source, element, host);
     const Layout layout{uvAttribute(parts, uvSets, element, host), commonInfluenceSets(parts),
                         commonMorphTargets(parts)};
     SourceReader reader(document, layout);

@@ -145,7 +145,7 @@ class CageMaterials {
   public:
     CageMaterials(const AddedMaterials& materials, const Host& host) : materials_(materials), host_(host) {}
 
-    /// The host's index of a material of the file; -1 stays -1.
+    /// The host's index of a material of the file; -1 is the default one.
     std::int32_t find(std::int32_t material);
 
   private:
@@ -155,7 +155,7 @@ class CageMaterials {
 };
 
 std::int32_t CageMaterials::find(std::int32_t material) {
-    if (material < 0) return material;
+    if (material < 0) return materials_.defaultMaterial;
     const auto index = static_cast<std::size_t>(material);
     if (!materials_.uvSets.at(index)[1]) return material;
     const auto [entry, isNew] = copies_.try_emplace(material);
@@ -302,7 +302,7 @@ const AddedCage* cageOf(const Document& document, std::size_t node, const AddedC
     return found == cages.end() ? nullptr : &found->second;
 }
 
-AddedCages addCages(const Document& document, const std::vector<bool>& used, const AddedMaterials& materials,
+AddedCages addCages(Document& document, const std::vector<bool>& used, const AddedMaterials& materials,
                     const Host& host, double from, double to) {
     if (!document.cages.empty() && !host.takesCages()) {
         throw Failure{"candela_subdivision",
@@ -316,7 +316,13 @@ AddedCages addCages(const Document& document, const std::vector<bool>& used, con
         host.progress(from +
                       (to - from) * static_cast<double>(done++) / static_cast<double>(document.cages.size()));
         if (!used.at(mesh)) continue;
-        const AddedCage cage = addCage(document, mesh, materials.uvSets, cageMaterials, host);
+        AddedCage cage;
+        try {
+            requireUsable(document, elementName("mesh", mesh, document.model.meshes.at(mesh).name));
+            cage = addCage(document, mesh, materials.uvSets, cageMaterials, host);
+        } catch (const Failure& failure) {
+            loseGeometry(document, failure, host);
+        }
         if (cage.index >= 0) added.emplace(mesh, cage);
     }
     return added;

@@ -25,19 +25,19 @@ using AddedCages = std::map<std::size_t, AddedCage>;
 const AddedCage* cageOf(const Document& document, std::size_t node, const AddedCages& cages);
 
 /// Adds the meshes of `document.cages` that are marked in `used`, except those without a face, and notes
-/// what is left out. Progress goes from `from` to `to`.
-AddedCages addCages(const Document& document, const std::vector<bool>& used, const AddedMaterials& materials,
+/// what is left out. A cage that is broken is left out. Progress goes from `from` to `to`.
+AddedCages addCages(Document& document, const std::vector<bool>& used, const AddedMaterials& materials,
                     const Host& host, double from, double to);
 
 /// Adds the skins of cages, and returns the host's index of each skin of the file, -1 for the
-/// others. `nodes` are the host's indices of the file's nodes. Throws `Failure` when a joint is not part of
-/// the scene that is drawn.
+/// others, and for broken ones, with a note. `nodes` are the host's indices of the file's nodes.
 std::vector<std::int32_t> addSkins(const Document& document, const std::vector<DrawnNode>& drawn,
                                    const std::vector<std::int32_t>& nodes, const AddedCages& cages,
                                    const Host& host);
 
 /// Adds the cage instances of the nodes, with their skins and morph weights. `skins` are
-/// the host's indices of the file's skins. Throws `Failure` where node, skin and cage do not fit together.
+/// the host's indices of the file's skins. Where node, skin and cage do not fit together, the skin or the
+/// weights are left out, with a note.
 void addCageInstances(const Document& document, const std::vector<DrawnNode>& drawn,
                       const std::vector<std::int32_t>& nodes, const AddedCages& cages,
                       const std::vector<std::int32_t>& skins, const Host& host);

@@ -3,117 +3,15 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
-#include <optional>
-#include <string_view>
 #include <vector>
 
-#include "schema.h"
+#include "document_text.h"
+#include "extensions.h"
 
 namespace candela_plugins::gltf {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr std::string_view knownExtensions[] = {
-    "FB_ngon_encoding",    "KHR_lights_punctual",   "KHR_materials_emissive_strength",
-    "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform",
-};
-
-bool isKnown(const std::string& extension) {
-    return std::find(std::begin(knownExtensions), std::end(knownExtensions), extension) !=
-           std::end(knownExtensions);
-}
-
-std::vector<std::string> extensionList(const Json& document, const char* member) {
-    std::vector<std::string> names;
-    const auto list = document.find(member);
-    if (list == document.end()) return names;
-    if (!list->is_array()) throw Failure{member, "expected an array of strings"};
-    for (const Json& name : *list) {
-        if (!name.is_string()) throw Failure{member, "expected an array of strings"};
-        names.push_back(name.get<std::string>());
-    }
-    return names;
-}
-
-struct Version {
-    int major = 0, minor = 0;
-};
-
-/// "2.0": two numbers and a dot (glTF 2.0, 3.2 and the schema of asset.version).
-std::optional<Version> parseVersion(const std::string& text) {
-    Version version;
-    const char* end = text.data() + text.size();
-    const auto major = std::from_chars(text.data(), end, version.major);
-    if (major.ec != std::errc() || major.ptr == end || *major.ptr != '.') return std::nullopt;
-    const auto minor = std::from_chars(major.ptr + 1, end, version.minor);
-    if (minor.ec != std::errc() || minor.ptr != end) return std::nullopt;
-    return version;
-}
-
-Version readVersion(const Json& asset, const char* member) {
-    const Json& value = asset[member];
-    if (!value.is_string()) throw Failure{"asset", std::string("\"") + member + "\" is not a string"};
-    const std::string text = value.get<std::string>();
-    const std::optional<Version> version = parseVersion(text);
-    if (!version) {
-        throw Failure{"asset", std::string(member) + " '" + readable(text) + "' is not of the form 2.0"};
-    }
-    return *version;
-}
-
-void checkVersion(const Json& document) {
-    const auto asset = document.find("asset");
-    if (asset == document.end() || !asset->is_object()) throw Failure{"asset", "is missing"};
-    if (!asset->contains("version")) throw Failure{"asset", "\"version\" is missing"};
-    const Version version = readVersion(*asset, "version");
-    if (version.major != 2) {
-        throw Failure{"asset", "version " + std::to_string(version.major) + "." +
-                                   std::to_string(version.minor) + " is not supported, expected 2.0"};
-    }
-    if (!asset->contains("minVersion")) return;
-    const Version minVersion = readVersion(*asset, "minVersion");
-    if (minVersion.major != 2 || minVersion.minor > 0) {
-        throw Failure{"asset", "minVersion " + std::to_string(minVersion.major) + "." +
-                                   std::to_string(minVersion.minor) + " is not supported, expected 2.0"};
-    }
-}
-
-void checkExtensions(const Json& document, const Host& host) {
-    for (const std::string& name : extensionList(document, "extensionsRequired")) {
-        if (isKnown(name)) continue;
-        throw Failure{"extensionsRequired", "extension '" + readable(name) + "' is not supported"};
-    }
-    for (const std::string& name : extensionList(document, "extensionsUsed")) {
-        if (!isKnown(name))
-            host.note(CANDELA_NOTE_MISSING, "extension '" + readable(name) + "'", "not supported: ignored");
-    }
-}
-
-bool usesExtension(const Json& document, const char* name) {
-    for (const char* member : {"extensionsUsed", "extensionsRequired"}) {
-        const std::vector<std::string> names = extensionList(document, member);
-        if (std::find(names.begin(), names.end(), name) != names.end()) return true;
-    }
-    return false;
-}
-
-using Json = nlohmann::json;
-
-Json parseJson(const Bytes& text) {
-    const char* begin = reinterpret_cast<const char*>(text.data);
-    try {
-        Json document = Json::parse(begin, begin + text.size);
-        if (!document.is_object()) throw Failure{"JSON", "the text is not an object"};
-        return document;
-    } catch (const Json::exception& error) {
-        // The library's messages begin with "[json.exception.parse_error.101] ".
-        const std::string message = error.what();
-        const std::size_t end = message.find("] ");
-        throw Failure{"JSON", end == std::string::npos ? message : message.substr(end + 2)};
-    }
-}
 
 /// The elements of an array member that are objects; what is not well-formed is left to the schema.
 template <typename Use>
@@ -153,31 +51,46 @@ void noteDeformations(const Document& document, const Host& host) {
     }
 }
 
-/// glTF allows channels without a node, which the specification says to ignore; tinygltf refuses them.
-void removeChannelsWithoutNode(Json& document) {
+/// glTF allows channels without a node, which extensions give a meaning; tinygltf refuses them.
+void fillChannelNodes(Json& document) {
     forEachObject(document, "animations", [](Json& animation) {
-        const auto channels = animation.find("channels");
-        if (channels == animation.end() || !channels->is_array()) return;
-        for (auto channel = channels->begin(); channel != channels->end();) {
-            const bool hasTarget = channel->is_object() && channel->contains("target");
-            const bool noNode =
-                hasTarget && (*channel)["target"].is_object() && !(*channel)["target"].contains("node");
-            channel = noNode ? channels->erase(channel) : std::next(channel);
-        }
+        forEachObject(animation, "channels", [](Json& channel) {
+            Json& target = channel["target"];
+            if (target.contains("node")) return;
+            // Notes of the importer are about paths that it does not know.
+            if (target["path"] != "pointer") target["path"] = "";
+            target["node"] = 0;
+        });
+    });
+}
+
+/// The values that tinygltf asks for where the importer has defaults of its own.
+void fillDefaults(Json& document, const Host& host) {
+    forEachObject(document, "cameras", [](Json& camera) {
+        if (camera.contains("perspective")) camera["perspective"].emplace("znear", 0.0);
+    });
+    const Json::json_pointer lights("/extensions/KHR_lights_punctual");
+    if (!document.contains(lights)) return;
+    std::size_t index = 0;
+    forEachObject(document[lights], "lights", [&](Json& light) {
+        const std::string element = elementName("light", index++, light.value("name", std::string()));
+        if (light["type"] != "spot" || light.contains("spot")) return;
+        host.note(CANDELA_NOTE_REPAIRED, element, "a spot light without \"spot\": the default cone is used");
+        light["spot"] = Json::object();
     });
 }
 
 /// tinygltf silently prefers the matrix.
-void refuseAmbiguousTransforms(Json& document) {
+void removeAmbiguousTransforms(Json& document, const Host& host) {
     std::size_t index = 0;
     forEachObject(document, "nodes", [&](Json& node) {
+        const std::size_t i = index++;
         const bool parts =
             node.contains("translation") || node.contains("rotation") || node.contains("scale");
-        if (node.contains("matrix") && parts) {
-            throw Failure{elementName("node", index, node.value("name", std::string())),
-                          "has both a matrix and translation, rotation or scale"};
-        }
-        ++index;
+        if (!node.contains("matrix") || !parts) return;
+        host.note(CANDELA_NOTE_REPAIRED, elementName("node", i, node.value("name", std::string())),
+                  "both a matrix and translation, rotation or scale: the matrix is used");
+        for (const char* part : {"translation", "rotation", "scale"}) node.erase(part);
     });
 }
 
@@ -199,13 +112,33 @@ std::vector<Source> takeSources(Json& document, const char* member) {
     forEachObject(document, member, [&](Json& element) {
         Source source;
         source.name = element.value("name", std::string());
-        source.byteLength = element.value("byteLength", std::uint64_t(0));
+        if (element.contains("byteLength")) source.byteLength = element["byteLength"].get<std::uint64_t>();
         if (element.contains("uri")) source.uri = std::move(element["uri"].get_ref<std::string&>());
         if (element.contains("bufferView")) source.bufferView = element["bufferView"].get<std::size_t>();
         sources.push_back(std::move(source));
     });
     document.erase(member);
     return sources;
+}
+
+std::vector<BufferView> takeBufferViews(Json& document) {
+    std::vector<BufferView> views;
+    forEachObject(document, "bufferViews", [&](Json& element) {
+        views.push_back({element.value("name", std::string()), element["buffer"].get<std::size_t>(),
+                         element.value("byteOffset", std::uint64_t(0)),
+                         element["byteLength"].get<std::uint64_t>(),
+                         element.value("byteStride", std::uint64_t(0))});
+    });
+    document.erase("bufferViews");
+    return views;
+}
+
+std::vector<std::string> imageExtensionsOf(Json& document) {
+    std::vector<std::string> extensions;
+    const auto textures = document.find("textures");
+    if (textures == document.end() || !textures->is_array()) return extensions;
+    for (const Json& texture : *textures) extensions.push_back(imageExtension(texture));
+    return extensions;
 }
 
 std::vector<SkinSource> takeSkins(Json& document) {
@@ -238,23 +171,38 @@ void loadModel(tinygltf::Model& model, const Json& document) {
 }  // namespace
 
 Document readDocument(const Bytes& text, const Host& host) {
-    Json json = parseJson(text);
-    checkVersion(json);
+    Json json = parseDocument(text, host);
     checkExtensions(json, host);
 
     Document document;
     document.quantized = usesExtension(json, "KHR_mesh_quantization");
-    document.cages = readCageSettings(json);
-    removeChannelsWithoutNode(json);
-    conform(json, documentSchema());
-    refuseAmbiguousTransforms(json);
+    document.imageExtensions = imageExtensionsOf(json);
+    document.faults = compressedElements(json);
+    document.cages = readCageSettings(json, host);
+    Conformity conformity = conform(json, documentSchema(), host);
+    document.faults.merge(conformity.faults);
+    document.lostGeometry = std::move(conformity.lostGeometry);
+    fillChannelNodes(json);
+    fillDefaults(json, host);
+    removeAmbiguousTransforms(json, host);
     moveIndices(json);
     document.bufferSources = takeSources(json, "buffers");
+    document.bufferViews = takeBufferViews(json);
     document.imageSources = takeSources(json, "images");
     document.skins = takeSkins(json);
     loadModel(document.model, json);
     noteDeformations(document, host);
     return document;
+}
+
+void loseGeometry(Document& document, const Failure& failure, const Host& host) {
+    if (!document.lostGeometry) document.lostGeometry = failure;
+    host.noteLeftOut(failure);
+}
+
+void requireUsable(const Document& document, const std::string& element) {
+    const auto fault = document.faults.find(element);
+    if (fault != document.faults.end()) throw fault->second;
 }
 
 }  // namespace candela_plugins::gltf

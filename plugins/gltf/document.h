@@ -11,6 +11,7 @@
 #include "../common/failure.h"
 #include "../common/host.h"
 #include "cage_settings.h"
+#include "schema.h"
 
 namespace candela_plugins::gltf {
 
@@ -19,7 +20,15 @@ struct Source {
     std::string name;
     std::optional<std::string> uri;
     std::optional<std::size_t> bufferView;
-    std::uint64_t byteLength = 0;  ///< Buffers only.
+    std::optional<std::uint64_t> byteLength;  ///< Buffers only.
+};
+
+/// A part of a buffer. Hidden from tinygltf, which refuses strides that can be read.
+struct BufferView {
+    std::string name;
+    std::size_t buffer = 0;
+    std::uint64_t byteOffset = 0, byteLength = 0;
+    std::uint64_t byteStride = 0;  ///< 0: the elements are tightly packed.
 };
 
 /// The joints of a skin. They are hidden from tinygltf, which refuses skins without inverseBindMatrices.
@@ -31,18 +40,28 @@ struct SkinSource {
 
 /// A document whose JSON has been checked: every index is in range, every number finite in single precision.
 struct Document {
-    tinygltf::Model model;  ///< Without buffers, images and skins.
+    tinygltf::Model model;  ///< Without buffers, buffer views, images and skins.
+    Faults faults;
+    std::optional<Failure> lostGeometry;  ///< Why the first mesh or primitive that is not drawn was left out.
     std::vector<Source> bufferSources, imageSources;
+    std::vector<BufferView> bufferViews;
+    std::vector<std::string> imageExtensions;  ///< By texture: that of an image of another format, or empty.
     std::vector<SkinSource> skins;
     std::map<std::size_t, CageSettings> cages;  ///< By mesh: those that are subdivision cages.
-    std::vector<Bytes> buffers;                 ///< Filled by `loadBuffers`.
+    std::vector<Bytes> buffers;                 ///< Filled by `loadBuffers`; empty where it has a fault.
     bool quantized = false;                     ///< KHR_mesh_quantization is in use.
 };
 
 /// The attribute name under which `readDocument` keeps a primitive's index accessor.
 inline constexpr const char* indicesAttribute = "_INDICES";
 
-/// Reads the JSON text. Throws `Failure`; adds notes for unsupported content.
+/// Reads the JSON text. Throws `Failure` when it is no glTF 2.0 document; notes what is repaired or left out.
 Document readDocument(const Bytes& json, const Host& host);
+
+/// Notes that a mesh or primitive is left out, and keeps the first reason.
+void loseGeometry(Document& document, const Failure& failure, const Host& host);
+
+/// Throws the fault of an element of the document, if it has one.
+void requireUsable(const Document& document, const std::string& element);
 
 }  // namespace candela_plugins::gltf

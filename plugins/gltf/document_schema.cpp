@@ -31,6 +31,10 @@ Property size(const char* name, double min = 0.0) {
     return integer(name, min, maxInteger);
 }
 
+Property words(const char* name, std::vector<std::string_view> values) {
+    return {.name = name, .kind = Kind::text, .values = std::move(values)};
+}
+
 Property flag(const char* name) {
     return {.name = name, .kind = Kind::flag};
 }
@@ -59,12 +63,28 @@ Property required(Property property) {
     return property;
 }
 
-const ObjectSchema asset{"asset", {required(text("version")), text("minVersion")}};
+/// An optional member without whose value its object cannot be used.
+Property essential(Property property) {
+    property.onFault = OnFault::refuseObject;
+    return property;
+}
 
-const ObjectSchema buffer{"buffer", {text("name"), text("uri"), required(size("byteLength", 1))}};
-const ObjectSchema bufferView{"bufferView",
-                              {text("name"), required(index("buffer", Target::buffers)), size("byteOffset"),
-                               required(size("byteLength", 1)), integer("byteStride", 4, 252)}};
+Property geometry(Property property) {
+    property.content = Content::geometry;
+    return property;
+}
+
+const ObjectSchema asset{"asset", {required(text("version"))}};
+
+// Stubs are what tinygltf takes, and hold as much as tells them from an element with all defaults.
+const ObjectSchema buffer{.noun = "buffer",
+                          .properties = {text("name"), essential(text("uri")), size("byteLength")},
+                          .stub = R"({"uri":""})"};
+const ObjectSchema bufferView{
+    .noun = "bufferView",
+    .properties = {text("name"), required(index("buffer", Target::buffers)), essential(size("byteOffset")),
+                   required(size("byteLength")), essential(size("byteStride"))},
+    .stub = R"({"buffer":0,"byteLength":0})"};
 
 const ObjectSchema sparseIndices{"indices",
                                  {required(index("bufferView", Target::bufferViews)), integer("byteOffset"),
@@ -72,20 +92,28 @@ const ObjectSchema sparseIndices{"indices",
 const ObjectSchema sparseValues{"values",
                                 {required(index("bufferView", Target::bufferViews)), integer("byteOffset")}};
 const ObjectSchema sparse{"sparse",
-                          {required(integer("count", 1)), required(object("indices", sparseIndices)),
+                          {required(integer("count")), required(object("indices", sparseIndices)),
                            required(object("values", sparseValues))}};
 const ObjectSchema accessor{
-    "accessor",
-    {text("name"), index("bufferView", Target::bufferViews), size("byteOffset"),
-     required(integer("componentType")), flag("normalized"), required(integer("count", 1, 4294967294.0)),
-     required(text("type")), object("sparse", sparse)}};
+    .noun = "accessor",
+    .properties = {text("name"), essential(index("bufferView", Target::bufferViews)),
+                   essential(size("byteOffset")), required(integer("componentType", 5120, 5126)),
+                   flag("normalized"), required(integer("count", 0, 4294967294.0)),
+                   required(words("type", {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"})),
+                   essential(object("sparse", sparse))},
+    .stub = R"({"componentType":5126,"count":0,"type":"SCALAR"})"};
 
-const ObjectSchema image{"image", {text("name"), text("uri"), index("bufferView", Target::bufferViews)}};
+const ObjectSchema image{
+    .noun = "image",
+    .properties = {text("name"), essential(text("uri")), essential(index("bufferView", Target::bufferViews))},
+    .stub = R"({"uri":""})"};
 const ObjectSchema sampler{
     "sampler",
     {text("name"), integer("magFilter"), integer("minFilter"), integer("wrapS"), integer("wrapT")}};
-const ObjectSchema texture{
-    "texture", {text("name"), index("sampler", Target::samplers), index("source", Target::images)}};
+const ObjectSchema texture{.noun = "texture",
+                           .properties = {text("name"), index("sampler", Target::samplers),
+                                          essential(index("source", Target::images))},
+                           .stub = R"({"name":""})"};
 
 const ObjectSchema textureTransform{
     "KHR_texture_transform",
@@ -111,14 +139,12 @@ const ObjectSchema emissiveStrength{"KHR_materials_emissive_strength", {number("
 const ObjectSchema unlit{"KHR_materials_unlit", {}};
 const ObjectSchema materialExtensions{
     "", {object("KHR_materials_emissive_strength", emissiveStrength), object("KHR_materials_unlit", unlit)}};
-// emissiveFactor: the specification says 0 to 1, but files from before KHR_materials_emissive_strength exceed
-// it, and larger values are valid here.
 const ObjectSchema material{
     "material",
     {text("name"), object("pbrMetallicRoughness", metallicRoughness), object("normalTexture", normalTexture),
      object("occlusionTexture", occlusionTexture), object("emissiveTexture", emissiveTexture),
-     numbers("emissiveFactor", 3, 0), text("alphaMode"), number("alphaCutoff", 0), flag("doubleSided"),
-     object("extensions", materialExtensions)}};
+     numbers("emissiveFactor", 3, 0, 1), words("alphaMode", {"OPAQUE", "MASK", "BLEND"}),
+     number("alphaCutoff", 0), flag("doubleSided"), object("extensions", materialExtensions)}};
 
 const ObjectSchema attributes{"attribute",
                               {{.name = "POSITION"},
@@ -127,66 +153,91 @@ const ObjectSchema attributes{"attribute",
                                {.name = "TEXCOORD_0"},
                                {.name = "TEXCOORD_1"},
                                {.name = "COLOR_0"}},
-                              {"JOINTS_", "WEIGHTS_"}};
+                              {"JOINTS_", "WEIGHTS_"},
+                              "POSITION"};
 const ObjectSchema targetAttributes{"attribute", {{.name = "POSITION"}}};
 const ObjectSchema ngonEncoding{"FB_ngon_encoding", {}};
 const ObjectSchema primitiveExtensions{"", {object("FB_ngon_encoding", ngonEncoding)}};
-const ObjectSchema primitive{
-    "primitive",
-    {required(
-         {.name = "attributes", .kind = Kind::indexMap, .target = Target::accessors, .schema = &attributes}),
-     index("indices", Target::accessors),
-     index("material", Target::materials),
-     integer("mode", 0, 6),
-     {.name = "targets", .kind = Kind::indexMaps, .target = Target::accessors, .schema = &targetAttributes},
-     object("extensions", primitiveExtensions)}};
+const ObjectSchema primitive{.noun = "primitive",
+                             .properties = {required({.name = "attributes",
+                                                      .kind = Kind::indexMap,
+                                                      .target = Target::accessors,
+                                                      .schema = &attributes}),
+                                            essential(index("indices", Target::accessors)),
+                                            index("material", Target::materials),
+                                            essential(integer("mode", 0, 6)),
+                                            {.name = "targets",
+                                             .kind = Kind::indexMaps,
+                                             .target = Target::accessors,
+                                             .schema = &targetAttributes},
+                                            object("extensions", primitiveExtensions)},
+                             .stub = R"({"attributes":{}})"};
 const ObjectSchema mesh{
-    "mesh", {text("name"), required(list("primitives", primitive)), numbers("weights", anyNumber)}};
-const ObjectSchema skin{"skin",
-                        {text("name"), required(indices("joints", Target::nodes)),
-                         index("inverseBindMatrices", Target::accessors)}};
+    .noun = "mesh",
+    .properties = {text("name"), required(list("primitives", primitive)), numbers("weights", anyNumber)},
+    .stub = R"({"primitives":[]})"};
+const ObjectSchema skin{.noun = "skin",
+                        .properties = {text("name"), required(indices("joints", Target::nodes)),
+                                       essential(index("inverseBindMatrices", Target::accessors))},
+                        .stub = R"({"joints":[]})"};
 
 const ObjectSchema nodeLight{"KHR_lights_punctual", {required(index("light", Target::lights))}};
 const ObjectSchema nodeExtensions{"", {object("KHR_lights_punctual", nodeLight)}};
-const ObjectSchema node{"node",
-                        {text("name"), index("camera", Target::cameras), index("mesh", Target::meshes),
-                         indices("children", Target::nodes), numbers("matrix", 16), numbers("translation", 3),
-                         numbers("rotation", 4), numbers("scale", 3), index("skin", Target::skins),
-                         numbers("weights", anyNumber), object("extensions", nodeExtensions)}};
-const ObjectSchema scene{"scene", {text("name"), indices("nodes", Target::nodes)}};
+const ObjectSchema node{
+    "node",
+    {text("name"), index("camera", Target::cameras), geometry(index("mesh", Target::meshes)),
+     indices("children", Target::nodes), numbers("matrix", 16), numbers("translation", 3),
+     numbers("rotation", 4), numbers("scale", 3), index("skin", Target::skins), numbers("weights", anyNumber),
+     object("extensions", nodeExtensions)}};
+const ObjectSchema scene{"scene", {text("name"), geometry(indices("nodes", Target::nodes))}};
 
-const ObjectSchema perspective{"perspective", {required(positive("yfov")), required(positive("znear"))}};
+const ObjectSchema perspective{"perspective", {required(positive("yfov")), positive("znear")}};
 const ObjectSchema orthographic{"orthographic",
                                 {required(number("xmag")), required(number("ymag")), required(number("zfar")),
                                  required(number("znear"))}};
-const ObjectSchema camera{"camera",
-                          {text("name"), required(text("type")), object("perspective", perspective),
-                           object("orthographic", orthographic)}};
+const ObjectSchema camera{
+    .noun = "camera",
+    .properties = {text("name"), required(words("type", {"perspective", "orthographic"})),
+                   essential(object("perspective", perspective)),
+                   essential(object("orthographic", orthographic))},
+    .stub = R"({"type":"orthographic","orthographic":{"xmag":1,"ymag":1,"zfar":1,"znear":0}})"};
 
 const ObjectSchema spot{"spot", {number("innerConeAngle", 0, halfPi), number("outerConeAngle", 0, halfPi)}};
-const ObjectSchema light{"light",
-                         {text("name"), required(text("type")), numbers("color", 3, 0),
-                          number("intensity", 0), positive("range"), object("spot", spot)}};
-const ObjectSchema lights{"KHR_lights_punctual", {list("lights", light)}};
+// The maximum values that a scene takes. A range may be beyond what single precision holds: that is none.
+constexpr double maxIntensity = 1e20, maxColor = 1e9;
+const Property range{
+    .name = "range", .kind = Kind::number, .min = 0.0, .max = DBL_MAX, .minBound = Bound::excluded};
+const ObjectSchema light{
+    .noun = "light",
+    .properties = {text("name"), required(words("type", {"point", "spot", "directional"})),
+                   numbers("color", 3, 0, maxColor), number("intensity", 0, maxIntensity), range,
+                   object("spot", spot)},
+    .stub = R"({"type":"point"})"};
+const ObjectSchema lights{"", {list("lights", light)}};
 const ObjectSchema documentExtensions{"", {object("KHR_lights_punctual", lights)}};
 
 const ObjectSchema channelTarget{"target", {index("node", Target::nodes), required(text("path"))}};
-const ObjectSchema channel{"channel",
-                           {required(integer("sampler")), required(object("target", channelTarget))}};
-const ObjectSchema animationSampler{"sampler",
-                                    {required(index("input", Target::accessors)),
-                                     required(index("output", Target::accessors)), text("interpolation")}};
-const ObjectSchema animation{
-    "animation",
-    {text("name"), required(list("channels", channel)), required(list("samplers", animationSampler))}};
+const ObjectSchema channel{
+    .noun = "channel",
+    .properties = {required(integer("sampler")), required(object("target", channelTarget))},
+    .stub = R"({"sampler":0,"target":{"node":0,"path":""}})"};
+const ObjectSchema animationSampler{
+    .noun = "sampler",
+    .properties = {required(index("input", Target::accessors)), required(index("output", Target::accessors)),
+                   words("interpolation", {"LINEAR", "STEP", "CUBICSPLINE"})},
+    .stub = R"({"input":0,"output":0})"};
+const ObjectSchema animation{.noun = "animation",
+                             .properties = {text("name"), required(list("channels", channel)),
+                                            required(list("samplers", animationSampler))},
+                             .stub = R"({"channels":[],"samplers":[]})"};
 
 const ObjectSchema document{
     "",
     {required(object("asset", asset)), list("buffers", buffer), list("bufferViews", bufferView),
      list("accessors", accessor), list("images", image), list("samplers", sampler), list("textures", texture),
-     list("materials", material), list("meshes", mesh), list("skins", skin), list("nodes", node),
-     list("scenes", scene), index("scene", Target::scenes), list("cameras", camera),
-     list("animations", animation), object("extensions", documentExtensions)}};
+     list("materials", material), geometry(list("meshes", mesh)), list("skins", skin),
+     geometry(list("nodes", node)), geometry(list("scenes", scene)), index("scene", Target::scenes),
+     list("cameras", camera), list("animations", animation), object("extensions", documentExtensions)}};
 
 }  // namespace
 

@@ -26,12 +26,18 @@ std::vector<bool> imagesInUse(const Document& document) {
     return used;
 }
 
+/// An image without a name has that of its file.
+std::string imageName(const Source& source) {
+    const bool hasFile = source.uri && !isDataUri(*source.uri);
+    return source.name.empty() && hasFile ? *source.uri : source.name;
+}
+
 Bytes fileOf(const Document& document, const Source& source, const std::string& element, Storage& storage,
              const Host& host) {
-    if (source.uri && source.bufferView) throw Failure{element, "has both a URI and a bufferView"};
+    requireUsable(document, element);
     if (source.uri) return loadUri(*source.uri, element, storage, host);
     if (source.bufferView) return viewBytes(document, *source.bufferView, element);
-    throw Failure{element, "has neither a URI nor a bufferView"};
+    throw Failure{element, "neither a URI nor a bufferView"};
 }
 
 }  // namespace
@@ -40,19 +46,21 @@ std::vector<std::int32_t> addImages(const Document& document, Storage& storage, 
                                     double to) {
     const std::vector<bool> used = imagesInUse(document);
     std::vector<ImageJob> jobs;
+    std::vector<std::size_t> images;
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
         const Source& source = document.imageSources[i];
         const std::string element = elementName("image", i, source.name);
-        const Bytes file = fileOf(document, source, element, storage, host);
-        jobs.push_back({source.name, decodedSize(file), [=] { return decodeImage(file, element); }});
+        host.leavesOut([&] {
+            const Bytes file = fileOf(document, source, element, storage, host);
+            jobs.push_back(
+                {imageName(source), decodedSize(file), [=] { return decodeImage(file, element); }});
+            images.push_back(i);
+        });
     }
     const std::vector<std::int32_t> added = addImages(jobs, host, from, to);
     std::vector<std::int32_t> indices(used.size(), -1);
-    std::size_t job = 0;
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        if (used[i]) indices[i] = added[job++];
-    }
+    for (std::size_t job = 0; job < jobs.size(); ++job) indices[images[job]] = added[job];
     return indices;
 }
 
@@ -72,24 +80,26 @@ void readPair(const tinygltf::Value& object, const char* name, float (&pair)[2])
     for (int i = 0; i < 2; ++i) pair[i] = static_cast<float>(object.Get(name).Get(i).GetNumberAsDouble());
 }
 
-candela_wrap wrapOf(int value, const std::string& element) {
+void noteSampler(const Host& host, const std::string& element, const char* member, int value) {
+    host.note(CANDELA_NOTE_REPAIRED, element,
+              std::string(member) + " " + std::to_string(value) + " does not exist: the default is used");
+}
+
+candela_wrap wrapOf(int value, const char* member, const std::string& element, const Host& host) {
     switch (value) {
-        case TINYGLTF_TEXTURE_WRAP_REPEAT:
-            return CANDELA_WRAP_REPEAT;
         case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
             return CANDELA_WRAP_CLAMP_TO_EDGE;
         case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
             return CANDELA_WRAP_MIRRORED_REPEAT;
         default:
-            throw Failure{element, "wrap mode " + std::to_string(value) + ", expected 10497, 33071 or 33648"};
+            if (value != TINYGLTF_TEXTURE_WRAP_REPEAT) noteSampler(host, element, member, value);
+            return CANDELA_WRAP_REPEAT;
     }
 }
 
-candela_filter minFilterOf(int value, const std::string& element) {
+candela_filter minFilterOf(int value, const std::string& element, const Host& host) {
+    constexpr int none = -1;
     switch (value) {
-        case -1:  // none given
-        case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR:
-            return CANDELA_FILTER_LINEAR_MIPMAP_LINEAR;
         case TINYGLTF_TEXTURE_FILTER_NEAREST:
             return CANDELA_FILTER_NEAREST;
         case TINYGLTF_TEXTURE_FILTER_LINEAR:
@@ -101,15 +111,18 @@ candela_filter minFilterOf(int value, const std::string& element) {
         case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
             return CANDELA_FILTER_NEAREST_MIPMAP_LINEAR;
         default:
-            throw Failure{element,
-                          "minFilter " + std::to_string(value) + ", expected 9728, 9729 or 9984 to 9987"};
+            if (value != none && value != TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR)
+                noteSampler(host, element, "minFilter", value);
+            return CANDELA_FILTER_LINEAR_MIPMAP_LINEAR;
     }
 }
 
-candela_filter magFilterOf(int value, const std::string& element) {
-    if (value == -1 || value == TINYGLTF_TEXTURE_FILTER_LINEAR) return CANDELA_FILTER_LINEAR;
+candela_filter magFilterOf(int value, const std::string& element, const Host& host) {
+    constexpr int none = -1;
     if (value == TINYGLTF_TEXTURE_FILTER_NEAREST) return CANDELA_FILTER_NEAREST;
-    throw Failure{element, "magFilter " + std::to_string(value) + ", expected 9728 or 9729"};
+    if (value != none && value != TINYGLTF_TEXTURE_FILTER_LINEAR)
+        noteSampler(host, element, "magFilter", value);
+    return CANDELA_FILTER_LINEAR;
 }
 
 candela_texture noTexture() {
@@ -119,17 +132,17 @@ candela_texture noTexture() {
     return texture;
 }
 
-void applySampler(const Document& document, int index, candela_texture& texture) {
+void applySampler(const Document& document, int index, const Host& host, candela_texture& texture) {
     if (index < 0) {
         texture.mag_filter = CANDELA_FILTER_LINEAR;
         return;
     }
     const tinygltf::Sampler& sampler = document.model.samplers.at(static_cast<std::size_t>(index));
     const std::string element = elementName("sampler", static_cast<std::size_t>(index), sampler.name);
-    texture.wrap_s = wrapOf(sampler.wrapS, element);
-    texture.wrap_t = wrapOf(sampler.wrapT, element);
-    texture.min_filter = minFilterOf(sampler.minFilter, element);
-    texture.mag_filter = magFilterOf(sampler.magFilter, element);
+    texture.wrap_s = wrapOf(sampler.wrapS, "wrapS", element, host);
+    texture.wrap_t = wrapOf(sampler.wrapT, "wrapT", element, host);
+    texture.min_filter = minFilterOf(sampler.minFilter, element, host);
+    texture.mag_filter = magFilterOf(sampler.magFilter, element, host);
 }
 
 /// Returns the texture's set of coordinates.
@@ -154,12 +167,10 @@ class MaterialReader {
         if (info.index < 0) return texture;
         const auto index = static_cast<std::size_t>(info.index);
         const tinygltf::Texture& source = document_.model.textures.at(index);
-        if (source.source < 0) {
-            host_.note(CANDELA_NOTE_MISSING, element_ + ", " + use,
-                       "texture " + std::to_string(index) + " has no PNG or JPEG image: left out");
-            return texture;
-        }
-        applySampler(document_, source.sampler, texture);
+        if (host_.leavesOut([&] { requireImage(source, index); })) return texture;
+        const std::int32_t image = images_.at(static_cast<std::size_t>(source.source));
+        if (image < 0) return texture;  // It has a note of its own.
+        applySampler(document_, source.sampler, host_, texture);
         const int uvSet = applyTransform(info.extensions, info.texCoord, texture);
         if (uvSet > 1) {
             host_.note(
@@ -168,26 +179,36 @@ class MaterialReader {
             return noTexture();
         }
         texture.uv_set = static_cast<std::uint32_t>(uvSet);
-        texture.image = images_.at(static_cast<std::size_t>(source.source));
+        texture.image = image;
         return texture;
     }
 
     void readAlpha(const tinygltf::Material& source, candela_material& material) const {
         material.alpha_cutoff = 0.5f;
         if (source.alphaMode == "OPAQUE") return;
-        if (source.alphaMode != "MASK" && source.alphaMode != "BLEND") {
-            throw Failure{element_,
-                          "alphaMode '" + readable(source.alphaMode) + "', expected OPAQUE, MASK or BLEND"};
-        }
         material.alpha_mode = CANDELA_ALPHA_MASK;
         if (source.alphaMode == "MASK") {
             material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
             return;
         }
-        host_.note(CANDELA_NOTE_MISSING, element_, "alphaMode BLEND is drawn as MASK with a cutoff of 0.5");
+        // A pane with an alpha of 0.4 is drawn, and so is the opaque half of a leaf whose texture has an
+        // alpha.
+        const float alpha = material.base_color[3];
+        if (alpha > 0.0f) material.alpha_cutoff = 0.5f * alpha;
+        host_.note(CANDELA_NOTE_MISSING, element_,
+                   "alphaMode BLEND: drawn opaque where alpha is at least half of its factor");
     }
 
   private:
+    void requireImage(const tinygltf::Texture& texture, std::size_t index) const {
+        const std::string element = elementName("texture", index, texture.name);
+        requireUsable(document_, element);
+        if (texture.source >= 0) return;
+        const std::string& extension = document_.imageExtensions.at(index);
+        throw Failure{element,
+                      extension.empty() ? "no image" : "no PNG or JPEG image, but one of " + extension};
+    }
+
     const Document& document_;
     const std::vector<std::int32_t>& images_;
     const Host& host_;
@@ -204,8 +225,9 @@ void readFactors(const tinygltf::Material& source, candela_material& material) {
     material.occlusion_strength = static_cast<float>(source.occlusionTexture.strength);
     const tinygltf::Value* strength = findExtension(source.extensions, "KHR_materials_emissive_strength");
     const float factor = strength ? numberOr(*strength, "emissiveStrength", 1.0f) : 1.0f;
+    constexpr float maxEmission = 1e20f;  // the host's
     std::transform(source.emissiveFactor.begin(), source.emissiveFactor.end(), material.emission,
-                   [&](double v) { return static_cast<float>(v) * factor; });
+                   [&](double v) { return std::min(static_cast<float>(v) * factor, maxEmission); });
     material.double_sided = source.doubleSided ? 1 : 0;
     material.unlit = findExtension(source.extensions, "KHR_materials_unlit") ? 1 : 0;
 }
@@ -222,8 +244,37 @@ UvSets uvSetsOf(const candela_material& material) {
 
 }  // namespace
 
+namespace {
+
+bool needsDefaultMaterial(const tinygltf::Mesh& mesh) {
+    return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
+                       [](const tinygltf::Primitive& primitive) { return primitive.material < 0; });
+}
+
+bool needsDefaultMaterial(const Document& document, const std::vector<bool>& usedMeshes) {
+    for (std::size_t i = 0; i < usedMeshes.size(); ++i) {
+        if (usedMeshes[i] && needsDefaultMaterial(document.model.meshes[i])) return true;
+    }
+    return false;
+}
+
+/// The material of a primitive without one: metallic and rough (glTF 2.0, 3.9.1).
+std::int32_t addDefaultMaterial(const Host& host) {
+    candela_material material{};
+    material.struct_size = sizeof material;
+    std::fill_n(material.base_color, 4, 1.0f);
+    material.metallic = material.roughness = 1.0f;
+    material.normal_scale = material.occlusion_strength = 1.0f;
+    material.alpha_cutoff = 0.5f;
+    material.base_color_texture = material.metallic_roughness_texture = material.normal_texture =
+        material.occlusion_texture = material.emission_texture = noTexture();
+    return host.add(material);
+}
+
+}  // namespace
+
 AddedMaterials addMaterials(const Document& document, const std::vector<std::int32_t>& images,
-                            const Host& host) {
+                            const std::vector<bool>& usedMeshes, const Host& host) {
     AddedMaterials materials;
     for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
         const tinygltf::Material& source = document.model.materials[i];
@@ -244,6 +295,7 @@ AddedMaterials addMaterials(const Document& document, const std::vector<std::int
         materials.uvSets.push_back(uvSetsOf(material));
         materials.added.push_back(material);
     }
+    if (needsDefaultMaterial(document, usedMeshes)) materials.defaultMaterial = addDefaultMaterial(host);
     return materials;
 }
 

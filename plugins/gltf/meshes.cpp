@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "primitives.h"
 
@@ -48,13 +50,29 @@ std::vector<float> withAlpha(const std::vector<float>& rgb) {
     return rgba;
 }
 
-std::vector<float> readStream(const Document& document, std::size_t stream, int accessor,
-                              std::size_t vertices, const std::string& element) {
-    const Stream& s = streams[stream];
+const AttributeForm& formOf(const Document& document, std::size_t stream, int accessor) {
     const bool rgb = stream == color &&
                      componentCount(document.model.accessors.at(static_cast<std::size_t>(accessor))) == 3;
-    if (rgb) return withAlpha(readAttribute(document, accessor, s.attribute, rgbForm, vertices, element));
-    return readAttribute(document, accessor, s.attribute, s.form, vertices, element);
+    return rgb ? rgbForm : streams[stream].form;
+}
+
+/// Numbers that are not finite are kept.
+std::vector<float> readStream(const Document& document, std::size_t stream, int accessor,
+                              std::size_t vertices, const std::string& element) {
+    const AttributeForm& form = formOf(document, stream, accessor);
+    std::vector<float> numbers = readAttribute(document, accessor, streams[stream].attribute, form, vertices,
+                                               element, Finiteness::any);
+    return &form == &rgbForm ? withAlpha(numbers) : numbers;
+}
+
+bool replaceNotFinite(std::vector<float>& numbers, float replacement) {
+    bool replaced = false;
+    for (float& number : numbers) {
+        if (std::isfinite(number)) continue;
+        number = replacement;
+        replaced = true;
+    }
+    return replaced;
 }
 
 /// The vertices that primitives with the same accessors share.
@@ -62,24 +80,30 @@ struct VertexRange {
     std::uint32_t first = 0, count = 0;
 };
 
+using Streams = std::array<std::vector<float>, streamCount>;
+
 /// Primitives of one mesh that have the same attributes, as one mesh of the host.
 class Part {
   public:
-    void add(const Document& document, const tinygltf::Primitive& primitive, const Accessors& accessors,
-             const std::string& element) {
+    explicit Part(const Host& host) : host_(host) {}
+
+    /// Throws `Failure` and adds nothing when the primitive cannot be drawn. `material` is the host's.
+    void add(const Document& document, const tinygltf::Primitive& primitive, std::int32_t material,
+             const Accessors& accessors, const std::string& element) {
         const VertexRange range = rangeOf(document, accessors, element);
-        std::vector<std::uint32_t> corners = readCorners(document, primitive, range.count, element);
-        const std::vector<std::uint32_t> triangles = triangulate(primitive.mode, std::move(corners), element);
+        const std::vector<std::uint32_t> triangles = trianglesOf(document, primitive, range, element);
         const std::size_t first = indices_.size();
         if (first + triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
             throw Failure{element, "makes more than 4294967295 indices"};
         }
         for (const std::uint32_t corner : triangles) indices_.push_back(range.first + corner);
-        submeshes_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(triangles.size()),
-                              primitive.material});
+        submeshes_.push_back(
+            {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(triangles.size()), material});
     }
 
-    std::int32_t add(const std::string& name, const Host& host) const {
+    bool isEmpty() const { return submeshes_.empty(); }
+
+    std::int32_t add(const std::string& name) const {
         candela_mesh mesh{};
         mesh.struct_size = sizeof mesh;
         mesh.name = name.c_str();
@@ -94,7 +118,7 @@ class Part {
         mesh.indices = indices_.data();
         mesh.submesh_count = static_cast<std::uint32_t>(submeshes_.size());
         mesh.submeshes = submeshes_.data();
-        return host.add(mesh);
+        return host_.add(mesh);
     }
 
   private:
@@ -109,31 +133,93 @@ class Part {
         if (count > std::numeric_limits<std::uint32_t>::max() - vertexCount_) {
             throw Failure{element, "makes more than 4294967295 vertices"};
         }
-        for (std::size_t s = 0; s < streamCount; ++s) {
-            if (accessors[s] >= 0) append(document, s, accessors[s], count, element);
-            if (accessors[s] == zeros) {
-                streams_[s].resize(streams_[s].size() + count * streams[s].form.components);
-            }
-        }
+        Streams read = readStreams(document, accessors, count, element);
+        for (std::size_t s = 0; s < streamCount; ++s) append(std::move(read[s]), streams_[s]);
         const VertexRange range{vertexCount_, static_cast<std::uint32_t>(count)};
         vertexCount_ += range.count;
         ranges_.emplace(accessors, range);
         return range;
     }
 
-    void append(const Document& document, std::size_t stream, int accessor, std::size_t vertices,
-                const std::string& element) {
-        std::vector<float> numbers = readStream(document, stream, accessor, vertices, element);
-        std::vector<float>& all = streams_[stream];
-        if (all.empty()) {
-            all = std::move(numbers);
+    /// Texture coordinates and colours that are not finite become 0 and 1. The host repairs directions.
+    Streams readStreams(const Document& document, const Accessors& accessors, std::size_t count,
+                        const std::string& element) {
+        Streams read;
+        for (std::size_t s = 0; s < streamCount; ++s) {
+            if (accessors[s] == zeros) read[s].resize(count * streams[s].form.components);
+            if (accessors[s] < 0) continue;
+            read[s] = readStream(document, s, accessors[s], count, element);
+            if (s == position) noteBrokenVertices(read[s], element);
+            if (s != uv0 && s != uv1 && s != color) continue;
+            if (!replaceNotFinite(read[s], s == color ? 1.0f : 0.0f)) continue;
+            host_.note(CANDELA_NOTE_REPAIRED, element + ", attribute " + streams[s].attribute,
+                       std::string("numbers that are not finite, taken as ") + (s == color ? "1" : "0"));
+        }
+        return read;
+    }
+
+    /// `positions` are those of the vertices that are added next.
+    void noteBrokenVertices(std::vector<float>& positions, const std::string& element) {
+        bool broken = false;
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            if (std::isfinite(positions[i])) continue;
+            positions[i] = 0.0f;
+            brokenVertices_.insert(vertexCount_ + static_cast<std::uint32_t>(i / 3));
+            broken = true;
+        }
+        if (!broken) return;
+        host_.note(CANDELA_NOTE_MISSING, element, "triangles with a vertex that is not finite: left out");
+    }
+
+    static void append(std::vector<float>&& from, std::vector<float>& to) {
+        if (to.empty()) {
+            to = std::move(from);
         } else {
-            all.insert(all.end(), numbers.begin(), numbers.end());
+            to.insert(to.end(), from.begin(), from.end());
         }
     }
 
-    std::array<std::vector<float>, streamCount> streams_;
+    /// The triangles whose vertices exist and are finite.
+    std::vector<std::uint32_t> trianglesOf(const Document& document, const tinygltf::Primitive& primitive,
+                                           const VertexRange& range, const std::string& element) const {
+        std::vector<std::uint32_t> corners = readCorners(document, primitive, range.count, element);
+        const std::size_t surplus = primitive.mode == TINYGLTF_MODE_TRIANGLES ? corners.size() % 3 : 0;
+        if (surplus > 0 && surplus < corners.size()) {
+            corners.resize(corners.size() - surplus);
+            host_.note(CANDELA_NOTE_MISSING, element, "corners beyond the last whole triangle: left out");
+        }
+        std::vector<std::uint32_t> triangles = triangulate(primitive.mode, std::move(corners), element);
+        const auto exists = [&](std::uint32_t vertex) { return vertex < range.count; };
+        if (!std::all_of(triangles.begin(), triangles.end(), exists)) {
+            keepTriangles(triangles, exists);
+            host_.note(CANDELA_NOTE_MISSING, element,
+                       "triangles with a vertex that does not exist: left out");
+        }
+        if (!brokenVertices_.empty()) {
+            keepTriangles(triangles, [&](std::uint32_t vertex) {
+                return !brokenVertices_.contains(range.first + vertex);
+            });
+        }
+        if (!triangles.empty()) return triangles;
+        requireCornersBelow(range.count, readCorners(document, primitive, range.count, element), element);
+        throw Failure{element + ", attribute POSITION", "no triangle has finite vertices"};
+    }
+
+    template <typename IsUsable>
+    static void keepTriangles(std::vector<std::uint32_t>& triangles, const IsUsable& isUsable) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < triangles.size(); i += 3) {
+            if (!std::all_of(&triangles[i], &triangles[i] + 3, isUsable)) continue;
+            std::copy_n(&triangles[i], 3, &triangles[kept]);
+            kept += 3;
+        }
+        triangles.resize(kept);
+    }
+
+    const Host& host_;
+    Streams streams_;
     std::uint32_t vertexCount_ = 0;
+    std::set<std::uint32_t> brokenVertices_;  ///< Of all vertices: those that are not finite.
     std::vector<std::uint32_t> indices_;
     std::vector<candela_submesh> submeshes_;
     std::map<Accessors, VertexRange> ranges_;
@@ -149,26 +235,23 @@ Presence presenceOf(const Accessors& accessors) {
 
 class MeshImporter {
   public:
-    MeshImporter(const Document& document, const std::vector<UvSets>& uvSets, const Host& host)
-        : document_(document), uvSets_(uvSets), host_(host) {}
+    MeshImporter(Document& document, const AddedMaterials& materials, const Host& host)
+        : document_(document), materials_(materials), host_(host) {}
 
     std::vector<std::int32_t> add(std::size_t index) {
         const tinygltf::Mesh& mesh = document_.model.meshes[index];
         const std::string element = elementName("mesh", index, mesh.name);
-        std::vector<Part> parts;
-        std::map<Presence, std::size_t> partOf;
+        parts_.clear();
+        partOf_.clear();
+        losingGeometry([&] { requireUsable(document_, element); });
         for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
-            const tinygltf::Primitive& primitive = mesh.primitives[i];
             const std::string where = element + ", primitive " + std::to_string(i);
-            if (!isDrawn(primitive, where)) continue;
-            const Accessors accessors = accessorsOf(primitive, uvSetsOf(primitive));
-            noteMissingUvs(accessors, primitive.material, where);
-            const auto [entry, isNew] = partOf.try_emplace(presenceOf(accessors), parts.size());
-            if (isNew) parts.emplace_back();
-            parts[entry->second].add(document_, primitive, accessors, where);
+            losingGeometry([&] { add(mesh.primitives[i], where); });
         }
         std::vector<std::int32_t> indices;
-        for (const Part& part : parts) indices.push_back(part.add(mesh.name, host_));
+        for (const Part& part : parts_) {
+            if (!part.isEmpty()) indices.push_back(part.add(mesh.name));
+        }
         return indices;
     }
 
@@ -178,6 +261,45 @@ class MeshImporter {
     }
 
   private:
+    template <typename Action>
+    void losingGeometry(const Action& action) {
+        try {
+            action();
+        } catch (const Failure& failure) {
+            loseGeometry(document_, failure, host_);
+        }
+    }
+
+    void add(const tinygltf::Primitive& primitive, const std::string& element) {
+        requireUsable(document_, element);
+        if (!isDrawn(primitive, element)) return;
+        const Accessors accessors = usableAccessors(primitive, element);
+        noteMissingUvs(accessors, primitive, element);
+        const auto [entry, isNew] = partOf_.try_emplace(presenceOf(accessors), parts_.size());
+        if (isNew) parts_.emplace_back(host_);
+        const std::int32_t material =
+            primitive.material < 0 ? materials_.defaultMaterial : primitive.material;
+        parts_[entry->second].add(document_, primitive, material, accessors, element);
+    }
+
+    /// Attributes other than the position that cannot be read are left out.
+    Accessors usableAccessors(const tinygltf::Primitive& primitive, const std::string& element) const {
+        Accessors accessors = accessorsOf(primitive, uvSetsOf(primitive));
+        requireAccessor(document_, accessors[position], element + ", attribute POSITION");
+        const std::size_t vertices = elementCount(document_, accessors[position]);
+        for (std::size_t s = normal; s < streamCount; ++s) {
+            if (accessors[s] < 0) continue;
+            const bool isLeftOut = host_.leavesOut([&] {
+                checkAttribute(document_, accessors[s], streams[s].attribute,
+                               formOf(document_, s, accessors[s]), vertices, element);
+            });
+            const bool isRead = (s == uv0 || s == uv1) && uvSetsOf(primitive)[s - uv0];
+            if (isLeftOut) accessors[s] = isRead ? zeros : absent;
+        }
+        if (accessors[normal] == absent) accessors[tangent] = absent;
+        return accessors;
+    }
+
     bool isDrawn(const tinygltf::Primitive& primitive, const std::string& element) {
         if (!hasTriangles(primitive.mode)) {
             ++(primitive.mode == TINYGLTF_MODE_POINTS ? points_ : lines_);
@@ -189,15 +311,18 @@ class MeshImporter {
     }
 
     UvSets uvSetsOf(const tinygltf::Primitive& primitive) const {
-        return primitive.material < 0 ? UvSets{} : uvSets_.at(static_cast<std::size_t>(primitive.material));
+        if (primitive.material < 0) return {};
+        return materials_.uvSets.at(static_cast<std::size_t>(primitive.material));
     }
 
-    void noteMissingUvs(const Accessors& accessors, int material, const std::string& element) const {
+    void noteMissingUvs(const Accessors& accessors, const tinygltf::Primitive& primitive,
+                        const std::string& element) const {
         for (const StreamIndex stream : {uv0, uv1}) {
-            if (accessors[stream] != zeros) continue;
+            // One that was left out has a note of its own.
+            if (accessors[stream] != zeros || accessorOf(primitive, streams[stream].attribute) >= 0) continue;
             host_.note(CANDELA_NOTE_REPAIRED, element,
                        std::string("no ") + streams[stream].attribute + ", which material " +
-                           std::to_string(material) + " reads: taken as zeros");
+                           std::to_string(primitive.material) + " reads: taken as zeros");
         }
     }
 
@@ -208,17 +333,19 @@ class MeshImporter {
                        (count == 1 ? " is" : " are") + " not drawn");
     }
 
-    const Document& document_;
-    const std::vector<UvSets>& uvSets_;
+    Document& document_;
+    const AddedMaterials& materials_;
     const Host& host_;
+    std::vector<Part> parts_;  ///< Of the mesh that is being added.
+    std::map<Presence, std::size_t> partOf_;
     std::size_t points_ = 0, lines_ = 0;
 };
 
 }  // namespace
 
-MeshParts addMeshes(const Document& document, const std::vector<bool>& used,
-                    const std::vector<UvSets>& uvSets, const Host& host, double from, double to) {
-    MeshImporter importer(document, uvSets, host);
+MeshParts addMeshes(Document& document, const std::vector<bool>& used, const AddedMaterials& materials,
+                    const Host& host, double from, double to) {
+    MeshImporter importer(document, materials, host);
     MeshParts parts(used.size());
     for (std::size_t i = 0; i < used.size(); ++i) {
         host.progress(from + (to - from) * static_cast<double>(i) / static_cast<double>(used.size()));

@@ -12,10 +12,10 @@ namespace candela_plugins::gltf {
 /// the attributes they have; none when it is not used, is a cage, or draws no triangles.
 using MeshParts = std::vector<std::vector<std::int32_t>>;
 
-/// Adds the meshes marked in `used` that are not cages, and notes what is not drawn. Materials have
-/// been added with the file's indices and read the texture coordinates `uvSets`. Progress goes from `from`
-/// to `to`.
-MeshParts addMeshes(const Document& document, const std::vector<bool>& used,
-                    const std::vector<UvSets>& uvSets, const Host& host, double from, double to);
+/// Adds the meshes marked in `used` that are not cages, and notes what is not drawn of them: primitives that
+/// are broken are left out. Materials have been added with the file's indices. Progress goes from `from` to
+/// `to`.
+MeshParts addMeshes(Document& document, const std::vector<bool>& used, const AddedMaterials& materials,
+                    const Host& host, double from, double to);
 
 }  // namespace candela_plugins::gltf

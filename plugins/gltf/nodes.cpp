@@ -13,64 +13,105 @@ std::string nodeName(const tinygltf::Model& model, std::size_t node) {
     return elementName("node", node, model.nodes[node].name);
 }
 
-std::vector<int> findParents(const tinygltf::Model& model) {
-    std::vector<int> parents(model.nodes.size(), -1);
-    for (std::size_t node = 0; node < model.nodes.size(); ++node) {
-        for (const int child : model.nodes[node].children) {
-            int& parent = parents.at(static_cast<std::size_t>(child));
-            if (parent >= 0) {
-                throw Failure{
-                    nodeName(model, static_cast<std::size_t>(child)),
-                    "has two parents, nodes " + std::to_string(parent) + " and " + std::to_string(node)};
+constexpr int unreached = -2, noParent = -1;
+
+/// Finds one place for each node that the roots reach.
+class Hierarchy {
+  public:
+    Hierarchy(const tinygltf::Model& model, const Host& host)
+        : model_(model),
+          host_(host),
+          parents_(model.nodes.size(), unreached),
+          children_(model.nodes.size()) {}
+
+    /// Adds a root with everything under it. `listing` says who names it as a root, for notes.
+    void addRoot(int root, const std::string& listing) {
+        const auto index = static_cast<std::size_t>(root);
+        if (parents_[index] != unreached) {
+            note(index, parents_[index] == noParent ? "listed twice by " + listing + ": drawn once"
+                                                    : "a child, but listed by " + listing + ": drawn once");
+            return;
+        }
+        parents_[index] = noParent;
+        roots_.push_back(root);
+        std::vector<int> open{root};
+        while (!open.empty()) {
+            const int node = open.back();
+            open.pop_back();
+            for (const int child : model_.nodes[static_cast<std::size_t>(node)].children) {
+                if (take(node, child, root, listing)) open.push_back(child);
             }
-            parent = static_cast<int>(node);
         }
     }
-    return parents;
-}
 
-/// Everything under `roots`, parents before children, children in the file's order.
-std::vector<DrawnNode> descend(const tinygltf::Model& model, const std::vector<int>& roots) {
-    std::vector<DrawnNode> order, open;
-    for (auto root = roots.rbegin(); root != roots.rend(); ++root) open.push_back({*root, -1});
-    while (!open.empty()) {
-        const DrawnNode next = open.back();
-        open.pop_back();
-        order.push_back(next);
-        const std::vector<int>& children = model.nodes[static_cast<std::size_t>(next.node)].children;
-        for (auto child = children.rbegin(); child != children.rend(); ++child) {
-            open.push_back({*child, next.node});
+    bool reaches(std::size_t node) const { return parents_[node] != unreached; }
+
+    std::vector<DrawnNode> nodes() const {
+        std::vector<DrawnNode> order, open;
+        for (auto root = roots_.rbegin(); root != roots_.rend(); ++root) {
+            if (parents_[static_cast<std::size_t>(*root)] == noParent) open.push_back({*root, noParent});
         }
+        while (!open.empty()) {
+            const DrawnNode next = open.back();
+            open.pop_back();
+            order.push_back(next);
+            const std::vector<int>& children = children_[static_cast<std::size_t>(next.node)];
+            for (auto child = children.rbegin(); child != children.rend(); ++child) {
+                open.push_back({*child, next.node});
+            }
+        }
+        return order;
     }
-    return order;
-}
 
-std::vector<int> rootsOf(const std::vector<int>& parents) {
-    std::vector<int> roots;
-    for (std::size_t node = 0; node < parents.size(); ++node) {
-        if (parents[node] < 0) roots.push_back(static_cast<int>(node));
+  private:
+    /// Whether `child` is reached for the first time.
+    bool take(int parent, int child, int root, const std::string& listing) {
+        const auto index = static_cast<std::size_t>(child);
+        const int known = parents_[index];
+        if (known == noParent && child != root) {
+            // A root of before, with all that is under it; `parent` is not, so that there is no cycle.
+            note(index, "a child, but listed by " + listing + ": drawn once");
+        } else if (known != unreached) {
+            const bool isCycle = child == root || isUnder(parent, child);
+            note(index, isCycle ? "its own ancestor: that link is left out"
+                                : "has two parents: drawn under the first");
+            return false;
+        }
+        parents_[index] = parent;
+        children_[static_cast<std::size_t>(parent)].push_back(child);
+        return known == unreached;
     }
-    return roots;
-}
 
-/// With one parent each, the nodes that no root reaches are part of a cycle or below one.
-void refuseCycles(const tinygltf::Model& model, const std::vector<DrawnNode>& reached) {
-    if (reached.size() == model.nodes.size()) return;
-    std::vector<bool> seen(model.nodes.size());
-    for (const DrawnNode& node : reached) seen[static_cast<std::size_t>(node.node)] = true;
-    const auto lost = std::find(seen.begin(), seen.end(), false) - seen.begin();
-    throw Failure{nodeName(model, static_cast<std::size_t>(lost)), "its chain of parents is a cycle"};
-}
-
-void checkRoots(const tinygltf::Model& model, std::size_t scene, const std::vector<int>& parents) {
-    std::vector<bool> seen(model.nodes.size());
-    for (const int root : model.scenes[scene].nodes) {
-        const auto node = static_cast<std::size_t>(root);
-        const std::string element = elementName("scene", scene, model.scenes[scene].name);
-        if (parents[node] >= 0) throw Failure{element, nodeName(model, node) + " is not a root"};
-        if (seen[node]) throw Failure{element, nodeName(model, node) + " is listed twice"};
-        seen[node] = true;
+    bool isUnder(int node, int ancestor) const {
+        while (node != ancestor && node >= 0) node = parents_[static_cast<std::size_t>(node)];
+        return node == ancestor;
     }
+
+    void note(std::size_t node, const std::string& text) const {
+        host_.note(CANDELA_NOTE_REPAIRED, nodeName(model_, node), text);
+    }
+
+    const tinygltf::Model& model_;
+    const Host& host_;
+    std::vector<int> parents_;
+    std::vector<std::vector<int>> children_;
+    std::vector<int> roots_;
+};
+
+/// The nodes that are no node's child, and, of each cycle that none of them reaches, its first node.
+std::vector<DrawnNode> allNodes(const tinygltf::Model& model, const Host& host) {
+    std::vector<bool> isChild(model.nodes.size());
+    for (const tinygltf::Node& node : model.nodes) {
+        for (const int child : node.children) isChild[static_cast<std::size_t>(child)] = true;
+    }
+    Hierarchy hierarchy(model, host);
+    for (std::size_t i = 0; i < isChild.size(); ++i) {
+        if (!isChild[i]) hierarchy.addRoot(static_cast<int>(i), "the file");
+    }
+    for (std::size_t i = 0; i < isChild.size(); ++i) {
+        if (!hierarchy.reaches(i)) hierarchy.addRoot(static_cast<int>(i), "the file");
+    }
+    return hierarchy.nodes();
 }
 
 void noteFurtherScenes(std::size_t drawn, std::size_t count, const Host& host) {
@@ -84,20 +125,19 @@ void noteFurtherScenes(std::size_t drawn, std::size_t count, const Host& host) {
 
 std::vector<DrawnNode> drawnNodes(const Document& document, const Host& host) {
     const tinygltf::Model& model = document.model;
-    const std::vector<int> parents = findParents(model);
-    std::vector<DrawnNode> all = descend(model, rootsOf(parents));
-    refuseCycles(model, all);
-    if (model.scenes.empty()) return all;
+    if (model.scenes.empty()) return allNodes(model, host);
     const std::size_t scene = model.defaultScene < 0 ? 0 : static_cast<std::size_t>(model.defaultScene);
-    checkRoots(model, scene, parents);
     noteFurtherScenes(scene, model.scenes.size(), host);
-    return descend(model, model.scenes[scene].nodes);
+    Hierarchy hierarchy(model, host);
+    for (const int root : model.scenes[scene].nodes) {
+        hierarchy.addRoot(root, elementName("scene", scene, model.scenes[scene].name));
+    }
+    return hierarchy.nodes();
 }
 
 namespace {
 
-// The tolerances of the host for unit quaternions and affine matrices; checked here so that the message names
-// the node of the file.
+// The tolerances of the host for unit quaternions and affine matrices.
 constexpr double unitTolerance = 0.01, affineTolerance = 1e-5;
 
 candela_node identityNode(const std::string& name, std::int32_t parent) {
@@ -115,21 +155,31 @@ void copyNumbers(const std::vector<double>& from, float* to) {
     std::transform(from.begin(), from.end(), to, [](double v) { return static_cast<float>(v); });
 }
 
-void checkRotation(const std::vector<double>& rotation, const std::string& element) {
-    if (rotation.empty()) return;
+/// Brings a quaternion to unit length; one of length 0 becomes no rotation.
+void repairRotation(const std::string& element, const Host& host, float (&rotation)[4]) {
     double square = 0.0;
-    for (const double number : rotation) square += number * number;
+    for (const float number : rotation) square += double{number} * number;
     const double length = std::sqrt(square);
     if (std::abs(length - 1.0) <= unitTolerance) return;
-    throw Failure{element, "rotation is a quaternion of length " + std::to_string(length) + ", expected 1"};
+    if (length > 0.0) {
+        host.note(CANDELA_NOTE_REPAIRED, element, "rotation is not of length 1: divided by its length");
+        for (float& number : rotation) number = static_cast<float>(number / length);
+        return;
+    }
+    host.note(CANDELA_NOTE_REPAIRED, element, "rotation is of length 0: not rotated");
+    rotation[3] = 1.0f;
 }
 
-void checkMatrix(const std::vector<double>& matrix, const std::string& element) {
-    constexpr std::array<double, 4> expected{0, 0, 0, 1};
+void repairMatrix(const std::string& element, const Host& host, std::array<float, 16>& matrix) {
+    bool isAffine = true;
     for (std::size_t column = 0; column < 4; ++column) {
-        if (std::abs(matrix[column * 4 + 3] - expected[column]) <= affineTolerance) continue;
-        throw Failure{element, "matrix is not affine: its last row is not 0 0 0 1"};
+        const float expected = column == 3 ? 1.0f : 0.0f;
+        float& last = matrix[column * 4 + 3];
+        isAffine = isAffine && std::abs(last - expected) <= affineTolerance;
+        last = expected;
     }
+    if (!isAffine)
+        host.note(CANDELA_NOTE_REPAIRED, element, "matrix is not affine: its last row is left out");
 }
 
 }  // namespace
@@ -145,13 +195,13 @@ std::vector<std::int32_t> addNodes(const Document& document, const std::vector<D
         candela_node node = identityNode(source.name, parent);
         std::array<float, 16> matrix;
         if (source.matrix.empty()) {
-            checkRotation(source.rotation, element);
             copyNumbers(source.translation, node.translation);
             copyNumbers(source.rotation, node.rotation);
             copyNumbers(source.scale, node.scale);
+            repairRotation(element, host, node.rotation);
         } else {
-            checkMatrix(source.matrix, element);
             copyNumbers(source.matrix, matrix.data());
+            repairMatrix(element, host, matrix);
             node.matrix = matrix.data();
         }
         static const std::vector<std::int32_t> nothing;
@@ -197,11 +247,14 @@ void addCameras(const Document& document, const std::vector<DrawnNode>& drawn,
         const auto cameraIndex = static_cast<std::size_t>(node.camera);
         const tinygltf::Camera& camera = document.model.cameras.at(cameraIndex);
         const std::string element = elementName("camera", cameraIndex, camera.name);
+        if (host.leavesOut([&] { requireUsable(document, element); })) continue;
         if (camera.type == "orthographic") {
             host.note(CANDELA_NOTE_MISSING, element, "orthographic: left out");
             continue;
         }
-        addPerspective(camera, element, static_cast<std::uint32_t>(cameraIndex), nodes[index], host);
+        host.leavesOut([&] {
+            addPerspective(camera, element, static_cast<std::uint32_t>(cameraIndex), nodes[index], host);
+        });
     }
 }
 
@@ -213,20 +266,42 @@ std::optional<std::size_t> lightOf(const tinygltf::Node& node) {
     return static_cast<std::size_t>(extension->second.Get("light").GetNumberAsInt());
 }
 
-candela_light_type typeOf(const std::string& type, const std::string& element) {
+candela_light_type typeOf(const std::string& type) {
     if (type == "point") return CANDELA_LIGHT_POINT;
-    if (type == "spot") return CANDELA_LIGHT_SPOT;
-    if (type == "directional") return CANDELA_LIGHT_DIRECTIONAL;
-    throw Failure{element, "type '" + readable(type) + "', expected point, spot or directional"};
+    return type == "spot" ? CANDELA_LIGHT_SPOT : CANDELA_LIGHT_DIRECTIONAL;
 }
 
-void readCone(const tinygltf::SpotLight& spot, const std::string& element, candela_light& light) {
-    light.inner_cone_angle = static_cast<float>(spot.innerConeAngle);
+/// Equal angles, or an inner one that rounding made the larger, are a hard edge.
+void readCone(const tinygltf::SpotLight& spot, const std::string& element, const Host& host,
+              candela_light& light) {
+    constexpr double roundingError = 1e-4;  // of angles that were written with four decimals or in degrees
     light.outer_cone_angle =
         std::min(static_cast<float>(spot.outerConeAngle), std::numbers::pi_v<float> / 2.0f);
-    if (light.inner_cone_angle < light.outer_cone_angle) return;
-    throw Failure{element, "innerConeAngle " + std::to_string(light.inner_cone_angle) +
-                               " is not less than outerConeAngle " + std::to_string(light.outer_cone_angle)};
+    if (!(light.outer_cone_angle > 0.0f))
+        throw Failure{element + ", spot", "outerConeAngle is 0: it is dark"};
+    light.inner_cone_angle =
+        std::min(static_cast<float>(spot.innerConeAngle), std::nextafter(light.outer_cone_angle, 0.0f));
+    if (spot.innerConeAngle <= spot.outerConeAngle + roundingError) return;
+    host.note(CANDELA_NOTE_REPAIRED, element + ", spot",
+              "innerConeAngle is more than outerConeAngle: drawn with a hard edge");
+}
+
+/// A range beyond any coordinate that a scene takes is none: exporters write the maximum float for it.
+void readRange(const tinygltf::Light& source, const std::string& element, const Host& host,
+               candela_light& light) {
+    constexpr double maxRange = 1e9;
+    light.range = source.range < maxRange ? static_cast<float>(source.range) : 0.0f;
+    if (source.range < maxRange) return;
+    host.note(CANDELA_NOTE_INFORMATION, element, "range is more than any distance: taken as none");
+}
+
+/// The host takes no product of intensity and colour beyond this.
+void limitIntensity(const std::string& element, const Host& host, candela_light& light) {
+    constexpr float max = 1e20f;
+    const float brightest = std::max(1.0f, *std::max_element(light.color, light.color + 3));
+    if (light.intensity <= max / brightest) return;
+    light.intensity = max / brightest;
+    host.note(CANDELA_NOTE_REPAIRED, element, "intensity times color is more than 1e20, clamped");
 }
 
 }  // namespace
@@ -243,15 +318,20 @@ void addLights(const Document& document, const std::vector<DrawnNode>& drawn,
         candela_light light{};
         light.struct_size = sizeof light;
         light.name = source.name.empty() ? node.name.c_str() : source.name.c_str();
-        light.type = typeOf(source.type, element);
+        light.type = typeOf(source.type);
         std::fill_n(light.color, 3, 1.0f);
         std::transform(source.color.begin(), source.color.end(), light.color,
                        [](double v) { return static_cast<float>(v); });
         light.intensity = static_cast<float>(source.intensity);
-        light.range = static_cast<float>(source.range);
+        limitIntensity(element, host, light);
+        readRange(source, element, host, light);
         light.direction[2] = -1.0f;
         light.node = nodes[nodeIndex];
-        if (light.type == CANDELA_LIGHT_SPOT) readCone(source.spot, element, light);
+        const bool isLeftOut = host.leavesOut([&] {
+            requireUsable(document, element);
+            if (light.type == CANDELA_LIGHT_SPOT) readCone(source.spot, element, host, light);
+        });
+        if (isLeftOut) continue;
         host.add(light);
     }
 }

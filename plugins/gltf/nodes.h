@@ -13,9 +13,10 @@ struct DrawnNode {
     int parent = -1;  ///< Of the file; -1 for a root.
 };
 
-/// The nodes of the scene to draw, parents before children: the default scene, else scene 0, else all nodes
-/// when the file has no scenes. Throws `Failure` when a node has two parents or is its own ancestor, anywhere
-/// in the file, and when a scene begins with a node that is a child. Notes further scenes.
+/// The nodes of the scene to draw, each once and parents before children: the default scene, else scene 0,
+/// else all nodes when the file has no scenes. A node that the file places more than once, as the child of
+/// two parents or of itself, or as a root that is a child, is drawn as the child of the first parent, and
+/// noted. Notes further scenes.
 std::vector<DrawnNode> drawnNodes(const Document& document, const Host& host);
 
 /// Adds the drawn nodes, and a child for each further part of a node's mesh. Returns the host's index of
@@ -23,13 +24,13 @@ std::vector<DrawnNode> drawnNodes(const Document& document, const Host& host);
 std::vector<std::int32_t> addNodes(const Document& document, const std::vector<DrawnNode>& drawn,
                                    const MeshParts& meshes, const Host& host);
 
-/// Adds a camera for each drawn node with a perspective camera, and notes orthographic ones. `nodes` are the
-/// host's indices of the file's nodes.
+/// Adds a camera for each drawn node with a perspective camera, and notes others and broken ones. `nodes` are
+/// the host's indices of the file's nodes.
 void addCameras(const Document& document, const std::vector<DrawnNode>& drawn,
                 const std::vector<std::int32_t>& nodes, const Host& host);
 
-/// Adds a light for each drawn node that refers to one (KHR_lights_punctual). `nodes` are the host's
-/// indices of the file's nodes.
+/// Adds a light for each drawn node that refers to one (KHR_lights_punctual), and notes broken ones. `nodes`
+/// are the host's indices of the file's nodes.
 void addLights(const Document& document, const std::vector<DrawnNode>& drawn,
                const std::vector<std::int32_t>& nodes, const Host& host);
 

@@ -1,5 +1,6 @@
 #include <candela/plugin.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,16 @@ std::vector<bool> meshesInUse(const Document& document, const std::vector<DrawnN
     return used;
 }
 
+/// A scene of which nothing is left for what is broken in it is no scene.
+void requireGeometry(const Document& document, const MeshParts& meshes, const AddedCages& cages) {
+    const bool isDrawn = !cages.empty() || std::any_of(meshes.begin(), meshes.end(),
+                                                       [](const auto& parts) { return !parts.empty(); });
+    if (!isDrawn && document.lostGeometry) throw *document.lostGeometry;
+}
+
 void importFile(const std::string& name, const Host& host) {
     host.progress(0.0);
-    const Container container = openContainer(host.readFile(name));
+    const Container container = openContainer(host.readFile(name), host);
     Document document = readDocument(container.json, host);
     Storage storage;
     loadBuffers(document, container, storage, host);
@@ -39,10 +47,11 @@ void importFile(const std::string& name, const Host& host) {
     host.progress(documentRead);
 
     const std::vector<std::int32_t> images = addImages(document, storage, host, documentRead, imagesAdded);
-    const AddedMaterials materials = addMaterials(document, images, host);
     const std::vector<bool> used = meshesInUse(document, drawn);
-    const MeshParts meshes = addMeshes(document, used, materials.uvSets, host, imagesAdded, meshesAdded);
+    const AddedMaterials materials = addMaterials(document, images, used, host);
+    const MeshParts meshes = addMeshes(document, used, materials, host, imagesAdded, meshesAdded);
     const AddedCages cages = addCages(document, used, materials, host, meshesAdded, cagesAdded);
+    requireGeometry(document, meshes, cages);
     host.progress(cagesAdded);
 
     const std::vector<std::int32_t> nodes = addNodes(document, drawn, meshes, host);

@@ -16,17 +16,42 @@ std::size_t elementCount(const Document& document, int accessor) {
     return document.model.accessors.at(static_cast<std::size_t>(accessor)).count;
 }
 
-std::vector<float> readAttribute(const Document& document, int accessor, const std::string& attribute,
-                                 const AttributeForm& form, std::size_t vertices,
-                                 const std::string& element) {
-    const std::string where = element + ", attribute " + attribute;
+namespace {
+
+std::string attributeName(const std::string& element, const std::string& attribute) {
+    return element + ", attribute " + attribute;
+}
+
+Encodings allowedEncodings(const Document& document, const AttributeForm& form) {
+    return document.quantized ? form.quantized : form.plain;
+}
+
+void requireCount(const Document& document, int accessor, std::size_t vertices, const std::string& where) {
+    requireAccessor(document, accessor, where);
     const std::size_t count = elementCount(document, accessor);
     if (count != vertices) {
         throw Failure{where, "accessor " + std::to_string(accessor) + " has " + std::to_string(count) +
                                  " elements, expected " + std::to_string(vertices)};
     }
-    const Encodings allowed = document.quantized ? form.quantized : form.plain;
-    return readFloats(document, accessor, static_cast<int>(form.components), allowed, where);
+}
+
+}  // namespace
+
+void checkAttribute(const Document& document, int accessor, const std::string& attribute,
+                    const AttributeForm& form, std::size_t vertices, const std::string& element) {
+    const std::string where = attributeName(element, attribute);
+    const Encodings allowed = allowedEncodings(document, form);
+    checkAccessor(document, accessor, static_cast<int>(form.components), allowed, where);
+    requireCount(document, accessor, vertices, where);
+}
+
+std::vector<float> readAttribute(const Document& document, int accessor, const std::string& attribute,
+                                 const AttributeForm& form, std::size_t vertices, const std::string& element,
+                                 Finiteness finiteness) {
+    const std::string where = attributeName(element, attribute);
+    requireCount(document, accessor, vertices, where);
+    const Encodings allowed = allowedEncodings(document, form);
+    return readFloats(document, accessor, static_cast<int>(form.components), allowed, where, finiteness);
 }
 
 std::vector<std::uint32_t> readCorners(const Document& document, const tinygltf::Primitive& primitive,
@@ -37,14 +62,17 @@ std::vector<std::uint32_t> readCorners(const Document& document, const tinygltf:
         std::iota(corners.begin(), corners.end(), 0u);
         return corners;
     }
+    return readIndices(document, accessor, element + ", indices");
+}
+
+void requireCornersBelow(std::uint32_t vertices, const std::vector<std::uint32_t>& corners,
+                         const std::string& element) {
     const std::string where = element + ", indices";
-    std::vector<std::uint32_t> corners = readIndices(document, accessor, where);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         if (corners[i] < vertices) continue;
         throw Failure{where, "index " + std::to_string(corners[i]) + " at position " + std::to_string(i) +
                                  ", but the primitive has " + std::to_string(vertices) + " vertices"};
     }
-    return corners;
 }
 
 namespace {

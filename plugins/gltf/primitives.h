@@ -35,15 +35,24 @@ int accessorOf(const tinygltf::Primitive& primitive, const std::string& attribut
 /// The number of elements of an accessor.
 std::size_t elementCount(const Document& document, int accessor);
 
-/// The numbers of an attribute, vertex after vertex. Throws `Failure` for the attribute of `element` unless
-/// the accessor is of the form and has `vertices` elements.
-std::vector<float> readAttribute(const Document& document, int accessor, const std::string& attribute,
-                                 const AttributeForm& form, std::size_t vertices, const std::string& element);
+/// Throws `Failure` for the attribute of `element` unless the accessor is of the form and has `vertices`
+/// elements.
+void checkAttribute(const Document& document, int accessor, const std::string& attribute,
+                    const AttributeForm& form, std::size_t vertices, const std::string& element);
 
-/// The vertices that a primitive names, in its order: its indices, or all its vertices. Throws `Failure` for
-/// `element` when an index is not below `vertices`.
+/// The numbers of an attribute, vertex after vertex. Throws `Failure` as `checkAttribute`, and unless they
+/// are finite where that is required.
+std::vector<float> readAttribute(const Document& document, int accessor, const std::string& attribute,
+                                 const AttributeForm& form, std::size_t vertices, const std::string& element,
+                                 Finiteness finiteness = Finiteness::required);
+
+/// The vertices that a primitive names, in its order: its indices, or all its vertices.
 std::vector<std::uint32_t> readCorners(const Document& document, const tinygltf::Primitive& primitive,
                                        std::uint32_t vertices, const std::string& element);
+
+/// Throws `Failure` for `element` when a corner is not below `vertices`.
+void requireCornersBelow(std::uint32_t vertices, const std::vector<std::uint32_t>& corners,
+                         const std::string& element);
 
 /// Whether primitives of this glTF mode are triangles: TRIANGLES, TRIANGLE_STRIP or TRIANGLE_FAN.
 bool hasTriangles(int mode);

@@ -80,9 +80,14 @@ std::string rangeText(const Property& p) {
     return above ? shown(p.max) + " or less" : "a number that single precision can hold";
 }
 
+/// A bound that numbers are clamped to.
+bool isSet(double bound) {
+    return std::abs(bound) < FLT_MAX;
+}
+
 class Checker {
   public:
-    explicit Checker(const Json& document) {
+    Checker(const Json& document, const Host& host) : host_(host) {
         for (std::size_t i = 0; i < std::size(targetArrays); ++i) {
             const Json::json_pointer pointer(targetArrays[i].pointer);
             const bool present = document.contains(pointer) && document[pointer].is_array();
@@ -90,18 +95,20 @@ class Checker {
         }
     }
 
-    void checkObject(Json& object, const ObjectSchema& schema, const Place& place) const {
+    void checkObject(Json& object, const ObjectSchema& schema, const Place& place) {
         if (!object.is_object()) fail(place, "is not an object");
         removeUnknown(object, schema);
         for (const Property& property : schema.properties) {
             const auto found = object.find(property.name);
             if (found != object.end()) {
-                checkValue(*found, property, place);
+                if (!isUsable(*found, property, place)) object.erase(found);
             } else if (property.need == Need::required) {
                 fail(place, std::string("\"") + property.name + "\" is missing");
             }
         }
     }
+
+    Conformity take() { return std::move(result_); }
 
   private:
     [[noreturn]] static void fail(const Place& place, const std::string& reason) {
@@ -114,7 +121,36 @@ class Checker {
         }
     }
 
-    void checkValue(Json& value, const Property& property, const Place& parent) const {
+    /// False, and a note, where the member is to be left out. Throws where its object cannot be used.
+    bool isUsable(Json& value, const Property& property, const Place& parent) {
+        try {
+            checkValue(value, property, parent);
+            return true;
+        } catch (const Failure& failure) {
+            if (property.need == Need::required || property.onFault == OnFault::refuseObject) throw;
+            if (property.content == Content::geometry) loseGeometry(failure);
+            noteUnusable(failure, property);
+            return false;
+        }
+    }
+
+    void noteUnusable(const Failure& failure, const Property& property) const {
+        if (std::string_view(property.name) == "name") return;
+        const bool isPart = property.kind == Kind::index || property.kind == Kind::indexMaps ||
+                            property.kind == Kind::object || property.kind == Kind::list;
+        if (isPart) return host_.noteLeftOut(failure);
+        noteDefault(failure);
+    }
+
+    void noteDefault(const Failure& failure) const {
+        host_.note(CANDELA_NOTE_REPAIRED, failure.element, failure.reason + ": the default is used");
+    }
+
+    void loseGeometry(const Failure& failure) {
+        if (!result_.lostGeometry) result_.lostGeometry = failure;
+    }
+
+    void checkValue(Json& value, const Property& property, const Place& parent) {
         const Place place{&parent, property.name, -1, &value};
         switch (property.kind) {
             case Kind::number:
@@ -126,13 +162,11 @@ class Checker {
             case Kind::flag:
                 return require(value.is_boolean(), place, "expected true or false");
             case Kind::text:
-                return require(value.is_string(), place, "expected a string");
-            case Kind::texts:
-                return checkTexts(value, place);
+                return checkText(value, property, place);
             case Kind::index:
                 return checkIndex(value, property.target, place);
             case Kind::indices:
-                return checkIndices(value, property.target, place);
+                return checkIndices(value, property, place);
             case Kind::indexMap:
                 require(value.is_object(), place, "is not an object");
                 return checkIndexMap(value, property, parent);
@@ -151,18 +185,26 @@ class Checker {
         if (!fulfilled) fail(place, expectation);
     }
 
-    static void checkNumber(Json& value, const Property& property, const Place& place) {
-        require(value.is_number(), place, "expected a number");
-        const double number = value.get<double>();
-        const bool above =
-            property.minBound == Bound::excluded ? number > property.min : number >= property.min;
-        if (!above || number > property.max) {
-            fail(place, "is " + shown(number) + ", expected " + rangeText(property));
-        }
-        value = number;
+    void checkNumber(Json& value, const Property& property, const Place& place) const {
+        value = checkedNumber(value, property, place);
     }
 
-    static void checkNumbers(Json& value, const Property& property, const Place& place) {
+    double checkedNumber(const Json& value, const Property& property, const Place& place) const {
+        require(value.is_number(), place, "expected a number");
+        const double number = value.get<double>();
+        const bool excluded = property.minBound == Bound::excluded;
+        const bool below = excluded ? number <= property.min : number < property.min;
+        if (!below && number <= property.max) return number;
+        const double bound = below ? property.min : property.max;
+        if (!isSet(bound) || (below && excluded)) {
+            fail(place, "is " + shown(number) + ", expected " + rangeText(property));
+        }
+        host_.note(CANDELA_NOTE_REPAIRED, place.text(),
+                   (below ? "less than " : "more than ") + shown(bound) + ", clamped");
+        return bound;
+    }
+
+    void checkNumbers(Json& value, const Property& property, const Place& place) const {
         require(value.is_array(), place, "expected an array of numbers");
         if (property.length > 0 && value.size() != property.length) {
             fail(place, "has " + std::to_string(value.size()) + " numbers, expected " +
@@ -185,9 +227,18 @@ class Checker {
         }
     }
 
-    static void checkTexts(Json& value, const Place& place) {
-        require(value.is_array(), place, "expected an array of strings");
-        for (const Json& text : value) require(text.is_string(), place, "expected an array of strings");
+    static void checkText(const Json& value, const Property& property, const Place& place) {
+        require(value.is_string(), place, "expected a string");
+        if (property.values.empty()) return;
+        const std::string text = value.get<std::string>();
+        const auto& values = property.values;
+        if (std::find(values.begin(), values.end(), text) != values.end()) return;
+        std::string expected;
+        for (const std::string_view known : values) {
+            const bool isLast = &known == &values.back();
+            expected += (expected.empty() ? "" : isLast ? " or " : ", ") + std::string(known);
+        }
+        fail(place, "is '" + readable(text) + "', expected " + expected);
     }
 
     void checkIndex(Json& value, Target target, const Place& place) const {
@@ -204,16 +255,36 @@ class Checker {
         value = static_cast<std::uint64_t>(index);
     }
 
-    void checkIndices(Json& value, Target target, const Place& place) const {
+    /// Of a list of optional members only the wrong ones are left out.
+    void checkIndices(Json& value, const Property& property, const Place& place) {
         require(value.is_array(), place, "expected an array of indices");
-        for (Json& index : value) checkIndex(index, target, place);
+        const bool keepsRest = property.need == Need::optional && property.onFault == OnFault::useDefault;
+        Json kept = Json::array();
+        for (Json& index : value) {
+            try {
+                checkIndex(index, property.target, place);
+                kept.push_back(std::move(index));
+            } catch (const Failure& failure) {
+                if (!keepsRest) throw;
+                if (property.content == Content::geometry) loseGeometry(failure);
+                host_.noteLeftOut(failure);
+            }
+        }
+        value = std::move(kept);
     }
 
     void checkIndexMap(Json& value, const Property& property, const Place& parent) const {
         removeUnknown(value, *property.schema);
-        for (auto member = value.begin(); member != value.end(); ++member) {
+        for (auto member = value.begin(); member != value.end();) {
             const std::string noun = std::string(property.schema->noun) + " " + member.key();
-            checkIndex(*member, property.target, Place{&parent, noun.c_str(), -1, &*member});
+            try {
+                checkIndex(*member, property.target, Place{&parent, noun.c_str(), -1, &*member});
+                ++member;
+            } catch (const Failure& failure) {
+                if (member.key() == property.schema->essentialName) throw;
+                host_.noteLeftOut(failure);
+                member = value.erase(member);
+            }
         }
     }
 
@@ -226,21 +297,40 @@ class Checker {
         }
     }
 
-    void checkList(Json& value, const Property& property, const Place& parent) const {
+    void checkList(Json& value, const Property& property, const Place& parent) {
         require(value.is_array(), Place{&parent, property.name, -1, &value}, "expected an array");
         for (std::size_t i = 0; i < value.size(); ++i) {
             const Place place{&parent, property.schema->noun, static_cast<std::ptrdiff_t>(i), &value[i]};
-            checkObject(value[i], *property.schema, place);
+            try {
+                checkObject(value[i], *property.schema, place);
+            } catch (const Failure& failure) {
+                if (property.content == Content::geometry) loseGeometry(failure);
+                replace(value[i], *property.schema, place, failure);
+            }
         }
     }
 
+    void replace(Json& element, const ObjectSchema& schema, const Place& place, const Failure& failure) {
+        Json stub = Json::parse(schema.stub);
+        const bool isDefault = stub.empty();
+        if (isDefault) noteDefault(failure);
+        if (!isDefault) result_.faults.emplace(place.text(), failure);
+        const bool named = element.is_object() && element.contains("name") && element["name"].is_string();
+        if (named) stub["name"] = element["name"];
+        element = std::move(stub);
+    }
+
+    const Host& host_;
+    Conformity result_;
     std::array<std::size_t, std::size(targetArrays)> targetSizes_{};
 };
 
 }  // namespace
 
-void conform(nlohmann::json& document, const ObjectSchema& schema) {
-    Checker(document).checkObject(document, schema, Place{nullptr, schema.noun, -1, &document});
+Conformity conform(nlohmann::json& document, const ObjectSchema& schema, const Host& host) {
+    Checker checker(document, host);
+    checker.checkObject(document, schema, Place{nullptr, schema.noun, -1, &document});
+    return checker.take();
 }
 
 }  // namespace candela_plugins::gltf

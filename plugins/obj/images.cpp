@@ -112,7 +112,7 @@ std::optional<Images::File> Images::read(const TextureInfo* texture) {
     const Bytes bytes = host_.readFile(texture->file);
     const std::string element = texture->element + " '" + readable(texture->file) + "'";
     if (isPng(bytes) || isJpeg(bytes)) return File{bytes, element};
-    host_.note(CANDELA_NOTE_MISSING, element, "neither a PNG nor a JPEG file: left out");
+    host_.note(CANDELA_NOTE_MISSING, element, otherFormat(bytes) + ": left out");
     ignoredFiles_.insert(texture->file);
     return std::nullopt;
 }

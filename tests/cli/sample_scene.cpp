@@ -56,7 +56,7 @@ Json makeScene() {
             {"name": "front", "type": "perspective", "perspective": {"yfov": 1.5707963, "znear": 0.1}},
             {"name": "far", "type": "perspective", "perspective": {"yfov": 1.5707963, "znear": 0.1}}],
         "nodes": [
-            {"mesh": 0},
+            {"mesh": 0, "extensions": {"VENDOR_unknown": {}}},
             {"translation": [0, 0, 1], "extensions": {"KHR_lights_punctual": {"light": 0}}},
             {"camera": 0, "translation": [0, 0, 3]},
             {"camera": 1, "translation": [0, 0, 6]}],

@@ -54,6 +54,22 @@ TEST_F(FilePolicy, AFileMayBeReadTwice) {
     EXPECT_EQ(read("inside.txt\ninside.txt"), Lines{"inside.txt: 5 (2 times)"});
 }
 
+TEST_F(FilePolicy, AnOptionalFileMayBeAbsent) {
+    EXPECT_EQ(read("?inside.txt\n?gone.txt\n?../outside.txt"),
+              (Lines{"inside.txt: 5", "gone.txt: file 'gone.txt': No such file or directory",
+                     "../outside.txt: file '../outside.txt': it leads out of the scene's folder"}));
+    EXPECT_EQ(read("?"), Lines{"file '': the path is empty"});
+}
+
+TEST_F(FilePolicy, ALinkOutToNothingLeadsOut) {
+    fs::create_symlink("../nowhere.txt", folder.path() / "scene" / "relative");
+    fs::create_symlink("/nowhere/at/all", folder.path() / "scene" / "absolute");
+    fs::create_symlink("gone.txt", folder.path() / "scene" / "inside");
+    for (const char* link : {"relative", "absolute", "absolute/file.txt"})
+        expectRefused(link, ErrorKind::badInput, "a symbolic link leads out of the scene's folder");
+    expectRefused("inside", ErrorKind::environment, "No such file");
+}
+
 TEST_F(FilePolicy, AnEmptyFileIsRead) {
     folder.write("scene/empty", "");
     EXPECT_EQ(read("empty"), Lines{"empty: 0"});

@@ -5,6 +5,7 @@
 #include <candela/import.h>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include <filesystem>
 #include <stdexcept>
@@ -246,8 +247,22 @@ TEST(Host, TangentsAreNormalized) {
 TEST(Host, ZeroNormalsAreReplacedByFaceNormals) {
     const ImportedScene imported = add("zero-normal");
     EXPECT_EQ(imported.scene.meshes.at(0).normals.at(0), glm::vec3(0, 0, 1));
-    EXPECT_EQ(noteLines(imported),
-              Lines{"mesh 0 'wheel': normals of length 0, replaced by that of a face that uses them"});
+    EXPECT_EQ(
+        noteLines(imported),
+        Lines{
+            "mesh 0 'wheel': normals of length 0 or not finite, replaced by that of a face that uses them"});
+}
+
+TEST(Host, DirectionsThatAreNotFiniteAreReplaced) {
+    const ImportedScene imported = add("nan-directions");
+    const Mesh& mesh = imported.scene.meshes.at(0);
+    EXPECT_EQ(mesh.normals.at(0), glm::vec3(0, 0, 1));
+    EXPECT_EQ(glm::dot(glm::vec3(mesh.tangents.at(1)), mesh.normals.at(1)), 0.0f);
+    EXPECT_EQ(
+        noteLines(imported),
+        (Lines{"mesh 0 'wheel': normals of length 0 or not finite, replaced by that of a face that uses them",
+               "mesh 0 'wheel': tangents of length 0 or not finite, replaced by a direction perpendicular "
+               "to the normal"}));
 }
 
 TEST(Host, ProgressIsForwarded) {

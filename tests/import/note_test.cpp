@@ -1,11 +1,15 @@
 // The notes of an import: merged, ordered, and taken as errors when strict.
 #include "expect_error.h"
+#include "import/host.h"
 #include "import/note_list.h"
 #include "note_lines.h"
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <filesystem>
+#include <initializer_list>
+#include <string>
 
 namespace candela {
 namespace {
@@ -65,37 +69,44 @@ TEST(Notes, BeyondAThousandTheLeastAreCounted) {
     EXPECT_EQ(notes.back().line(), "and 501 more notes");
 }
 
-class Strict : public testing::Test {
-  protected:
-    ImportedScene read(const std::string& uri, Strictness strictness = Strictness::strict) {
-        return importScene(plugins, uri, {strictness, {}});
-    }
-    void expectRefused(const std::string& uri, const std::string& line) {
-        EXPECT_EQ(expectError([&] { read(uri); }, ErrorKind::badInput, ""), uri + ": " + line);
-        EXPECT_FALSE(read(uri, Strictness::tolerant).report.notes.empty());
-    }
-
-    const PluginRegistry plugins{{std::filesystem::path(CANDELA_TEST_FIXTURES) / "importers"}};
-};
-
-TEST_F(Strict, ImportsRefuseTheGreatestLoss) {
-    expectRefused("add:notes", "mesh 1 and 1 more: fur (and 1 more notes)");
-    expectRefused("add:repair", "mesh 2: normals");
+std::vector<ImportNote> notesOf(std::initializer_list<NoteKind> kinds) {
+    NoteList list;
+    int number = 0;
+    for (const NoteKind kind : kinds) list.add(kind, "mesh " + std::to_string(number++), "fur");
+    return list.take();
 }
 
-TEST_F(Strict, ImportsRefuseWhatTheHostRepairs) {
-    expectRefused("add:zero-normal",
-                  "mesh 0 'wheel': normals of length 0, replaced by that of a face that uses them");
+TEST(Notes, OfLossesAreRefusedTheLargestFirst) {
+    const auto expectRefused = [](std::initializer_list<NoteKind> kinds, const std::string& line) {
+        EXPECT_EQ(expectError([&] { refuseLosses(notesOf(kinds), "a.gltf"); }, ErrorKind::badInput, ""),
+                  "a.gltf: " + line);
+    };
+    expectRefused({repaired}, "mesh 0: fur");
+    expectRefused({information, repaired, missing, missing}, "mesh 2 and 1 more: fur (and 1 more notes)");
+    EXPECT_NO_THROW(refuseLosses(notesOf({information}), "a.gltf"));
+    EXPECT_NO_THROW(refuseLosses({}, "a.gltf"));
 }
 
-TEST_F(Strict, ImportsTakeInformation) {
-    EXPECT_EQ(noteLines(read("add:information")), Lines{"fine"});
+TEST(Notes, OfTheHostAreErrorsOfAStrictImport) {
+    const PluginRegistry plugins({std::filesystem::path(CANDELA_TEST_FIXTURES) / "importers"});
+    const std::string line =
+        "mesh 0 'wheel': normals of length 0 or not finite, replaced by that of a face that uses them";
+    EXPECT_EQ(noteLines(importScene(plugins, "add:zero-normal")), Lines{line});
+    EXPECT_EQ(expectError(
+                  [&] {
+                      importScene(plugins, "add:zero-normal", {Strictness::strict, {}});
+                  },
+                  ErrorKind::badInput, ""),
+              "add:zero-normal: " + line);
 }
 
-TEST_F(Strict, AKindThatThereIsNotIsRefused) {
-    const std::string text = expectError([&] { read("add:note-kind", Strictness::tolerant); },
-                                         ErrorKind::badInput, "add_note: kind is 3, but 0 to 2");
-    EXPECT_NE(text.find("add:note-kind"), std::string::npos);
+TEST(Notes, OfAnUnknownKindAreRefused) {
+    ImportHost host("test", nullptr, {});
+    candela_note_kind kind{};
+    const std::uint32_t number = 3;
+    std::memcpy(&kind, &number, sizeof kind);
+    host.interface().add_note(host.interface().self, kind, "mesh 2", "fur");
+    expectError([&] { host.rethrowFailure(); }, ErrorKind::badInput, "test: add_note: kind is 3, but 0 to 2");
 }
 
 }  // namespace

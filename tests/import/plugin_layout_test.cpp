@@ -184,7 +184,8 @@ static_assert(offsetof(candela_host, add_cage_instance) == 120);
 static_assert(offsetof(candela_host, worker_count) == 128);
 static_assert(offsetof(candela_host, parallel_for) == 136);
 static_assert(offsetof(candela_host, add_note) == 144);
-static_assert(sizeof(candela_host) == 152);
+static_assert(offsetof(candela_host, read_optional_file) == 152);
+static_assert(sizeof(candela_host) == 160);
 
 static_assert(offsetof(candela_stencil_table, stencil_count) == 0);
 static_assert(offsetof(candela_stencil_table, offsets) == 8);

@@ -1,7 +1,7 @@
 #include "render/gpu_scene/gpu_materials.h"
 
-#include "render/layout.h"
 #include "base/error_context.h"
+#include "render/layout.h"
 
 #include <candela/gbuffer.h>
 
@@ -30,11 +30,15 @@ std::array<glm::vec4, 2> coordinateRows(const std::optional<Texture>& texture) {
             glm::vec4(-s * scale.x, c * scale.y, texture->offset.y, 0.0f)};
 }
 
+/// An alpha equal to the cutoff is kept, though interpolation and the product of factor, vertex colour and
+/// texel round it. More than these roundings, less than a step of a 16-bit texel.
+constexpr float alphaRounding = 1e-5f;
+
 void writeRecord(std::span<glm::uvec4> record, const Material& material,
                  const glm::dmat3& workingFromRec709) {
     const glm::vec3 working(workingFromRec709 * glm::dvec3(material.baseColor));
     const GBufferTexel packed = packSurface({.lobes = {working, material.metallic, material.roughness}});
-    const float cutoff = material.alphaMode == AlphaMode::mask ? material.alphaCutoff : -1.0f;
+    const float cutoff = material.alphaMode == AlphaMode::mask ? material.alphaCutoff - alphaRounding : -1.0f;
     // Without a normal texture the scale is 0: the default texel can not hold (0, 0, 1) exactly.
     const float normalScale = material.normalTexture ? material.normalScale : 0.0f;
     record[layout::MATERIAL_BASE_COLOR] = bits(material.baseColor);

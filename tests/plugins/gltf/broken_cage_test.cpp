@@ -7,7 +7,7 @@
 namespace candela_test {
 namespace {
 
-/// A broken file, and what its error message must contain.
+/// A broken file, and what its error message or a note must contain.
 struct BrokenCage {
     const char* name;
     std::function<void(GltfFile&)> write;
@@ -170,10 +170,10 @@ const BrokenCage brokenCages[] = {
 
 class BrokenCages : public testing::TestWithParam<BrokenCage> {};
 
-TEST_P(BrokenCages, giveErrorsThatNameTheElement) {
+TEST_P(BrokenCages, areNamed) {
     GltfFile file;
     GetParam().write(file);
-    const std::string error = errorOf(file);
+    const std::string error = complaintsOf(file);
     for (const std::string& part : GetParam().parts) {
         EXPECT_NE(error.find(part), std::string::npos) << "'" << part << "' in: " << error;
     }

@@ -2,39 +2,11 @@
 
 #include <cmath>
 
+#include "broken_files.h"
 #include "image_files.h"
-#include "loading.h"
 
 namespace candela_test {
 namespace {
-
-/// A file and what its error message must contain: the element and the reason.
-struct Case {
-    const char* name;
-    std::string text;
-    std::vector<std::string> parts;
-};
-
-std::string document(const std::string& members) {
-    return R"({"asset":{"version":"2.0"},)" + members + "}";
-}
-
-/// A node with a mesh 'wheel' whose primitive has these members; accessors 0 and 1 are its positions and
-/// normals.
-GltfFile wheel(const std::string& primitive) {
-    GltfFile file;
-    addTriangle(file);
-    file.addMeshNode(primitive, "wheel");
-    return file;
-}
-
-const std::string onlyTriangle = R"("attributes":{"POSITION":0,"NORMAL":1})";
-
-std::string wheelWithIndices(const std::vector<std::uint16_t>& indices, const std::string& more = "") {
-    GltfFile file = wheel(onlyTriangle + R"(,"indices":2)" + more);
-    file.addData<std::uint16_t>("SCALAR", indices);
-    return file.text();
-}
 
 /// The wheel with TEXCOORD_0 in accessor 2.
 template <typename AddAccessor>
@@ -82,51 +54,31 @@ std::string withSampler(const std::string& sampler) {
                     "materials":[{"normalTexture":{"index":0}}])");
 }
 
-std::vector<Case> brokenDocuments() {
-    return {
-        {"empty", "", {"JSON"}},
-        {"notJson", "{\"asset\":", {"JSON", "line 1"}},
-        {"array", "[]", {"JSON", "not an object"}},
-        {"badUtf8", "{\"asset\":\"\xFF\"}", {"JSON"}},
-        {"hugeNumber", document(R"("nodes":[{"translation":[1e999,0,0]}])"), {"JSON"}},
-        {"noAsset", "{}", {"asset", "missing"}},
-        {"noVersion", R"({"asset":{}})", {"asset", "version"}},
-        {"oldVersion", R"({"asset":{"version":"1.0"}})", {"asset", "1.0", "expected 2.0"}},
-        {"oddVersion", R"({"asset":{"version":"two"}})", {"asset", "'two'"}},
-        {"laterMinimum", R"({"asset":{"version":"2.1","minVersion":"2.1"}})", {"asset", "minVersion 2.1"}},
-        {"requiredExtension",
-         document(R"("extensionsRequired":["KHR_draco_mesh_compression"])"),
-         {"extensionsRequired", "KHR_draco_mesh_compression"}},
-        {"nodesNotAnArray", document(R"("nodes":{})"), {"nodes", "expected an array"}},
-        {"nodeNotAnObject", document(R"("nodes":[1])"), {"node 0", "not an object"}},
-        {"nameNotAString", document(R"("nodes":[{"name":3}])"), {"node 0", "name", "expected a string"}},
-        {"sceneIndex", document(R"("scene":2,"scenes":[{}])"), {"scene 2 does not exist"}},
-    };
-}
-
 std::vector<Case> brokenNodes() {
     return {
+        {"sceneIndex", document(R"("scene":2,"scenes":[{}])"), {"scene", "scene 2 does not exist"}},
         {"childIndex",
          document(R"("nodes":[{"name":"hub","children":[7]}])"),
          {"node 0 'hub', children", "node 7 does not exist"}},
-        {"negativeIndex", document(R"("nodes":[{"mesh":-1}])"), {"node 0, mesh", "mesh -1 does not exist"}},
         {"fractionalIndex", document(R"("nodes":[{"children":[0.5]}])"), {"node 0, children", "index"}},
         {"largeIndex", document(R"("nodes":[{"children":[4294967296]}])"), {"node 4294967296"}},
-        {"ownChild", document(R"("nodes":[{"name":"hub","children":[0]}])"), {"node 0 'hub'", "cycle"}},
-        {"cycle", document(R"("nodes":[{"children":[1]},{"children":[0]}])"), {"node 0", "cycle"}},
+        {"ownChild",
+         document(R"("nodes":[{"name":"hub","children":[0]}])"),
+         {"node 0 'hub'", "own ancestor"}},
+        {"cycle", document(R"("nodes":[{"children":[1]},{"children":[0]}])"), {"node 0", "own ancestor"}},
         {"twoParents",
          document(R"("nodes":[{"children":[2]},{"children":[2]},{"name":"hub"}])"),
-         {"node 2 'hub'", "two parents", "0 and 1"}},
-        {"sceneOfAChild",
-         document(R"("nodes":[{"children":[1]},{}],"scenes":[{"nodes":[1]}])"),
-         {"scene 0", "node 1 is not a root"}},
-        {"sceneTwice", document(R"("nodes":[{}],"scenes":[{"nodes":[0,0]}])"), {"scene 0", "twice"}},
+         {"node 2 'hub'", "two parents"}},
+        {"sceneTwice",
+         document(R"("nodes":[{}],"scenes":[{"nodes":[0,0]}])"),
+         {"node 0", "listed twice by scene 0"}},
         {"shortVector",
          document(R"("nodes":[{"translation":[1,2]}])"),
          {"node 0, translation", "has 2 numbers, expected 3"}},
         {"notANumber", document(R"("nodes":[{"scale":[1,2,"x"]}])"), {"node 0, scale", "number"}},
         {"beyondFloat", document(R"("nodes":[{"scale":[1,2,1e39]}])"), {"node 0, scale", "1e+39"}},
         {"zeroRotation", document(R"("nodes":[{"rotation":[0,0,0,0]}])"), {"node 0", "rotation"}},
+        {"longRotation", document(R"("nodes":[{"rotation":[0,0,0,2]}])"), {"node 0", "rotation"}},
         {"projection",
          document(R"("nodes":[{"matrix":[1,0,0,0,0,1,0,0,0,0,1,1,0,0,0,0]}])"),
          {"node 0", "not affine"}},
@@ -138,19 +90,31 @@ std::vector<Case> brokenNodes() {
                   "perspective":{"yfov":3.2,"znear":1}}])"),
          {"camera 0 'eye'", "yfov", "3.2"}},
         {"nearPlane",
-         document(R"("cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0}}])"),
+         document(
+             R"("nodes":[{"camera":0}],"cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0}}])"),
          {"camera 0, perspective, znear", "more than 0"}},
-        {"cameraType", document(R"("cameras":[{"type":"fisheye"}])"), {"fisheye"}},
-        {"lightType", withLight(R"({"name":"sky","type":"area"})"), {"light 0 'sky'", "area"}},
-        {"lightCone",
-         withLight(R"({"type":"spot","spot":{"innerConeAngle":0.5,"outerConeAngle":0.5}})"),
-         {"light 0", "innerConeAngle"}},
+        {"cameraType",
+         document(R"("nodes":[{"camera":0}],"cameras":[{"type":"fisheye"}])"),
+         {"camera 0, type", "fisheye"}},
+        {"cameraIndex", document(R"("nodes":[{"camera":1}])"), {"node 0, camera", "camera 1 does not exist"}},
+        {"lightType", withLight(R"({"name":"sky","type":"area"})"), {"light 0 'sky', type", "area"}},
+        {"lightWithoutType", withLight(R"({"name":"sky"})"), {"light 0 'sky'", "\"type\" is missing"}},
+        {"noSpot", withLight(R"({"type":"spot"})"), {"light 0", "without \"spot\""}},
         {"wideCone",
          withLight(R"({"type":"spot","spot":{"outerConeAngle":2}})"),
-         {"light 0, spot, outerConeAngle", "is 2"}},
+         {"light 0, spot, outerConeAngle", "more than 1.57"}},
+        {"reversedCone",
+         withLight(R"({"type":"spot","spot":{"innerConeAngle":0.6,"outerConeAngle":0.5}})"),
+         {"light 0, spot", "hard edge"}},
+        {"darkCone",
+         withLight(R"({"type":"spot","spot":{"outerConeAngle":0}})"),
+         {"light 0, spot", "outerConeAngle is 0"}},
         {"negativeIntensity",
          withLight(R"({"type":"point","intensity":-1})"),
-         {"light 0, intensity", "0 or more"}},
+         {"light 0, intensity", "less than 0, clamped"}},
+        {"colorNotNumbers",
+         withLight(R"({"type":"point","color":"red"})"),
+         {"light 0, color", "array of numbers"}},
         {"lightRange", withLight(R"({"type":"point","range":0})"), {"light 0, range", "more than 0"}},
         {"lightIndex",
          document(R"("nodes":[{"extensions":{"KHR_lights_punctual":{"light":3}}}])"),
@@ -160,16 +124,12 @@ std::vector<Case> brokenNodes() {
 
 std::vector<Case> brokenMeshes() {
     return {
-        {"noPrimitives", document(R"("meshes":[{"name":"wheel"}])"), {"mesh 0 'wheel'", "primitives"}},
-        {"noAttributes",
-         document(R"("meshes":[{"primitives":[{}]}])"),
-         {"mesh 0, primitive 0", "attributes"}},
-        {"mode",
-         wheel(onlyTriangle + R"(,"mode":7)").text(),
-         {"mesh 0 'wheel', primitive 0, mode", "0 to 6"}},
         {"material",
          wheel(onlyTriangle + R"(,"material":0)").text(),
          {"mesh 0 'wheel', primitive 0, material", "material 0 does not exist"}},
+        {"otherPrimitive",
+         withPrimitives(R"({"attributes":{"POSITION":0},"mode":9},{"attributes":{"POSITION":0}})"),
+         {"mesh 0 'wheel', primitive 0, mode", "is 9", "left out"}},
         {"attributeIndex",
          wheel(R"("attributes":{"POSITION":0,"NORMAL":9})").text(),
          {"mesh 0 'wheel', primitive 0, attribute NORMAL", "accessor 9 does not exist: the file has 2"}},
@@ -184,7 +144,7 @@ std::vector<Case> brokenMeshes() {
           "accessor 2 is VEC3 of FLOAT, expected VEC2 of FLOAT, normalised UNSIGNED_BYTE"}},
         {"unknownComponentType",
          wheelWithTexcoords([](GltfFile& f) { f.addAccessor(0, "VEC2", 5130, 3); }),
-         {"attribute TEXCOORD_0", "component type 5130"}},
+         {"attribute TEXCOORD_0", "accessor 2, componentType", "is 5130, expected 5120 to 5126"}},
         {"quantizedWithoutExtension",
          wheelWithTexcoords([](GltfFile& f) {
              f.addData<std::uint16_t>("VEC2", {1, 2, 3, 4, 5, 6});
@@ -195,7 +155,7 @@ std::vector<Case> brokenMeshes() {
          {"accessor 2"}},
         {"accessorType",
          wheelWithTexcoords([](GltfFile& f) { f.addAccessor(0, "VEC5", 5126, 3); }),
-         {"VEC5"}},
+         {"accessor 2, type", "VEC5"}},
         {"beyondView",
          wheelWithTexcoords([](GltfFile& f) { f.addAccessor(0, "VEC2", 5126, 3, R"("byteOffset":16)"); }),
          {"attribute TEXCOORD_0", "accessor 2", "end at byte 40 of a bufferView of 36"}},
@@ -210,41 +170,21 @@ std::vector<Case> brokenMeshes() {
         {"hugeCount",
          wheelWithTexcoords([](GltfFile& f) { f.addAccessor(0, "VEC2", 5126, 1u << 31); }),
          {"attribute TEXCOORD_0"}},
-        {"hugeZeros",
-         [] {
-             GltfFile file;
-             file.addAccessor(-1, "VEC3", 5126, 4000000000u);
-             file.addMeshNode(R"("attributes":{"POSITION":0})");
-             return file.text();
-         }(),
-         {"mesh 0, primitive 0, attribute POSITION", "accessor 0 has no bufferView and 4000000000 elements"}},
-        {"notFinite",
+        {"texcoordNotFinite",
          wheelWithTexcoords([](GltfFile& f) {
              f.addData<float>("VEC2", {0, 0, 0, std::nanf(""), 0, 0});
          }),
-         {"attribute TEXCOORD_0", "accessor 2 has a number in element 1 that is not finite"}},
+         {"attribute TEXCOORD_0", "not finite, taken as 0"}},
         {"stride",
          wheelWithTexcoords(
              [](GltfFile& f) { f.addAccessor(f.addView(Bytes(64), R"("byteStride":4)"), "VEC2", 5126, 3); }),
          {"attribute TEXCOORD_0", "byteStride of 4"}},
-        {"oddStride",
-         document(R"("buffers":[{"byteLength":1,"uri":"data:,A"}],
-                               "bufferViews":[{"buffer":0,"byteLength":1,"byteStride":256}])"),
-         {"bufferView 0, byteStride", "4 to 252"}},
-        {"indexRange",
-         wheelWithIndices({0, 1, 3}),
-         {"mesh 0 'wheel', primitive 0, indices", "index 3 at position 2", "3 vertices"}},
-        {"indexCount",
-         wheelWithIndices({0, 1}),
-         {"mesh 0 'wheel', primitive 0", "has 2 corners, expected a multiple of 3"}},
-        {"shortStrip", wheelWithIndices({0, 1}, R"(,"mode":5)"), {"primitive 0", "expected 3 or more"}},
-        {"indexType",
-         [] {
-             GltfFile file = wheel(onlyTriangle + R"(,"indices":2)");
-             file.addData<float>("SCALAR", {0, 1, 2});
-             return file.text();
-         }(),
-         {"primitive 0, indices", "accessor 2 is SCALAR of FLOAT"}},
+        {"someIndices",
+         wheelWithIndices({0, 1, 2, 0, 1, 3}),
+         {"mesh 0 'wheel', primitive 0", "a vertex that does not exist"}},
+        {"surplusIndex",
+         wheelWithIndices({0, 1, 2, 0}),
+         {"mesh 0 'wheel', primitive 0", "last whole triangle"}},
         {"sparseOrder",
          wheelWithSparse({1, 1}, "2"),
          {"attribute TEXCOORD_0", "sparse index 1 at position 1"}},
@@ -255,32 +195,15 @@ std::vector<Case> brokenMeshes() {
 }
 
 std::vector<Case> brokenData() {
-    const std::string view = R"("bufferViews":[{"buffer":0,"byteOffset":4,"byteLength":8}],"accessors":
-        [{"bufferView":0,"type":"VEC3","componentType":5126,"count":1}],"meshes":[{"primitives":
-        [{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}])";
     return {
-        {"noUri", document(R"("buffers":[{"byteLength":4}])"), {"buffer 0", "has no URI"}},
         {"shortBuffer",
          document(R"("buffers":[{"name":"b","byteLength":4,"uri":"data:;base64,AAAA"}])"),
          {"buffer 0 'b'", "holds 3 bytes, expected byteLength = 4"}},
-        {"zeroLength", document(R"("buffers":[{"byteLength":0,"uri":"data:,"}])"), {"buffer 0, byteLength"}},
         {"negativeLength",
          document(R"("buffers":[{"byteLength":-4,"uri":"data:,"}])"),
          {"buffer 0, byteLength", "-4"}},
-        {"badBase64",
-         document(R"("buffers":[{"byteLength":3,"uri":"data:;base64,A*AA"}])"),
-         {"buffer 0", "character 1"}},
-        {"cutBase64",
-         document(R"("buffers":[{"byteLength":3,"uri":"data:;base64,AAAAA"}])"),
-         {"buffer 0", "cut off"}},
-        {"badPercent", document(R"("buffers":[{"byteLength":3,"uri":"a%2"}])"), {"buffer 0", "hexadecimal"}},
-        {"zeroInUri", document(R"("buffers":[{"byteLength":3,"uri":"a%00b"}])"), {"buffer 0", "zero"}},
-        {"emptyUri", document(R"("buffers":[{"byteLength":3,"uri":""}])"), {"buffer 0", "empty"}},
-        {"viewBeyondBuffer",
-         document(R"("buffers":[{"byteLength":9,"uri":"data:;base64,AAAAAAAAAAAA"}],)" + view),
-         {"mesh 0, primitive 0, attribute POSITION", "bufferView 0 ends at byte 12, but buffer 0 has 9"}},
         {"imageIndex",
-         document(R"("textures":[{"source":0}])"),
+         document(R"("textures":[{"source":0}],"materials":[{"normalTexture":{"index":0}}])"),
          {"texture 0, source", "image 0 does not exist"}},
         {"imageWithNothing",
          document(
@@ -290,17 +213,24 @@ std::vector<Case> brokenData() {
         {"textureIndex",
          withMaterial(R"({"name":"m","normalTexture":{"index":3}})"),
          {"material 0 'm', normalTexture, index", "texture 3 does not exist"}},
+        {"materialNotAnObject", withMaterial("7"), {"material 0", "not an object: the default is used"}},
         {"baseColor",
          withMaterial(R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,1.5]}})"),
-         {"material 0, pbrMetallicRoughness, baseColorFactor", "is 1.5, expected 0 to 1"}},
-        {"alphaMode", withMaterial(R"({"alphaMode":"GLOW"})"), {"material 0", "GLOW"}},
+         {"material 0, pbrMetallicRoughness, baseColorFactor", "more than 1, clamped"}},
+        {"negativeRoughness",
+         withMaterial(R"({"pbrMetallicRoughness":{"roughnessFactor":-0.1}})"),
+         {"material 0, pbrMetallicRoughness, roughnessFactor", "less than 0, clamped"}},
+        {"factorOfNull",
+         withMaterial(R"({"pbrMetallicRoughness":{"metallicFactor":null}})"),
+         {"metallicFactor", "expected a number: the default is used"}},
+        {"alphaMode", withMaterial(R"({"alphaMode":"GLOW"})"), {"material 0, alphaMode", "GLOW"}},
         {"doubleSided", withMaterial(R"({"doubleSided":1})"), {"material 0, doubleSided", "true or false"}},
-        {"wrap", withSampler(R"({"wrapS":1})"), {"sampler 0", "wrap mode 1"}},
+        {"wrap", withSampler(R"({"wrapS":1})"), {"sampler 0", "wrapS 1"}},
         {"minFilter", withSampler(R"({"minFilter":1})"), {"sampler 0", "minFilter 1"}},
         {"magFilter", withSampler(R"({"magFilter":9987})"), {"sampler 0", "magFilter 9987"}},
         {"animationTimes",
          animationFile({0, 2, 1}, 3, "scale"),
-         {"animation 0 'walk', channel 0, input", "time 2"}},
+         {"animation 0 'walk', channel 0", "do not increase"}},
         {"animationCount",
          animationFile({0, 1, 2}, 2, "scale"),
          {"animation 0 'walk', channel 0, output", "accessor 1 has 2 elements, expected 3"}},
@@ -315,71 +245,35 @@ std::vector<Case> brokenData() {
          document(R"("nodes":[{}],"animations":[{"samplers":[],"channels":[{"sampler":0,
                   "target":{"node":0,"path":"scale"}}]}])"),
          {"animation 0, channel 0", "sampler 0 does not exist"}},
+        {"animationNode",
+         document(R"("nodes":[{}],"animations":[{"samplers":[],"channels":[{"sampler":0,
+                  "target":{"node":4,"path":"scale"}}]}])"),
+         {"animation 0, channel 0, target, node", "node 4 does not exist"}},
+        {"animationWithoutSamplers",
+         document(R"("nodes":[{}],"animations":[{"name":"walk","channels":[]}])"),
+         {"animation 0 'walk'", "\"samplers\" is missing"}},
+        {"samplerInput",
+         document(R"("nodes":[{}],"animations":[{"samplers":[{"input":3,"output":3}],"channels":[{"sampler":0,
+                  "target":{"node":0,"path":"scale"}}]}])"),
+         {"animation 0, sampler 0, input", "accessor 3 does not exist"}},
     };
 }
 
-void expectErrors(const std::vector<Case>& cases) {
-    for (const Case& test : cases) {
-        const std::string error = errorOfText(test.text);
-        EXPECT_FALSE(error.empty()) << test.name << " was accepted";
-        EXPECT_NE(error.find("scene.gltf: "), std::string::npos) << test.name << ": " << error;
-        EXPECT_EQ(error.find('\n'), std::string::npos) << test.name << ": " << error;
-        for (const std::string& part : test.parts) {
-            EXPECT_NE(error.find(part), std::string::npos)
-                << test.name << ": '" << part << "' is not in: " << error;
-        }
-    }
+TEST(BrokenFile, nodesAreRepairedOrLeftOut) {
+    expectNotes(brokenNodes());
+}
+TEST(BrokenFile, partsOfMeshesAreLeftOut) {
+    expectNotes(brokenMeshes());
+}
+TEST(BrokenFile, dataIsRepairedOrLeftOut) {
+    expectNotes(brokenData());
 }
 
-TEST(BrokenFile, document) {
-    expectErrors(brokenDocuments());
-}
-TEST(BrokenFile, nodes) {
-    expectErrors(brokenNodes());
-}
-TEST(BrokenFile, meshes) {
-    expectErrors(brokenMeshes());
-}
-TEST(BrokenFile, data) {
-    expectErrors(brokenData());
-}
-
-/// A .glb of the triangle with one 32-bit number overwritten.
-Bytes glbWith(std::size_t offset, std::uint32_t value) {
-    Bytes glb = triangleFile().glb();
-    std::memcpy(&glb[offset], &value, sizeof value);
-    return glb;
-}
-
-TEST(BrokenFile, glb) {
-    const auto size = static_cast<std::uint32_t>(triangleFile().glb().size());
-    std::uint32_t jsonSize = 0;
-    const Bytes whole = triangleFile().glb();
-    std::memcpy(&jsonSize, &whole[12], sizeof jsonSize);
-    const std::pair<Bytes, const char*> cases[] = {
-        {glbWith(4, 1), "container version 1, expected 2"},
-        {glbWith(8, size + 1), "the header says"},
-        {glbWith(8, 4), "the header says 4 bytes"},
-        {glbWith(12, 0xFFFFFFFC), "chunk 0 has a length of 4294967292 bytes"},
-        {glbWith(12, 3), "not a multiple of 4"},
-        {glbWith(16, 0), "chunk 0 is not of type JSON"},
-        // Eight bytes too many: as many as the header of the chunk has.
-        {glbWith(20 + jsonSize, size - 20 - jsonSize), "chunk 1 has a length of"},
-        {glbWith(24 + jsonSize, 0), "buffer 0: has no URI, and the file has no BIN chunk"},
-        {Bytes(whole.begin(), whole.begin() + 8), "cut off within its header"},
-    };
-    for (const auto& [glb, part] : cases) {
-        const std::string error = errorOfGlb(glb);
-        EXPECT_NE(error.find(part), std::string::npos) << "'" << part << "' is not in: " << error;
-    }
-}
-
-TEST(BrokenFile, deepNestingDoesNotCrash) {
-    const std::string deep(200000, '[');
-    EXPECT_NE(errorOfText(R"({"asset":{"version":"2.0"},"extras":)" + deep), "");
-    const std::string closed = deep + std::string(deep.size(), ']');
-    EXPECT_EQ(errorOfText(R"({"asset":{"version":"2.0"},"extras":)" + closed + "}"), "");
-    EXPECT_NE(errorOfText(R"({"asset":{"version":"2.0"},"nodes":)" + closed + "}"), "");
+TEST(BrokenFile, metadataIsNotNoted) {
+    const candela::ImportedScene imported = loadText(R"({"asset":{"version":"2.0","generator":7},"extras":[],
+        "nodes":[{"name":3,"extras":{"a":1}}],"extensionsUsed":["KHR_xmp","KHR_materials_variants"],
+        "extensions":{"KHR_xmp":{"packets":[]},"KHR_materials_variants":{"variants":[{"name":"red"}]}}})");
+    EXPECT_TRUE(imported.report.notes.empty());
 }
 
 }  // namespace

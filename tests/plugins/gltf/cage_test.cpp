@@ -142,7 +142,7 @@ TEST(Cage, primitivesBecomeOneCageWithAMaterialPerFace) {
     EXPECT_EQ(cage.positions.size(), 4u);
     ASSERT_EQ(cage.faceMaterials.size(), 2u);
     EXPECT_EQ(cage.faceMaterials[0], 1u);
-    EXPECT_FALSE(cage.faceMaterials[1].has_value());
+    EXPECT_EQ(cage.faceMaterials[1], imported.scene.materials.size() - 1) << "the default material";
     EXPECT_TRUE(hasNote(imported, "primitive 2: points and lines are no part of a cage"));
 }
 

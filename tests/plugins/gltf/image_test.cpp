@@ -80,7 +80,7 @@ TEST(Image, jpeg) {
 
 TEST(Image, impossibleSizesAreRejectedBeforeAllocating) {
     const std::string error =
-        errorOf(fileWithImage(makePng(32768, 32768, 16, PngColor::rgba, {}), "image/png"));
+        complaintsOf(fileWithImage(makePng(32768, 32768, 16, PngColor::rgba, {}), "image/png"));
     EXPECT_NE(error.find("image 0 'picture': the PNG file is broken: it is too short"), std::string::npos)
         << error;
     Bytes jpeg = makeGreyJpeg();
@@ -88,10 +88,14 @@ TEST(Image, impossibleSizesAreRejectedBeforeAllocating) {
     const std::uint8_t marker[] = {0xFF, 0xC0};
     const auto frame = std::search(jpeg.begin(), jpeg.end(), std::begin(marker), std::end(marker));
     frame[5] = frame[7] = 0x7F;
-    const std::string jpegError = errorOf(fileWithImage(jpeg, "image/jpeg"));
+    const std::string jpegError = complaintsOf(fileWithImage(jpeg, "image/jpeg"));
     EXPECT_NE(jpegError.find("image 0 'picture': the JPEG file is broken: it is too short"),
               std::string::npos)
         << jpegError;
+    const std::string wide =
+        complaintsOf(fileWithImage(makePng(40000, 1, 8, PngColor::grey, {}), "image/png"));
+    EXPECT_NE(wide.find("image 0 'picture': the PNG file is wider or higher than 32768"), std::string::npos)
+        << wide;
 }
 
 TEST(Image, fromABufferView) {
@@ -133,13 +137,15 @@ TEST(Image, theirOrderIsKept) {
     candela::setThreadCount(0);
 }
 
-TEST(Image, theFirstOfSeveralBrokenImagesIsNamed) {
+TEST(Image, brokenOnesAreLeftOutAndTheOthersKeepTheirPlace) {
     for (const unsigned threads : {1u, 4u}) {
         candela::setThreadCount(threads);
-        for (int run = 0; run < 10; ++run) {
-            const std::string error = errorOf(fileWithImages(60, {57, 31, 44}));
-            EXPECT_NE(error.find("image 31: the PNG file is broken"), std::string::npos) << error;
-        }
+        const candela::ImportedScene imported = load(fileWithImages(60, {57, 31, 44}));
+        EXPECT_EQ(imported.scene.images.size(), 57u);
+        EXPECT_TRUE(hasNote(imported, "image 31 and 2 more: the PNG file is broken"));
+        EXPECT_FALSE(imported.scene.materials.at(31).emissionTexture);
+        const auto& texture = imported.scene.materials.at(32).emissionTexture;
+        EXPECT_EQ(std::to_integer<int>(imported.scene.images.at(texture.value().image).pixels[0]), 32);
     }
     candela::setThreadCount(0);
 }
@@ -150,24 +156,58 @@ TEST(Image, unusedImagesAreNotRead) {
     EXPECT_TRUE(load(file).scene.images.empty());
 }
 
+/// The note of a file with this image, whose material keeps its factor.
+std::string noteOf(const Bytes& image) {
+    const candela::ImportedScene imported = load(fileWithImage(image, "image/png"));
+    EXPECT_FALSE(imported.scene.materials.at(0).emissionTexture);
+    EXPECT_EQ(imported.report.notes.size(), 1u);
+    return imported.report.notes.at(0).line();
+}
+
+Bytes bytesOfText(const std::string& text) {
+    return {text.begin(), text.end()};
+}
+
 TEST(Image, brokenImagesAreNamed) {
     Bytes cutPng = makePng(4, 4, 1, 2, 3, 4);
     cutPng.resize(cutPng.size() / 2);
-    EXPECT_NE(errorOf(fileWithImage(cutPng, "image/png")).find("image 0 'picture': the PNG file is broken"),
-              std::string::npos);
+    EXPECT_TRUE(noteOf(cutPng).starts_with("image 0 'picture': the PNG file is broken"));
     Bytes cutJpeg = makeGreyJpeg();
     cutJpeg.resize(cutJpeg.size() - 3);
-    EXPECT_NE(
-        errorOf(fileWithImage(cutJpeg, "image/jpeg")).find("image 0 'picture': the JPEG file is broken: "),
-        std::string::npos);
+    EXPECT_TRUE(noteOf(cutJpeg).starts_with("image 0 'picture': the JPEG file is broken: "));
     Bytes flippedPng = makePng(4, 4, 1, 2, 3, 4);
     flippedPng[flippedPng.size() / 2] ^= 1;
-    EXPECT_NE(
-        errorOf(fileWithImage(flippedPng, "image/png")).find("image 0 'picture': the PNG file is broken"),
-        std::string::npos);
-    EXPECT_NE(errorOf(fileWithImage({'G', 'I', 'F', '8'}, "image/gif"))
-                  .find("image 0 'picture': is neither a PNG nor a JPEG file"),
-              std::string::npos);
+    EXPECT_TRUE(noteOf(flippedPng).starts_with("image 0 'picture': the PNG file is broken"));
+}
+
+TEST(Image, otherFormatsAreNamed) {
+    const std::pair<std::string, const char*> formats[] = {
+        {std::string("\xABKTX 20\xBB\r\n\x1A\n", 12), "a KTX2 file"},
+        {"RIFF1234WEBPVP8 ", "a WebP file"},
+        {"GIF89a", "a GIF file"},
+        {std::string("BM1234\0\0\0\0", 10), "a BMP file"},
+        {"DDS |", "a DDS file"},
+        {"#?RADIANCE\n", "a Radiance HDR file"},
+        {std::string("\0\0\0\x1c"
+                     "ftypavif",
+                     12),
+         "an AVIF file"},
+        {std::string("II*\0", 4), "a TIFF file"},
+        {"version https://git-lfs.github.com/spec/v1\n", "a Git LFS pointer"},
+    };
+    for (const auto& [content, name] : formats) {
+        const std::string note = noteOf(bytesOfText(content));
+        EXPECT_TRUE(note.starts_with("image 0 'picture': " + std::string(name))) << note;
+        EXPECT_NE(note.find("expected PNG or JPEG"), std::string::npos) << note;
+    }
+    EXPECT_EQ(noteOf(bytesOfText("who knows")), "image 0 'picture': neither a PNG nor a JPEG file: left out");
+}
+
+TEST(Image, aMissingFileIsNamed) {
+    const candela::ImportedScene imported = load(fileWithImage(R"({"uri":"gone.png"})"));
+    ASSERT_EQ(imported.report.notes.size(), 1u);
+    EXPECT_EQ(imported.report.notes[0].line(),
+              "image 0: file 'gone.png': No such file or directory: left out");
 }
 
 }  // namespace

@@ -65,6 +65,23 @@ std::string errorOfText(const std::string& text) {
     return errorOfPath(folder.write("scene.gltf", text));
 }
 
+std::string complaintsOf(const GltfFile& file) {
+    std::string text = errorOf(file);
+    if (!text.empty()) return text;
+    for (const candela::ImportNote& note : load(file).report.notes) text += note.line() + "\n";
+    return text;
+}
+
+std::string strictErrorOfText(const std::string& text) {
+    const TemporaryFolder folder;
+    try {
+        candela::importScene(plugins(), folder.write("scene.gltf", text), {candela::Strictness::strict, {}});
+        return "";
+    } catch (const candela::Error& error) {
+        return error.what();
+    }
+}
+
 std::string errorOfGlb(const Bytes& bytes) {
     const TemporaryFolder folder;
     return errorOfPath(folder.write("scene.glb", bytes));

@@ -42,6 +42,10 @@ candela::ImportedScene loadGlb(const Bytes& bytes);
 std::string errorOfText(const std::string& text);
 std::string errorOfGlb(const Bytes& bytes);
 std::string errorOfPath(const std::string& path);
+/// The message of the error, or the notes, where there is none.
+std::string complaintsOf(const GltfFile& file);
+/// The error of a strict import.
+std::string strictErrorOfText(const std::string& text);
 inline std::string errorOf(const GltfFile& file) {
     return errorOfText(file.text());
 }

@@ -25,7 +25,7 @@ TEST(Mesh, trianglesWithoutIndices) {
     const candela::Mesh mesh = load(triangleFile()).scene.meshes.at(0);
     EXPECT_EQ(mesh.indices, (Indices{0, 1, 2}));
     EXPECT_EQ(mesh.submeshes.size(), 1u);
-    EXPECT_FALSE(mesh.submeshes[0].material.has_value());
+    EXPECT_EQ(mesh.submeshes[0].material, 0u) << "the default material";
 }
 
 TEST(Mesh, stripsAlternateTheirWinding) {
@@ -94,7 +94,7 @@ TEST(Mesh, primitivesBecomeSubmeshesAndShareVertices) {
     EXPECT_EQ(mesh.submeshes[0].material, 1u);
     EXPECT_EQ(mesh.submeshes[1].firstIndex, 3u);
     EXPECT_EQ(mesh.submeshes[1].material, 0u);
-    EXPECT_FALSE(mesh.submeshes[2].material.has_value());
+    EXPECT_EQ(mesh.submeshes[2].material, scene.materials.size() - 1) << "the default material";
 }
 
 TEST(Mesh, primitivesWithDifferentAttributesBecomeSeveralMeshes) {

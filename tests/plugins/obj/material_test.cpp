@@ -86,6 +86,14 @@ TEST(ObjMaterial, mapsMultiplyTheirFactors) {
     EXPECT_EQ(texels(imageOf(imported, m.normalTexture)), (std::vector<int>{128, 128, 255, 255}));
 }
 
+TEST(ObjMaterial, aBrokenImageIsNotedAndLeftOut) {
+    Bytes cut = makePng(4, 4, 1, 2, 3, 4);
+    cut.resize(60);
+    const auto imported = loadMaterial("map_Kd c.png\n", {{"c.png", textOf(cut)}});
+    EXPECT_FALSE(imported.scene.materials.at(0).baseColorTexture);
+    EXPECT_TRUE(hasNote(imported, "a.mtl, line 2: map_Kd 'c.png': the PNG file is broken"));
+}
+
 TEST(ObjMaterial, roughnessAndMetallicMapsBecomeOneImage) {
     const auto imported = loadMaterial("map_Pr r.png\nmap_Pm m.png\nPm 0.5\n",
                                        {{"r.png", greyPng({10, 20})}, {"m.png", greyPng({30, 40, 50, 60})}});

@@ -1,0 +1,276 @@
+#include "extensions.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <vector>
+
+namespace candela_plugins::gltf {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view supported[] = {
+    "FB_ngon_encoding",    "KHR_lights_punctual",   "KHR_materials_emissive_strength",
+    "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform",
+};
+
+/// Extensions without which a picture lacks nothing, or whose loss is told where it matters.
+constexpr std::string_view silent[] = {
+    "AGI_articulations",
+    "AGI_stk_metadata",
+    "CESIUM_primitive_outline",
+    "CESIUM_RTC",
+    "EXT_instance_features",
+    "EXT_mesh_features",
+    "EXT_mesh_manifold",
+    "EXT_structural_metadata",
+    "EXT_texture_avif",
+    "EXT_texture_webp",
+    "FB_geometry_metadata",
+    "GODOT_single_root",
+    "KHR_animation_pointer",
+    "KHR_materials_variants",
+    "KHR_texture_basisu",
+    "KHR_xmp",
+    "KHR_xmp_json_ld",
+    "MSFT_lod",
+    "MSFT_texture_dds",
+    "VRM",
+    "VRMC_node_constraint",
+    "VRMC_springBone",
+    "VRMC_vrm",
+    // Without their data primitives are left out, with a note that names the extension.
+    "EXT_meshopt_compression",
+    "KHR_draco_mesh_compression",
+    "KHR_meshopt_compression",
+};
+
+struct Loss {
+    std::string_view extension;
+    const char* text;  ///< What is missing.
+};
+
+constexpr Loss losses[] = {
+    {"EXT_lights_ies", "the profile of its light (EXT_lights_ies)"},
+    {"EXT_lights_image_based", "its image-based light (EXT_lights_image_based)"},
+    {"EXT_mesh_gpu_instancing", "its instances (EXT_mesh_gpu_instancing): drawn once"},
+    {"KHR_materials_anisotropy", "anisotropy (KHR_materials_anisotropy)"},
+    {"KHR_materials_clearcoat", "the clear coat (KHR_materials_clearcoat)"},
+    {"KHR_materials_diffuse_transmission", "diffuse transmission (KHR_materials_diffuse_transmission)"},
+    {"KHR_materials_dispersion", "dispersion (KHR_materials_dispersion)"},
+    {"KHR_materials_ior", "the index of refraction (KHR_materials_ior)"},
+    {"KHR_materials_iridescence", "iridescence (KHR_materials_iridescence)"},
+    {"KHR_materials_pbrSpecularGlossiness",
+     "the specular-glossiness values (KHR_materials_pbrSpecularGlossiness): drawn with the "
+     "metallic-roughness ones"},
+    {"KHR_materials_sheen", "sheen (KHR_materials_sheen)"},
+    {"KHR_materials_specular", "the strength and colour of reflections (KHR_materials_specular)"},
+    {"KHR_materials_transmission", "transmission (KHR_materials_transmission): drawn opaque"},
+    {"KHR_materials_volume", "the volume behind the surface (KHR_materials_volume)"},
+    {"KHR_node_visibility", "drawn, though KHR_node_visibility may hide it"},
+};
+
+template <std::size_t count>
+bool contains(const std::string_view (&names)[count], std::string_view name) {
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+/// What a material looks like is no matter of shape, whoever defines the extension.
+bool isOfMaterials(std::string_view name) {
+    return name.find("_materials_") != std::string_view::npos;
+}
+
+bool isTolerable(std::string_view name) {
+    const bool hasLoss = std::any_of(std::begin(losses), std::end(losses),
+                                     [&](const Loss& loss) { return loss.extension == name; });
+    return contains(supported, name) || contains(silent, name) || hasLoss || isOfMaterials(name);
+}
+
+std::string lossText(const std::string& name) {
+    for (const Loss& loss : losses) {
+        if (loss.extension == name) return loss.text;
+    }
+    if (isOfMaterials(name)) return "a part of its look (" + readable(name) + ")";
+    return "what '" + readable(name) + "' adds to it, an extension that is not known";
+}
+
+/// A node that its extension does not hide.
+bool isShown(const std::string& name, const Json& extension) {
+    return name == "KHR_node_visibility" && extension != Json{{"visible", false}};
+}
+
+struct Noun {
+    std::string_view array;
+    const char* noun;
+};
+
+constexpr Noun nouns[] = {
+    {"accessors", "accessor"}, {"animations", "animation"}, {"bufferViews", "bufferView"},
+    {"buffers", "buffer"},     {"cameras", "camera"},       {"channels", "channel"},
+    {"images", "image"},       {"lights", "light"},         {"materials", "material"},
+    {"meshes", "mesh"},        {"nodes", "node"},           {"primitives", "primitive"},
+    {"samplers", "sampler"},   {"scenes", "scene"},         {"skins", "skin"},
+    {"textures", "texture"}};
+
+std::string nameOf(const Json& element) {
+    const auto name = element.is_object() ? element.find("name") : element.end();
+    return element.is_object() && name != element.end() && name->is_string() ? name->get<std::string>()
+                                                                             : std::string();
+}
+
+/// Notes the extensions of an object and of what is in it.
+class LossFinder {
+  public:
+    explicit LossFinder(const Host& host) : host_(host) {}
+
+    /// Extensions lie a few levels deep; what is nested deeper belongs to no glTF element.
+    void visit(const Json& object, const std::string& element, int depth) const {
+        constexpr int maxDepth = 8;
+        if (!object.is_object() || depth > maxDepth) return;
+        for (const auto& member : object.items()) {
+            if (member.key() == "extras") continue;
+            if (member.key() == "extensions") {
+                noteExtensions(member.value(), element, depth);
+            } else if (member.value().is_array()) {
+                visitArray(member.value(), member.key(), element, depth);
+            } else {
+                visit(member.value(), below(element, member.key()), depth + 1);
+            }
+        }
+    }
+
+  private:
+    static std::string below(const std::string& element, const std::string& member) {
+        return element.empty() ? member : element + ", " + member;
+    }
+
+    void visitArray(const Json& array, const std::string& key, const std::string& element, int depth) const {
+        const auto noun =
+            std::find_if(std::begin(nouns), std::end(nouns), [&](const Noun& n) { return n.array == key; });
+        if (noun == std::end(nouns)) return;
+        for (std::size_t i = 0; i < array.size(); ++i) {
+            if (!array[i].is_object()) continue;
+            visit(array[i], below(element, elementName(noun->noun, i, nameOf(array[i]))), depth + 1);
+        }
+    }
+
+    void noteExtensions(const Json& extensions, const std::string& element, int depth) const {
+        if (!extensions.is_object()) return;
+        for (const auto& extension : extensions.items()) {
+            const std::string& name = extension.key();
+            if (contains(supported, name)) {
+                visit(extension.value(), element, depth + 1);
+            } else if (!contains(silent, name) && !isShown(name, extension.value())) {
+                host_.note(CANDELA_NOTE_MISSING, element, lossText(name));
+            }
+        }
+    }
+
+    const Host& host_;
+};
+
+std::vector<std::string> extensionList(const Json& document, const char* member) {
+    std::vector<std::string> names;
+    const auto list = document.find(member);
+    if (list == document.end() || !list->is_array()) return names;
+    for (const Json& name : *list) {
+        if (name.is_string()) names.push_back(name.get<std::string>());
+    }
+    return names;
+}
+
+/// The element of an array of the document; null where there is none.
+const Json& elementAt(const Json& document, const char* array, const Json& index) {
+    static const Json null;
+    const auto found = document.find(array);
+    if (found == document.end() || !found->is_array() || !index.is_number_unsigned()) return null;
+    const std::size_t i = index.get<std::size_t>();
+    return i < found->size() ? (*found)[i] : null;
+}
+
+/// A member of an object; null where it has none.
+const Json& memberOf(const Json& object, const char* name) {
+    static const Json null;
+    if (!object.is_object()) return null;
+    const auto found = object.find(name);
+    return found == object.end() ? null : *found;
+}
+
+bool hasData(const Json& document, const Json& accessorIndex) {
+    const Json& accessor = elementAt(document, "accessors", accessorIndex);
+    return accessor.is_object() && (accessor.contains("bufferView") || accessor.contains("sparse"));
+}
+
+void addCompressedPrimitives(const Json& document, const Json& mesh, const std::string& element,
+                             Faults& faults) {
+    const Json& primitives = memberOf(mesh, "primitives");
+    if (!primitives.is_array()) return;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+        const Json& extension = memberOf(memberOf(primitives[i], "extensions"), "KHR_draco_mesh_compression");
+        const Json& position = memberOf(memberOf(primitives[i], "attributes"), "POSITION");
+        if (extension.is_null() || hasData(document, position)) continue;
+        const std::string where = element + ", primitive " + std::to_string(i);
+        faults.emplace(
+            where,
+            Failure{where,
+                    "its geometry is compressed by KHR_draco_mesh_compression, which is not supported"});
+    }
+}
+
+/// A buffer whose bytes are only made by decompression has neither a URI nor, as buffer 0, a BIN chunk.
+bool isFallback(const Json& document, const Json& view) {
+    const Json& index = memberOf(view, "buffer");
+    const Json& buffer = elementAt(document, "buffers", index);
+    return !buffer.is_object() || (!buffer.contains("uri") && index != 0);
+}
+
+}  // namespace
+
+void checkExtensions(const Json& document, const Host& host) {
+    for (const std::string& name : extensionList(document, "extensionsRequired")) {
+        if (isTolerable(name)) continue;
+        throw Failure{"extensionsRequired", "extension '" + readable(name) + "' is not supported"};
+    }
+    LossFinder(host).visit(document, "", 0);
+}
+
+bool usesExtension(const Json& document, const char* name) {
+    for (const char* member : {"extensionsUsed", "extensionsRequired"}) {
+        const std::vector<std::string> names = extensionList(document, member);
+        if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+    }
+    return false;
+}
+
+Faults compressedElements(const Json& document) {
+    Faults faults;
+    const Json& meshes = memberOf(document, "meshes");
+    for (std::size_t i = 0; meshes.is_array() && i < meshes.size(); ++i) {
+        addCompressedPrimitives(document, meshes[i], elementName("mesh", i, nameOf(meshes[i])), faults);
+    }
+    const Json& views = memberOf(document, "bufferViews");
+    for (std::size_t i = 0; views.is_array() && i < views.size(); ++i) {
+        for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+            if (memberOf(memberOf(views[i], "extensions"), name).is_null() || !isFallback(document, views[i]))
+                continue;
+            const std::string view = elementName("bufferView", i, nameOf(views[i]));
+            faults.emplace(
+                view, Failure{view, std::string("is compressed by ") + name + ", which is not supported"});
+        }
+    }
+    return faults;
+}
+
+std::string imageExtension(const Json& texture) {
+    constexpr const char* names[] = {"EXT_texture_avif", "EXT_texture_webp", "KHR_texture_basisu",
+                                     "MSFT_texture_dds"};
+    for (const char* name : names) {
+        if (!memberOf(memberOf(texture, "extensions"), name).is_null()) return name;
+    }
+    return {};
+}
+
+}  // namespace candela_plugins::gltf

@@ -1,0 +1,62 @@
+// Extensions that are not supported: what is said to be missing, and what stays.
+#include <gtest/gtest.h>
+
+#include "loading.h"
+
+namespace candela_test {
+namespace {
+
+TEST(Extensions, whatTheyAddIsNotedForTheElementsThatHaveThem) {
+    GltfFile file = triangleFile(R"("material":0)");
+    file.set("extensionsRequired",
+             R"(["KHR_materials_clearcoat","VENDOR_materials_wet","EXT_mesh_gpu_instancing"])");
+    file.add("materials", R"({"name":"car","extensions":{"KHR_materials_clearcoat":{"clearcoatFactor":1}}})");
+    file.add("materials", R"({"extensions":{"KHR_materials_clearcoat":{},"VENDOR_materials_wet":{}}})");
+    file.add("nodes",
+             R"({"name":"tree","mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{},"VENDOR_wind":{}}})");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_TRUE(hasNote(imported, "material 0 'car' and 1 more: the clear coat (KHR_materials_clearcoat)"));
+    EXPECT_TRUE(hasNote(imported, "material 1: a part of its look (VENDOR_materials_wet)"));
+    EXPECT_TRUE(hasNote(imported, "node 1 'tree': its instances (EXT_mesh_gpu_instancing): drawn once"));
+    EXPECT_TRUE(hasNote(imported, "node 1 'tree': what 'VENDOR_wind' adds to it"));
+    EXPECT_EQ(imported.report.notes.size(), 4u);
+}
+
+TEST(Extensions, thatAreOnlyListedAreNotNoted) {
+    GltfFile file = triangleFile();
+    file.set("extensionsUsed", R"(["VENDOR_unheard_of","KHR_materials_sheen"])");
+    EXPECT_TRUE(load(file).report.notes.empty());
+}
+
+TEST(Extensions, aDracoPrimitiveWithDataIsDrawn) {
+    GltfFile file =
+        triangleFile(R"("extensions":{"KHR_draco_mesh_compression":{"bufferView":0,"attributes":{}}})");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_EQ(candela::triangleCount(imported.scene), 1u);
+    EXPECT_TRUE(imported.report.notes.empty());
+}
+
+TEST(Extensions, aDracoPrimitiveWithoutDataIsMissing) {
+    GltfFile file = triangleFile();
+    file.addAccessor(-1, "VEC3", 5126, 3);
+    file.addMeshNode(
+        R"("attributes":{"POSITION":2},"extensions":{"KHR_draco_mesh_compression":{"bufferView":0,"attributes":{}}})");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_EQ(candela::triangleCount(imported.scene), 1u);
+    EXPECT_TRUE(
+        hasNote(imported, "mesh 1, primitive 0: its geometry is compressed by KHR_draco_mesh_compression"));
+}
+
+TEST(Extensions, anImageOfAnotherFormatIsNamed) {
+    GltfFile file = triangleFile();
+    file.set("extensionsRequired", R"(["KHR_texture_basisu"])");
+    file.add("textures", R"({"extensions":{"KHR_texture_basisu":{"source":0}}})");
+    file.add("images", R"({"uri":"a.ktx2"})");
+    file.add("materials", R"({"normalTexture":{"index":0}})");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_FALSE(imported.scene.materials.at(0).normalTexture);
+    EXPECT_TRUE(hasNote(imported, "texture 0: no PNG or JPEG image, but one of KHR_texture_basisu"));
+}
+
+}  // namespace
+}  // namespace candela_test
