@@ -364,7 +364,8 @@ typedef struct candela_host {
     void (*add_note)(void* self, candela_note_kind kind, const char* element, const char* text);
     /* Reads a file as `read_file` does, but the import goes on without a file that cannot be read: `reason`
      * then says why, such as "file 'a.png': there is no such file", and is valid until `import_scene`
-     * returns. It is empty when the import has failed before. */
+     * returns. It is empty when the import has failed before. Where no file has the very name, one whose name
+     * differs in the case of ASCII letters is read, and noted. */
     candela_status (*read_optional_file)(void* self, const char* path, candela_bytes* out,
                                          const char** reason);
 } candela_host;

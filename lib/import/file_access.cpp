@@ -11,8 +11,10 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 namespace candela {
 namespace fs = std::filesystem;
@@ -28,7 +30,10 @@ class Descriptor {
         if (number_ >= 0) ::close(number_);
     }
     Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(number_, other.number_);
+        return *this;
+    }
     int number() const { return number_; }
 
   private:
@@ -119,6 +124,26 @@ FileAccess::Bytes readWithin(int folder, const std::string& path) {
     return readAll(opened.number(), static_cast<std::size_t>(status.st_size), path);
 }
 
+// The first entry of the folder `at`, by bytes, whose name differs from `name` in the case of ASCII letters.
+// Nothing where it lies outside of the scene's folder: its names are not read.
+std::optional<std::string> entryInOtherCase(int at, int folder, const std::string& name) {
+    if (!liesWithin(openedPath(at), openedPath(folder))) return std::nullopt;
+    const std::string wanted = lowerCase(name);
+    std::optional<std::string> found;
+    std::error_code error;
+    for (fs::directory_iterator entry(joined("/proc/self/fd/", at), error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string candidate = entry->path().filename().string();
+        if (lowerCase(candidate) == wanted && (!found || candidate < *found)) found = candidate;
+    }
+    return found;
+}
+
+bool exists(int at, const std::string& name) {
+    struct stat status {};
+    return ::fstatat(at, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
+}
+
 }  // namespace
 
 FileAccess::FileAccess(const fs::path& folder)
@@ -139,6 +164,22 @@ std::span<const std::byte> FileAccess::read(const std::string& path) {
         file = files_.emplace(path, readWithin(folder_, path)).first;
     }
     return {file->second.data.get(), file->second.size};
+}
+
+std::string FileAccess::inAnyCase(const std::string& path) const {
+    if (path.empty() || path.front() == '/' || exists(folder_, path)) return path;
+    Descriptor at(::openat(folder_, ".", O_PATH | O_DIRECTORY | O_CLOEXEC));
+    std::string found;
+    std::istringstream parts(path);
+    for (std::string part; std::getline(parts, part, '/');) {
+        if (part.empty()) continue;
+        if (at.number() < 0) return path;
+        const auto name = exists(at.number(), part) ? part : entryInOtherCase(at.number(), folder_, part);
+        if (!name) return path;
+        found += found.empty() ? *name : '/' + *name;
+        at = Descriptor(::openat(at.number(), name->c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    }
+    return found;
 }
 
 }  // namespace candela

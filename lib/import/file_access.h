@@ -24,6 +24,10 @@ class FileAccess {
     /// file; environment when the file is absent or can not be read; limit when it is too large.
     std::span<const std::byte> read(const std::string& path);
 
+    /// `path` where a file has this name. Else that of the first one, by bytes, whose name differs from it in
+    /// the case of ASCII letters; and `path` again where there is none.
+    std::string inAnyCase(const std::string& path) const;
+
     /// The bytes of a file. An array and not a vector, which would first fill it with zeros.
     struct Bytes {
         std::unique_ptr<std::byte[]> data;

@@ -122,8 +122,12 @@ candela_status ImportHost::readOptionalFile(const char* path, candela_bytes* out
                         "read_optional_file: its path, its result or its reason is NULL");
         *out = {};
         try {
-            *out = fileBytes(path);
+            const std::string name = files_ ? files_->inAnyCase(path) : path;
+            *out = fileBytes(name.c_str());
             read = true;
+            if (name != path)
+                notes_.add(NoteKind::information, joined("file '", oneLine(path), "'"),
+                           "read, though its name differs in upper and lower case");
         } catch (const Error& error) {
             *reason = reasons_.emplace_back(error.what()).c_str();
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 namespace candela_plugins::obj {
 
@@ -63,7 +64,7 @@ class RuleReader {
 
     CageRules read() {
         for (const Tag& tag : document_.tags) {
-            readTag(tag);
+            if (host_.leavesOut([&] { readTag(tag); })) continue;
             if (tag.surplusWords == 0) continue;
             host_.note(CANDELA_NOTE_REPAIRED, tag.place,
                        std::to_string(tag.surplusWords) + " surplus words of the tag '" + readable(tag.name) +
@@ -112,11 +113,15 @@ class RuleReader {
                               " numbers, but one sharpness or one a pair of vertices was expected");
         }
         const std::size_t step = numbers == 1 ? 0 : numbers == integers ? 2 : 1;
+        // Of a tag that is left out nothing is used.
+        std::vector<SharpEdge> creases;
         for (std::size_t pair = 0; pair < integers / 2; ++pair) {
             const std::uint32_t a = vertexOf(tag, 2 * pair), b = vertexOf(tag, 2 * pair + 1);
             const float sharpness = checkedSharpness(tag, tag.numbers[pair * step]);
-            rules_.creases[edgeKey(a, b)] = SharpEdge{a, b, sharpness, &tag, none};
+            creases.push_back({a, b, sharpness, &tag, none});
         }
+        for (const SharpEdge& crease : creases)
+            rules_.creases[edgeKey(crease.vertex0, crease.vertex1)] = crease;
     }
 
     void readCorners(const Tag& tag) {
@@ -126,17 +131,26 @@ class RuleReader {
             throw tag.failure(std::to_string(numbers) +
                               " numbers, but one sharpness or one a vertex was expected");
         }
+        std::vector<std::pair<std::uint32_t, float>> corners;
         for (std::size_t i = 0; i < tag.integers.size(); ++i) {
             const float sharpness = checkedSharpness(tag, tag.numbers[numbers == 1 ? 0 : i]);
-            rules_.cornerSharpness[vertexOf(tag, i)] = sharpness;
+            corners.emplace_back(vertexOf(tag, i), sharpness);
         }
+        for (const auto& [vertex, sharpness] : corners) rules_.cornerSharpness[vertex] = sharpness;
     }
 
     void readHoles(const Tag& tag) {
-        const std::size_t faces = document_.faces.size();
+        const std::vector<std::uint32_t>& leftOut = document_.leftOutFaces;
         if (tag.integers.empty()) throw tag.failure("no face is named");
-        rules_.isHole.resize(faces);
-        for (const std::int64_t face : tag.integers) rules_.isHole[indexOf(tag, face, faces, "face")] = true;
+        std::vector<std::uint32_t> holes;
+        for (const std::int64_t face : tag.integers)
+            holes.push_back(indexOf(tag, face, document_.faces.size() + leftOut.size(), "face"));
+        rules_.isHole.resize(document_.faces.size());
+        for (const std::uint32_t face : holes) {
+            const auto before = std::lower_bound(leftOut.begin(), leftOut.end(), face);
+            const bool isLeftOut = before != leftOut.end() && *before == face;
+            if (!isLeftOut) rules_.isHole[face - static_cast<std::size_t>(before - leftOut.begin())] = true;
+        }
     }
 
     static std::int64_t oneInteger(const Tag& tag) {

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <tuple>
+
 #include "cage_rules.h"
 #include "indexing.h"
 #include "parts.h"
@@ -63,8 +66,8 @@ class CageBuilder {
         return host.add(cage);
     }
 
-    /// Corners without texture coordinates in a cage that has some.
-    std::size_t cornersWithoutUv() const { return hasUvs_ ? cornersWithoutUv_ : 0; }
+    /// Corners without texture coordinates of faces with a texture.
+    std::size_t cornersWithoutUv() const { return cornersWithoutUv_; }
 
   private:
     const Corner* corners(std::uint32_t face) const {
@@ -73,15 +76,15 @@ class CageBuilder {
 
     void addFace(std::uint32_t face) {
         const std::uint32_t count = document_.cornerCount(face);
+        const AddedMaterial material = materialOf(document_, materials_, face);
         for (std::uint32_t i = 0; i < count; ++i) {
             const Corner& corner = corners(face)[i];
             faceVertices_.push_back(vertices_.indexOf({corner.vertex, 0, 0}));
             faceUvs_.push_back(uvKeys_.indexOf({corner.uv, 0, 0}));
             hasUvs_ |= corner.uv != none;
-            if (corner.uv == none) ++cornersWithoutUv_;
+            if (corner.uv == none && material.readsUvs) ++cornersWithoutUv_;
         }
         faceSizes_.push_back(count);
-        const AddedMaterial material = materialOf(document_, materials_, face);
         faceMaterials_.push_back(material.index);
         hasUvs_ |= material.readsUvs;
     }
@@ -122,15 +125,19 @@ void requireTriangles(const Document& document) {
     }
 }
 
-void requireEdges(const CageRules& rules) {
-    const SharpEdge* missing = nullptr;
-    for (const auto& [key, crease] : rules.creases) {
-        // The first in the file: the map has no order.
-        if (crease.lastPart == none && (!missing || crease.tag < missing->tag)) missing = &crease;
+/// Notes the creases that are an edge of no face, in the order of the file: the map has none.
+void noteMissingEdges(const CageRules& rules, const Host& host) {
+    std::vector<const SharpEdge*> missing;
+    for (const auto& [key, crease] : rules.creases)
+        if (crease.lastPart == none) missing.push_back(&crease);
+    std::sort(missing.begin(), missing.end(), [](const SharpEdge* a, const SharpEdge* b) {
+        return std::tuple(a->tag, a->vertex0, a->vertex1) < std::tuple(b->tag, b->vertex0, b->vertex1);
+    });
+    for (const SharpEdge* crease : missing) {
+        const std::string edge = std::to_string(crease->vertex0) + " " + std::to_string(crease->vertex1);
+        host.note(CANDELA_NOTE_REPAIRED, crease->tag->place + ", t crease, edge " + edge,
+                  "an edge of no face: not used");
     }
-    if (!missing) return;
-    throw missing->tag->failure("no face has the edge " + std::to_string(missing->vertex0) + " " +
-                                std::to_string(missing->vertex1));
 }
 
 void noteUnused(const Document& document, std::size_t cornersWithoutUv, const Host& host) {
@@ -141,10 +148,10 @@ void noteUnused(const Document& document, std::size_t cornersWithoutUv, const Ho
     noteMissingUvs(cornersWithoutUv, host);
 }
 
-void addNodeOf(const std::string& name, std::int32_t cage, const Host& host) {
+void addNodeOf(const std::string& name, const Vec3& origin, std::int32_t cage, const Host& host) {
     candela_cage_instance instance{};
     instance.struct_size = sizeof instance;
-    instance.node = addNode(name, -1, host);
+    instance.node = addNode(name, origin, -1, host);
     instance.cage = cage;
     instance.skin = -1;
     host.add(instance);
@@ -162,12 +169,12 @@ void addCages(const Document& document, const Query& query, const std::vector<Ad
         CageBuilder builder(document, parts[i], materials);
         builder.applyRules(rules, static_cast<std::uint32_t>(i));
         cornersWithoutUv += builder.cornersWithoutUv();
-        addNodeOf(parts[i].name, builder.add(query, rules, host), host);
+        addNodeOf(parts[i].name, document.origin, builder.add(query, rules, host), host);
         done += parts[i].faces.size();
         const double share = static_cast<double>(done) / static_cast<double>(document.faces.size());
         host.progress(from + (1.0 - from) * share);
     }
-    requireEdges(rules);
+    noteMissingEdges(rules, host);
     noteUnused(document, cornersWithoutUv, host);
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstring>
 
+#include "references.h"
+
 namespace candela_plugins::obj {
 namespace {
 
@@ -89,92 +91,155 @@ Channel maskChannel(const Image& image) {
     return Channel::luminance;
 }
 
+bool isOpaque(const Image& image) {
+    return maskChannel(image) != Channel::matte;
+}
+
 Channel channelOr(Channel channel, Channel usual) {
     return channel == Channel::usual ? usual : channel;
 }
 
-Image combinedColorAndMask(const std::optional<Image>& color, const Image& mask, Channel channel) {
-    const Image* const rgb = color ? &*color : nullptr;
-    const Channel alpha = channelOr(channel, maskChannel(mask));
-    return combined({{{rgb, Channel::red}, {rgb, Channel::green}, {rgb, Channel::blue}, {&mask, alpha}}});
+/// Whether the colours are on average the vector +z as a tangent-space normal map encodes it, (0.5, 0.5, 1).
+/// The limits let steep maps pass; heights are grey, so that their means are equal.
+bool holdsNormals(const Image& image) {
+    const std::size_t texels = std::size_t{image.width} * image.height;
+    double sums[3] = {0.0, 0.0, 0.0};
+    for (std::size_t i = 0; i < texels; ++i)
+        for (std::size_t channel = 0; channel < 3; ++channel) sums[channel] += sampleAt(image, i, channel);
+    const auto mean = [&](std::size_t channel) {
+        return sums[channel] / (double{fullScale} * double(texels));
+    };
+    const auto isCentral = [](double value) { return value > 0.35 && value < 0.65; };
+    return isCentral(mean(0)) && isCentral(mean(1)) && mean(2) > 0.7;
 }
 
 /// Identifies a part of a combined image. No path holds a line break: a statement is one line.
-std::string keyOf(const TextureInfo* texture) {
+std::string keyOf(const std::string& path, const TextureInfo* texture) {
     if (!texture) return "\n";
-    return texture->file + "\n" + std::to_string(static_cast<int>(texture->channel)) + "\n";
+    return path + "\n" + std::to_string(static_cast<int>(texture->channel)) + "\n";
 }
 
 }  // namespace
 
-std::optional<Images::File> Images::read(const TextureInfo* texture) {
-    if (!texture || ignoredFiles_.contains(texture->file)) return std::nullopt;
-    const Bytes bytes = host_.readFile(texture->file);
-    const std::string element = texture->element + " '" + readable(texture->file) + "'";
-    if (isPng(bytes) || isJpeg(bytes)) return File{bytes, element};
-    host_.note(CANDELA_NOTE_MISSING, element, otherFormat(bytes) + ": left out");
-    ignoredFiles_.insert(texture->file);
+std::optional<Images::File> Images::find(const TextureInfo& texture) {
+    std::string reason;
+    for (const std::string& name : texture.names) {
+        const std::string element = texture.element + " " + inQuotes(name);
+        const ReferencedFile found = findReferenced(texture.owner, name, element, host_);
+        if (found.bytes) {
+            const File file{*found.bytes, found.path, element};
+            if (isPng(file.bytes) || isJpeg(file.bytes)) return file;
+            host_.noteLeftOut({element, otherFormat(file.bytes)});
+            return std::nullopt;
+        }
+        if (reason.empty()) reason = found.reason;
+    }
+    host_.noteLeftOut({texture.element + " " + inQuotes(texture.names.front()), reason});
     return std::nullopt;
 }
 
-template <typename MakeJob>
-Images::Request Images::request(const std::string& key, const MakeJob& makeJob) {
+std::optional<Images::File> Images::read(const TextureInfo* texture) {
+    if (!texture) return std::nullopt;
+    const std::string key = texture->owner + "\n" + texture->names.front();
+    const auto known = files_.find(key);
+    return known != files_.end() ? known->second : files_[key] = find(*texture);
+}
+
+const TextureInfo* Images::usable(const std::optional<TextureInfo>& texture) const {
+    if (!texture) return nullptr;
+    const std::optional<File>& file = files_.at(texture->owner + "\n" + texture->names.front());
+    return file && !unusablePaths_.contains(file->path) ? &*texture : nullptr;
+}
+
+Images::Request Images::request(const std::string& key, const Files& files,
+                                std::function<Image(Decoded&, Outcome&)> make) {
     const auto [found, isNew] = requests_.try_emplace(key, jobs_.size());
-    if (isNew) jobs_.push_back(makeJob());
+    if (!isNew) return found->second;
+    const auto outcome = outcomes_.emplace_back(std::make_shared<Outcome>());
+    const auto makeUsable = [files, outcome, make = std::move(make)] {
+        Decoded decoded;
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            try {
+                if (files[i]) decoded[i] = decodeImage(files[i]->bytes, files[i]->element);
+            } catch (const Failure& failure) {
+                outcome->faults.push_back({files[i]->path, failure});
+            }
+        }
+        if (!decoded[0] && !decoded[1]) throw outcome->faults.front().failure;
+        return make(decoded, *outcome);
+    };
+    std::uint64_t bytes = 0, largest = 0;
+    for (const std::optional<File>& file : files) {
+        const std::uint64_t size = file ? decodedSize(file->bytes) : 0;
+        bytes += size;
+        largest = std::max(largest, size);
+    }
+    const bool combines = files[0] && files[1];
+    jobs_.push_back({(files[0] ? files[0] : files[1])->path, bytes + (combines ? largest : 0), makeUsable});
     return found->second;
 }
 
 Images::Request Images::whole(const TextureInfo* texture) {
     const std::optional<File> file = read(texture);
     if (!file) return std::nullopt;
-    return request(texture->file, [&] {
-        return ImageJob{texture->file, decodedSize(file->bytes),
-                        [file = *file] { return decodeImage(file.bytes, file.element); }};
+    return request(file->path, {file, std::nullopt},
+                   [](Decoded& decoded, Outcome&) { return std::move(*decoded[0]); });
+}
+
+Images::Request Images::bump(const TextureInfo* texture) {
+    const std::optional<File> file = read(texture);
+    if (!file) return std::nullopt;
+    return request("bump\n" + file->path, {file, std::nullopt}, [file](Decoded& decoded, Outcome&) {
+        if (!holdsNormals(*decoded[0])) throw Failure{file->element, "a height map, which is not drawn"};
+        return std::move(*decoded[0]);
     });
 }
 
 Images::Request Images::colorAndMask(const TextureInfo* color, const TextureInfo* mask) {
-    const std::optional<File> maskFile = read(mask);
+    const std::optional<File> colorFile = read(color), maskFile = read(mask);
     if (!maskFile) return whole(color);
-    const std::optional<File> colorFile = read(color);
-    return request("mask\n" + keyOf(color) + keyOf(mask), [&] {
-        const std::uint64_t colorSize = colorFile ? decodedSize(colorFile->bytes) : 0;
-        const std::uint64_t maskSize = decodedSize(maskFile->bytes);
-        const auto make = [colorFile, maskFile = *maskFile, channel = mask->channel] {
-            const Image decodedMask = decodeImage(maskFile.bytes, maskFile.element);
-            std::optional<Image> decodedColor;
-            if (colorFile) decodedColor = decodeImage(colorFile->bytes, colorFile->element);
-            return combinedColorAndMask(decodedColor, decodedMask, channel);
-        };
-        return ImageJob{mask->file, colorSize + maskSize + std::max(colorSize, maskSize), make};
-    });
+    const std::string colorPath = colorFile ? colorFile->path : "";
+    // A map_d that is the map_Kd means its alpha channel, also where that is opaque.
+    const bool isSame = colorPath == maskFile->path;
+    const auto make = [isSame, channel = mask->channel](Decoded& decoded, Outcome& outcome) {
+        if (!decoded[1]) return std::move(*decoded[0]);
+        const Image* const rgb = decoded[0] ? &*decoded[0] : nullptr;
+        const Channel usual = isSame ? Channel::matte : maskChannel(*decoded[1]);
+        const ChannelSource alpha{&*decoded[1], channelOr(channel, usual)};
+        Image image = combined({{{rgb, Channel::red}, {rgb, Channel::green}, {rgb, Channel::blue}, alpha}});
+        outcome.hasHoles = !isOpaque(image);
+        return image;
+    };
+    return request("mask\n" + keyOf(colorPath, color) + keyOf(maskFile->path, mask), {colorFile, maskFile},
+                   make);
 }
 
 Images::Request Images::roughnessAndMetallic(const TextureInfo* roughness, const TextureInfo* metallic) {
     const std::optional<File> roughFile = read(roughness), metalFile = read(metallic);
     if (!roughFile && !metalFile) return std::nullopt;
-    return request("metallic\n" + keyOf(roughness) + keyOf(metallic), [&] {
-        const std::uint64_t roughSize = roughFile ? decodedSize(roughFile->bytes) : 0;
-        const std::uint64_t metalSize = metalFile ? decodedSize(metalFile->bytes) : 0;
-        const auto make = [roughFile, metalFile,
-                           roughChannel = roughness ? roughness->channel : Channel::usual,
-                           metalChannel = metallic ? metallic->channel : Channel::usual] {
-            std::optional<Image> rough, metal;
-            if (roughFile) rough = decodeImage(roughFile->bytes, roughFile->element);
-            if (metalFile) metal = decodeImage(metalFile->bytes, metalFile->element);
-            std::array<ChannelSource, 4> sources;
-            if (rough) sources[1] = {&*rough, channelOr(roughChannel, Channel::luminance)};
-            if (metal) sources[2] = {&*metal, channelOr(metalChannel, Channel::luminance)};
-            return combined(sources);
-        };
-        return ImageJob{(roughFile ? roughness : metallic)->file,
-                        roughSize + metalSize + std::max(roughSize, metalSize), make};
-    });
+    const Channel roughChannel =
+        channelOr(roughness ? roughness->channel : Channel::usual, Channel::luminance);
+    const Channel metalChannel = channelOr(metallic ? metallic->channel : Channel::usual, Channel::luminance);
+    const auto make = [roughChannel, metalChannel](Decoded& decoded, Outcome&) {
+        std::array<ChannelSource, 4> sources;
+        if (decoded[0]) sources[1] = {&*decoded[0], roughChannel};
+        if (decoded[1]) sources[2] = {&*decoded[1], metalChannel};
+        return combined(sources);
+    };
+    const std::string key = keyOf(roughFile ? roughFile->path : "", roughness) +
+                            keyOf(metalFile ? metalFile->path : "", metallic);
+    return request("metallic\n" + key, {roughFile, metalFile}, make);
 }
 
 void Images::addRequested(double from, double to) {
     indices_ = addImages(jobs_, host_, from, to);
     jobs_.clear();
+    for (const std::shared_ptr<Outcome>& outcome : outcomes_) {
+        for (const Fault& fault : outcome->faults) {
+            host_.noteLeftOut(fault.failure);
+            unusablePaths_.insert(fault.path);
+        }
+    }
 }
 
 }  // namespace candela_plugins::obj

@@ -1,172 +1,89 @@
 #include "material_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 #include "statement.h"
 
 namespace candela_plugins::obj {
-
-namespace {
-
-class OptionReader {
-  public:
-    OptionReader(Statement& statement, IgnoredStatements& ignored, TextureInfo& texture)
-        : statement_(statement), ignored_(ignored), texture_(texture) {}
-
-    void readOptions() {
-        while (statement_.rest().starts_with('-')) {
-            const std::string_view option = *statement_.word();
-            if (option == "-o")
-                readPair(texture_.offset);
-            else if (option == "-s")
-                readPair(texture_.scale);
-            else if (option == "-clamp")
-                texture_.clamp = readSwitch();
-            else if (option == "-bm")
-                texture_.multiplier = statement_.needNumber();
-            else if (option == "-imfchan")
-                texture_.channel = readChannel();
-            else
-                skipOption(option);
-        }
-    }
-
-  private:
-    /// The next word, if it is a number and not all that is left: that is the file name.
-    std::optional<float> optionalNumber() {
-        Statement ahead = statement_;
-        const auto word = ahead.word();
-        if (!word || !numberIn(*word) || ahead.rest().empty()) return std::nullopt;
-        statement_ = ahead;
-        return statement_.number(*word, maxOffset);
-    }
-
-    /// One to three numbers, the third of which is for solid textures.
-    void readPair(float (&pair)[2]) {
-        pair[0] = statement_.needNumber(maxOffset);
-        if (const auto second = optionalNumber())
-            pair[1] = *second;
-        else
-            return;
-        optionalNumber();
-    }
-
-    bool readSwitch() {
-        const std::string_view word = statement_.needWord("on or off");
-        if (word != "on" && word != "off")
-            statement_.fail("'" + readable(std::string(word)) + "', but on or off was expected");
-        return word == "on";
-    }
-
-    Channel readChannel() {
-        const std::string_view word = statement_.needWord("a channel");
-        if (word == "r") return Channel::red;
-        if (word == "g") return Channel::green;
-        if (word == "b") return Channel::blue;
-        if (word == "m") return Channel::matte;
-        if (word == "l") return Channel::luminance;
-        statement_.fail("-imfchan " + readable(std::string(word)) + ", but r, g, b, m or l was expected");
-    }
-
-    void skipOption(std::string_view option) {
-        static constexpr std::string_view known[] = {"-blendu", "-blendv", "-boost",  "-cc",
-                                                     "-mm",     "-t",      "-texres", "-type"};
-        const bool isKnown = std::find(std::begin(known), std::end(known), option) != std::end(known);
-        ignored_.count(isKnown ? "not used" : "not known", "option " + std::string(option),
-                       statement_.line());
-        if (isKnown && option != "-t" && option != "-mm") {
-            statement_.needWord("a value");
-            return;
-        }
-        if (skipSwitch()) return;
-        while (optionalNumber()) continue;
-    }
-
-    bool skipSwitch() {
-        Statement ahead = statement_;
-        const auto word = ahead.word();
-        if (word != "on" && word != "off") return false;
-        statement_ = ahead;
-        return true;
-    }
-
-    // With a larger offset a coordinate in single precision has no fraction left.
-    static constexpr double maxOffset = 1e6;
-
-    Statement& statement_;
-    IgnoredStatements& ignored_;
-    TextureInfo& texture_;
-};
-
-}  // namespace
-
-bool TextureInfo::hasSameSampling(const TextureInfo& other) const {
-    return std::equal(offset, offset + 2, other.offset) && std::equal(scale, scale + 2, other.scale) &&
-           clamp == other.clamp;
-}
-
-TextureInfo parseTextureInfo(Statement& statement, const std::string& materialFile,
-                             IgnoredStatements& ignored) {
-    TextureInfo texture;
-    texture.element = statement.place() + ": " + std::string(statement.keyword());
-    OptionReader(statement, ignored, texture).readOptions();
-    if (statement.rest().empty()) statement.fail("a file name was expected");
-    texture.file = besideFile(materialFile, statement.rest());
-    return texture;
-}
-
 namespace {
 
 class MaterialParser {
   public:
-    MaterialParser(const std::string& file, std::vector<FileMaterial>& materials)
-        : file_(file), materials_(materials) {}
+    MaterialParser(const std::string& file, const Host& host, std::vector<FileMaterial>& materials)
+        : file_(file), host_(host), materials_(materials) {}
 
+    /// A statement that cannot be read is noted, and the rest of the file counts.
     void read(Statement& statement) {
-        const std::string_view keyword = statement.keyword();
-        if (keyword == "newmtl") return begin(statement);
-        if (isUnused(keyword)) return ignored_.count("not used", keyword, statement.line());
-        const auto found = readers().find(keyword);
-        if (found == readers().end()) return ignored_.count("not known", keyword, statement.line());
-        if (!hasMaterial_) statement.fail("no newmtl precedes it");
-        (this->*found->second)(statement);
+        try {
+            readStatement(statement);
+        } catch (const Failure& failure) {
+            host_.note(CANDELA_NOTE_REPAIRED, failure.element, failure.reason + ": not used");
+        }
     }
 
-    void note(const Host& host) const { ignored_.note(host, file_); }
+    void addNotes() const { notes_.add(host_, file_); }
 
   private:
     using Reader = void (MaterialParser::*)(Statement&);
 
+    void readStatement(Statement& statement) {
+        // Some programs write keywords in other cases.
+        const std::string keyword = lowerCase(statement.keyword());
+        if (keyword == "newmtl") return begin(statement);
+        const auto found = readers().find(keyword);
+        if (found == readers().end()) return notes_.countUnknown(statement.keyword(), statement.line());
+        if (!hasMaterial_) statement.fail("no newmtl precedes it");
+        (this->*found->second)(statement);
+    }
+
     static const std::unordered_map<std::string_view, Reader>& readers() {
         using P = MaterialParser;
         static const std::unordered_map<std::string_view, Reader> table{
-            {"Kd", &P::readColor<&FileMaterial::diffuse>},
-            {"Ke", &P::readColor<&FileMaterial::emission>},
-            {"Ns", &P::readExponent},
+            {"kd", &P::readColor<&FileMaterial::diffuse>},
+            {"ke", &P::readColor<&FileMaterial::emission>},
+            {"ns", &P::readExponent},
             {"d", &P::readOpacity},
-            {"Tr", &P::readTransparency},
-            {"Pr", &P::readFraction<&FileMaterial::roughness>},
-            {"Pm", &P::readFraction<&FileMaterial::metallic>},
-            {"map_Kd", &P::readMap<&FileMaterial::diffuseMap>},
-            {"map_Ke", &P::readMap<&FileMaterial::emissionMap>},
+            {"tr", &P::readFraction<&FileMaterial::transparency>},
+            {"pr", &P::readFraction<&FileMaterial::roughness>},
+            {"pm", &P::readFraction<&FileMaterial::metallic>},
+            {"map_kd", &P::readDiffuseMap},
+            {"map_ke", &P::readMap<&FileMaterial::emissionMap>},
             {"map_d", &P::readMap<&FileMaterial::opacityMap>},
-            {"map_Pr", &P::readMap<&FileMaterial::roughnessMap>},
-            {"map_Pm", &P::readMap<&FileMaterial::metallicMap>},
-            {"norm", &P::readMap<&FileMaterial::normalMap>}};
+            {"map_pr", &P::readMap<&FileMaterial::roughnessMap>},
+            {"map_pm", &P::readMap<&FileMaterial::metallicMap>},
+            {"norm", &P::readMap<&FileMaterial::normalMap>},
+            {"bump", &P::readMap<&FileMaterial::bumpMap>},
+            {"map_bump", &P::readMap<&FileMaterial::bumpMap>},
+            // What metallic-roughness materials have no place for, and rules of other renderers.
+            {"ka", &P::skip},
+            {"ks", &P::skip},
+            {"ni", &P::skip},
+            {"tf", &P::skip},
+            {"illum", &P::skip},
+            {"sharpness", &P::skip},
+            {"pcr", &P::skip},
+            {"anisor", &P::skip},
+            {"map_ka", &P::skip},
+            {"map_ks", &P::skip},
+            {"map_aat", &P::skip},
+            {"map_pcr", &P::skip},
+            // What a picture lacks.
+            {"ps", &P::noteUnlessZero},
+            {"pc", &P::noteUnlessZero},
+            {"aniso", &P::noteUnlessZero},
+            {"map_ns", &P::noteNotDrawn},
+            {"map_tr", &P::noteNotDrawn},
+            {"map_ps", &P::noteNotDrawn},
+            {"map_pc", &P::noteNotDrawn},
+            {"map_disp", &P::noteNotDrawn},
+            {"disp", &P::noteNotDrawn},
+            {"decal", &P::noteNotDrawn},
+            {"map_decal", &P::noteNotDrawn},
+            {"refl", &P::noteNotDrawn},
+            {"map_refl", &P::noteNotDrawn}};
         return table;
-    }
-
-    /// Known statements that are not used. Bump maps hold heights, not normals.
-    static bool isUnused(std::string_view keyword) {
-        static constexpr std::string_view unused[] = {
-            "Ka",       "Ks",     "Tf",     "Ni",      "illum",   "sharpness", "Ps",
-            "Pc",       "Pcr",    "aniso",  "anisor",  "map_Ka",  "map_Ks",    "map_Ns",
-            "map_Tr",   "map_Ps", "map_Pc", "map_Pcr", "map_aat", "bump",      "map_bump",
-            "map_Bump", "disp",   "decal",  "refl",    "map_refl"};
-        for (const std::string_view known : unused)
-            if (keyword == known) return true;
-        return false;
     }
 
     void begin(Statement& statement) {
@@ -177,11 +94,24 @@ class MaterialParser {
         hasMaterial_ = true;
     }
 
+    void skip(Statement&) {}
+
+    void noteNotDrawn(Statement& statement) {
+        notes_.count(CANDELA_NOTE_MISSING, "not drawn: " + std::string(statement.keyword()),
+                     statement.line());
+    }
+
+    void noteUnlessZero(Statement& statement) {
+        const auto word = statement.word();
+        if (!word || numberIn(*word).value_or(1.0) != 0.0) noteNotDrawn(statement);
+    }
+
     template <std::optional<std::array<float, 3>> FileMaterial::*member>
     void readColor(Statement& statement) {
         if (statement.rest().starts_with("spectral") || statement.rest().starts_with("xyz"))
-            return ignored_.count("not used", std::string(statement.keyword()) + " other than r g b",
-                                  statement.line());
+            return notes_.count(CANDELA_NOTE_MISSING,
+                                "not used: " + std::string(statement.keyword()) + " other than r g b",
+                                statement.line());
         // Emission has no upper limit but that of the host.
         const bool emits = member == &FileMaterial::emission;
         const double max = emits ? 1e20 : 1.0;
@@ -196,11 +126,21 @@ class MaterialParser {
         materials_.back().*member = color;
     }
 
-    /// From 0 to `max`.
-    static float number(const Statement& statement, std::string_view word, double max) {
-        const float value = statement.number(word, max);
-        if (value < 0.0f) statement.fail("'" + std::string(word) + "', but 0 or more was expected");
-        return value;
+    /// Held at 0 and `max`, which is noted.
+    float number(const Statement& statement, std::string_view word, double max) {
+        const std::string keyword(statement.keyword());
+        std::optional<double> value = numberIn(word);
+        if (!value && (value = numberWithCommaIn(word)))
+            host_.note(CANDELA_NOTE_REPAIRED, statement.place(),
+                       keyword + ": a decimal comma, read as a point");
+        if (!value || std::isnan(*value)) statement.fail(inQuotes(word) + " is not a number");
+        if (*value < 0.0)
+            host_.note(CANDELA_NOTE_REPAIRED, statement.place(), keyword + " is below 0: taken as 0");
+        if (*value > max)
+            host_.note(
+                CANDELA_NOTE_REPAIRED, statement.place(),
+                keyword + (max == 1.0 ? " is above 1: taken as 1" : " is too large: held at the limit"));
+        return static_cast<float>(std::clamp(*value, 0.0, max));
     }
 
     template <std::optional<float> FileMaterial::*member>
@@ -215,40 +155,40 @@ class MaterialParser {
 
     void readOpacity(Statement& statement) {
         if (statement.rest().starts_with("-halo")) {
-            ignored_.count("not used", "option -halo of d", statement.line());
+            notes_.count(CANDELA_NOTE_MISSING, "not drawn: option -halo of d", statement.line());
             statement.word();
         }
         readFraction<&FileMaterial::opacity>(statement);
     }
 
-    /// d takes precedence.
-    void readTransparency(Statement& statement) {
-        const float transparency = number(statement, statement.needWord("a number"), 1.0);
-        if (!materials_.back().opacity) materials_.back().opacity = 1.0f - transparency;
-    }
-
     template <std::optional<TextureInfo> FileMaterial::*member>
     void readMap(Statement& statement) {
-        materials_.back().*member = parseTextureInfo(statement, file_, ignored_);
+        materials_.back().*member = parseTextureInfo(statement, file_, host_, notes_);
+    }
+
+    void readDiffuseMap(Statement& statement) {
+        readMap<&FileMaterial::diffuseMap>(statement);
+        materials_.back().hasDiffuseMap = true;
     }
 
     const std::string& file_;
+    const Host& host_;
     std::vector<FileMaterial>& materials_;
-    IgnoredStatements ignored_;
+    LineNotes notes_;
     bool hasMaterial_ = false;
 };
 
 }  // namespace
 
-void parseMaterialFile(const std::string& name, const Host& host, std::vector<FileMaterial>& materials) {
-    const Bytes file = host.readFile(name);
-    Lines lines({reinterpret_cast<const char*>(file.data), file.size});
-    MaterialParser parser(name, materials);
+void parseMaterialFile(const Bytes& file, const std::string& name, const Host& host,
+                       std::vector<FileMaterial>& materials) {
+    Lines lines(textOf(file));
+    MaterialParser parser(name, host, materials);
     while (lines.next()) {
         Statement statement(lines.line(), lines.number(), name);
         parser.read(statement);
     }
-    parser.note(host);
+    parser.addNotes();
 }
 
 }  // namespace candela_plugins::obj

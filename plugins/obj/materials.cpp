@@ -2,46 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "images.h"
 #include "material_file.h"
+#include "material_library.h"
 
 namespace candela_plugins::obj {
 namespace {
 
-using MaterialsByName = std::unordered_map<std::string, const FileMaterial*>;
-
-const TextureInfo* pointer(const std::optional<TextureInfo>& texture) {
-    return texture ? &*texture : nullptr;
-}
-
-MaterialsByName byName(const std::vector<FileMaterial>& materials, const Host& host) {
-    MaterialsByName found;
-    for (const FileMaterial& material : materials) {
-        if (!found.try_emplace(material.name, &material).second)
-            host.note(CANDELA_NOTE_REPAIRED, material.element, "defined before: left out");
-    }
-    return found;
-}
-
-/// The material of each name that the document uses; NULL where it is not used by a face, or in no file.
-std::vector<const FileMaterial*> materialsInUse(const Document& document, const MaterialsByName& known,
-                                                const Host& host) {
+/// Whether faces use each material of the document.
+std::vector<bool> materialsInUse(const Document& document) {
     std::vector<bool> isUsed(document.materials.size());
-    for (const FaceState& state : document.states)
-        if (state.material != none) isUsed[state.material] = true;
-    std::vector<const FileMaterial*> used(isUsed.size(), nullptr);
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        if (!isUsed[i]) continue;
-        const auto found = known.find(document.materials[i]);
-        if (found != known.end())
-            used[i] = found->second;
-        else
-            host.note(CANDELA_NOTE_MISSING, "material '" + readable(document.materials[i]) + "'",
-                      "in no material file: the default one is used");
+    for (const Face& face : document.faces) {
+        const std::uint32_t material = document.states[face.state].material;
+        if (material != none) isUsed[material] = true;
     }
-    return used;
+    return isUsed;
 }
 
 candela_texture noTexture() {
@@ -75,10 +51,30 @@ struct MaterialImages {
     Images::Request base, metallicRoughness, emission, normal;
 };
 
+const TextureInfo* pointer(const std::optional<TextureInfo>& texture) {
+    return texture ? &*texture : nullptr;
+}
+
 MaterialImages requestImages(const FileMaterial& source, Images& images) {
-    return {images.colorAndMask(pointer(source.diffuseMap), pointer(source.opacityMap)),
-            images.roughnessAndMetallic(pointer(source.roughnessMap), pointer(source.metallicMap)),
-            images.whole(pointer(source.emissionMap)), images.whole(pointer(source.normalMap))};
+    return {
+        images.colorAndMask(pointer(source.diffuseMap), pointer(source.opacityMap)),
+        images.roughnessAndMetallic(pointer(source.roughnessMap), pointer(source.metallicMap)),
+        images.whole(pointer(source.emissionMap)),
+        source.normalMap ? images.whole(pointer(source.normalMap)) : images.bump(pointer(source.bumpMap))};
+}
+
+candela_material defaultMaterial(const std::string& name) {
+    candela_material material{};
+    material.struct_size = sizeof material;
+    material.name = name.c_str();
+    std::fill_n(material.base_color, 4, 1.0f);
+    material.roughness = 1.0f;
+    material.base_color_texture = material.metallic_roughness_texture = material.normal_texture =
+        material.occlusion_texture = material.emission_texture = noTexture();
+    material.normal_scale = material.occlusion_strength = 1.0f;
+    material.alpha_cutoff = 0.5f;
+    material.double_sided = 1;
+    return material;
 }
 
 class MaterialImporter {
@@ -86,24 +82,22 @@ class MaterialImporter {
     MaterialImporter(const Host& host, const Images& images) : host_(host), images_(images) {}
 
     AddedMaterial add(const FileMaterial& source, const MaterialImages& images) {
-        candela_material material{};
-        material.struct_size = sizeof material;
-        material.name = source.name.c_str();
-        material.normal_texture = material.occlusion_texture = noTexture();
-        material.normal_scale = material.occlusion_strength = 1.0f;
-        material.alpha_cutoff = 0.5f;
-        material.double_sided = 1;
+        candela_material material = defaultMaterial(source.name);
         takeBase(source, images, material);
         takeMetallic(source, images, material);
         takeEmission(source, images, material);
-        if (source.normalMap) {
-            material.normal_texture = textureOf(images_.indexOf(images.normal), &*source.normalMap);
-            material.normal_scale = source.normalMap->multiplier;
+        if (const TextureInfo* const map = pointer(source.normalMap ? source.normalMap : source.bumpMap)) {
+            material.normal_texture = textureOf(images_.indexOf(images.normal), map);
+            material.normal_scale = map->multiplier;
         }
         return {host_.add(material), readsUvs(material)};
     }
 
   private:
+    void noteRepaired(const FileMaterial& source, const char* text) const {
+        host_.note(CANDELA_NOTE_REPAIRED, source.element, text);
+    }
+
     /// The texture whose sampling options apply to the image combined of both.
     const TextureInfo* samplingOf(const TextureInfo* first, const TextureInfo* second) const {
         if (first && second && !first->hasSameSampling(*second))
@@ -113,19 +107,44 @@ class MaterialImporter {
     }
 
     void takeBase(const FileMaterial& source, const MaterialImages& images, candela_material& material) {
-        std::fill_n(material.base_color, 4, 1.0f);
-        if (source.diffuse) std::copy(source.diffuse->begin(), source.diffuse->end(), material.base_color);
-        material.base_color[3] = source.opacity.value_or(1.0f);
-        const TextureInfo *color = pointer(source.diffuseMap), *mask = pointer(source.opacityMap);
+        std::copy_n(baseColorOf(source).begin(), 3, material.base_color);
+        material.base_color[3] = opacityOf(source);
+        const TextureInfo *color = images_.usable(source.diffuseMap),
+                          *mask = images_.usable(source.opacityMap);
         material.base_color_texture = textureOf(images_.indexOf(images.base), samplingOf(color, mask));
-        if (!mask && material.base_color[3] == 1.0f) return;
+        if (!images_.hasHoles(images.base) && material.base_color[3] == 1.0f) return;
         material.alpha_mode = CANDELA_ALPHA_MASK;
         host_.note(CANDELA_NOTE_MISSING, source.element,
                    "its opacity is drawn as a mask with a cutoff of 0.5");
     }
 
+    /// Programs that give a diffuse colour a map write a Kd of 0 beside it.
+    std::array<float, 3> baseColorOf(const FileMaterial& source) const {
+        constexpr std::array black{0.0f, 0.0f, 0.0f}, white{1.0f, 1.0f, 1.0f};
+        const std::array<float, 3> color = source.diffuse.value_or(white);
+        if (!source.hasDiffuseMap || color != black) return color;
+        noteRepaired(source, "Kd is 0 beside map_Kd: taken as 1");
+        return white;
+    }
+
+    /// d, which takes precedence, or 1 - Tr. Programs that mean opaque write a Tr of 1 (MeshLab until 2023),
+    /// or a d of 0: nothing is drawn only where d and Tr agree on it.
+    float opacityOf(const FileMaterial& source) const {
+        const std::optional<float> opacity = source.opacity, transparency = source.transparency;
+        if (opacity && *opacity > 0.0f) return *opacity;
+        if (opacity && transparency == 1.0f && !source.opacityMap) return 0.0f;
+        if (opacity)
+            noteRepaired(source, source.opacityMap ? "d is 0 beside map_d: not used"
+                                                   : "d is 0, which Tr does not confirm: not used");
+        if (!transparency) return 1.0f;
+        if (*transparency < 1.0f) return 1.0f - *transparency;
+        if (!opacity) noteRepaired(source, "Tr is 1 without d: taken as opaque");
+        return 1.0f;
+    }
+
     void takeMetallic(const FileMaterial& source, const MaterialImages& images, candela_material& material) {
-        const TextureInfo *rough = pointer(source.roughnessMap), *metal = pointer(source.metallicMap);
+        const TextureInfo* const rough = images_.usable(source.roughnessMap);
+        const TextureInfo* const metal = images_.usable(source.metallicMap);
         const float exponent = source.exponent.value_or(0.0f);
         const float roughnessOfExponent = std::sqrt(std::sqrt(2.0f / (exponent + 2.0f)));
         material.roughness = source.roughness.value_or(rough ? 1.0f : roughnessOfExponent);
@@ -134,12 +153,14 @@ class MaterialImporter {
             textureOf(images_.indexOf(images.metallicRoughness), samplingOf(rough, metal));
     }
 
+    /// A Ke of 0 beside a map counts as 1. Without its map, a surface would shine all over.
     void takeEmission(const FileMaterial& source, const MaterialImages& images, candela_material& material) {
         constexpr std::array black{0.0f, 0.0f, 0.0f}, white{1.0f, 1.0f, 1.0f};
-        const TextureInfo* map = pointer(source.emissionMap);
+        const TextureInfo* const map = images_.usable(source.emissionMap);
         material.emission_texture = textureOf(images_.indexOf(images.emission), map);
         std::array<float, 3> emission = source.emission.value_or(black);
-        if (material.emission_texture.image >= 0 && emission == black) emission = white;
+        if (map && emission == black) emission = white;
+        if (source.emissionMap && !map) emission = black;
         std::copy(emission.begin(), emission.end(), material.emission);
     }
 
@@ -147,30 +168,48 @@ class MaterialImporter {
     const Images& images_;
 };
 
+/// Gives the faces without a material one that is white, rough and double-sided, and appends it to `added`.
+void addDefault(const Document& document, const Host& host, std::vector<AddedMaterial>& added) {
+    const auto lacksMaterial = [&](const Face& face) {
+        const std::uint32_t material = document.states[face.state].material;
+        return material == none || added[material].index < 0;
+    };
+    AddedMaterial material;
+    if (std::any_of(document.faces.begin(), document.faces.end(), lacksMaterial))
+        material.index = host.add(defaultMaterial("default"));
+    for (AddedMaterial& known : added)
+        if (known.index < 0) known = material;
+    added.push_back(material);
+}
+
 }  // namespace
 
-std::vector<AddedMaterial> addMaterials(const Document& document, const Host& host, double from, double to) {
-    std::vector<FileMaterial> materials;
-    for (const std::string& file : document.materialFiles) parseMaterialFile(file, host, materials);
-    const MaterialsByName known = byName(materials, host);
-    const std::vector<const FileMaterial*> used = materialsInUse(document, known, host);
+std::vector<AddedMaterial> addMaterials(const Document& document, const std::string& sceneFile,
+                                        const Host& host, double from, double to) {
+    const MaterialLibrary library(document, sceneFile, host);
+    const std::vector<bool> isUsed = materialsInUse(document);
+    std::vector<const FileMaterial*> used(isUsed.size(), nullptr);
     Images images(host);
     std::vector<MaterialImages> requests(used.size());
-    for (std::size_t i = 0; i < used.size(); ++i)
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        // "usemtl" without a name means none.
+        if (isUsed[i] && !document.materials[i].empty()) used[i] = library.find(document.materials[i]);
         if (used[i]) requests[i] = requestImages(*used[i], images);
+    }
     images.addRequested(from, to);
 
     std::vector<AddedMaterial> added(used.size());
     MaterialImporter importer(host, images);
     for (std::size_t i = 0; i < used.size(); ++i)
         if (used[i]) added[i] = importer.add(*used[i], requests[i]);
+    addDefault(document, host, added);
     return added;
 }
 
 AddedMaterial materialOf(const Document& document, const std::vector<AddedMaterial>& materials,
                          std::size_t face) {
     const std::uint32_t material = document.stateOf(face).material;
-    return material == none ? AddedMaterial{} : materials[material];
+    return material == none ? materials.back() : materials[material];
 }
 
 }  // namespace candela_plugins::obj

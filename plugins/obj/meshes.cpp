@@ -45,8 +45,8 @@ class MeshBuilder {
         return host.add(mesh);
     }
 
-    /// Corners without texture coordinates in a mesh that has some.
-    std::size_t cornersWithoutUv() const { return hasUvs_ ? cornersWithoutUv_ : 0; }
+    /// Corners without texture coordinates of faces with a texture.
+    std::size_t cornersWithoutUv() const { return cornersWithoutUv_; }
 
   private:
     const Corner* corners(std::uint32_t face) const {
@@ -72,9 +72,10 @@ class MeshBuilder {
             submeshes_.push_back({firstIndex, 0, material});
         const std::uint32_t count = document_.cornerCount(face);
         const std::uint32_t flatNormal = flatNormalOf(face);
+        const bool needsUvs = materialOf(document_, materials_, face).readsUvs;
         for (std::uint32_t i = 0; i < count; ++i) {
             const Corner& corner = corners(face)[i];
-            if (corner.uv == none) ++cornersWithoutUv_;
+            if (corner.uv == none && needsUvs) ++cornersWithoutUv_;
             const std::uint32_t normal = corner.normal == none ? flatNormal : corner.normal;
             indices_.push_back(vertices_.indexOf({corner.vertex, corner.uv, normal}));
         }
@@ -118,12 +119,13 @@ class MeshBuilder {
 
 void addMeshes(Document& document, const std::vector<AddedMaterial>& materials, const Host& host,
                double from) {
+    turnFacesToNormals(document);
     addSmoothNormals(document);
     const std::vector<Part> parts = splitFaces(document, SplitAt::objectsAndGroups);
     std::size_t done = 0, cornersWithoutUv = 0;
     for (const Part& part : parts) {
         const MeshBuilder builder(document, part, materials);
-        addNode(part.name, builder.add(host), host);
+        addNode(part.name, document.origin, builder.add(host), host);
         cornersWithoutUv += builder.cornersWithoutUv();
         done += part.faces.size();
         const double share = static_cast<double>(done) / static_cast<double>(document.faces.size());

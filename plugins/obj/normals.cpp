@@ -1,5 +1,6 @@
 #include "normals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -94,7 +95,26 @@ class Smoothing {
     const std::uint32_t first_ = static_cast<std::uint32_t>(document_.normals.size());
 };
 
+/// Whether the normals that the file gives a face lie on the side from which its corners run clockwise.
+bool isTurnedAway(const Document& document, std::size_t face) {
+    const Corner* const corners = &document.corners[document.faces[face].firstCorner];
+    if (corners[0].normal == none) return false;
+    const std::uint32_t count = document.cornerCount(face);
+    Vector sum;
+    for (std::uint32_t i = 0; i < count; ++i)
+        sum = sum + normalized(Vector(document.normals[corners[i].normal]));
+    return dot(sum, newellNormal(document, face)) < 0.0;
+}
+
 }  // namespace
+
+void turnFacesToNormals(Document& document) {
+    for (std::size_t face = 0; face < document.faces.size(); ++face) {
+        if (!isTurnedAway(document, face)) continue;
+        Corner* const corners = &document.corners[document.faces[face].firstCorner];
+        std::reverse(corners, corners + document.cornerCount(face));
+    }
+}
 
 Vec3 faceNormal(const Document& document, std::size_t face) {
     return Vec3(newellNormal(document, face));

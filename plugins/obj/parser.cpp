@@ -1,152 +1,105 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "document.h"
+#include "references.h"
 #include "statement.h"
 
 namespace candela_plugins::obj {
 namespace {
 
-/// The three parts of "v/t/n" as they are written.
-struct Parts {
-    std::array<std::string_view, 3> texts;
-
-    /// Which of texture coordinate and normal are there.
-    bool operator==(const Parts& other) const {
-        return texts[1].empty() == other.texts[1].empty() && texts[2].empty() == other.texts[2].empty();
-    }
-};
-
-[[noreturn]] void failForm(const Statement& statement, std::string_view word) {
-    statement.fail("'" + readable(std::string(word)) + "', but v, v/t, v//n or v/t/n was expected");
-}
-
-Parts partsOf(const Statement& statement, std::string_view word) {
-    Parts parts;
-    std::size_t begin = 0, count = 0;
-    for (std::size_t i = 0; i <= word.size(); ++i) {
-        if (i < word.size() && word[i] != '/') continue;
-        if (count == parts.texts.size()) failForm(statement, word);
-        parts.texts[count++] = word.substr(begin, i - begin);
-        begin = i + 1;
-    }
-    if (parts.texts[0].empty()) failForm(statement, word);
-    return parts;
-}
-
-std::string countOf(std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " is there" : " are there");
-}
-
-/// None when it is out of range; the reason then goes to `reason`.
-std::uint32_t resolved(std::int64_t index, std::size_t count, const char* what, std::string& reason) {
-    const auto signedCount = static_cast<std::int64_t>(count);
-    if (index > 0 && index <= signedCount) return static_cast<std::uint32_t>(index - 1);
-    if (index < 0 && index >= -signedCount) return static_cast<std::uint32_t>(signedCount + index);
-    reason = std::string(what) + " " + std::to_string(index) + ", but " +
-             (index == 0 ? "they count from 1" : countOf(count));
-    return none;
-}
-
+/// Reads the corners of faces: "v", "v/t", "v//n" and "v/t/n".
 class CornerReader {
   public:
-    CornerReader(const Statement& statement, Document& document)
-        : statement_(statement), document_(document) {}
+    explicit CornerReader(Document& document) : document_(document) {}
 
-    Corner read(const Parts& parts) {
-        Corner corner;
-        corner.vertex = need(parts.texts[0], document_.positions.size(), "vertex");
-        if (!parts.texts[1].empty())
-            corner.uv = need(parts.texts[1], document_.uvs.size(), "texture coordinate");
-        if (!parts.texts[2].empty()) corner.normal = normal(parts.texts[2]);
-        return corner;
+    void readFace(Statement& statement) {
+        while (const auto word = statement.word()) document_.corners.push_back(read(statement, *word));
     }
 
   private:
-    std::uint32_t need(std::string_view text, std::size_t count, const char* what) const {
-        std::string reason;
-        const std::uint32_t index = resolved(statement_.integer(text), count, what, reason);
-        if (index == none) statement_.fail(reason);
-        return index;
+    Corner read(const Statement& statement, std::string_view word) {
+        Corner corner;
+        const std::string_view vertex = nextPart(word), uv = nextPart(word), normal = nextPart(word);
+        const std::optional<std::int64_t> index = integerIn(vertex);
+        if (index) corner.vertex = resolved(*index, document_.positions.size());
+        if (corner.vertex >= outOfRange) noteFault(statement, vertex);
+        corner.uv = optionalIndex(uv, document_.uvs.size());
+        corner.normal = optionalIndex(normal, document_.normals.size());
+        return corner;
     }
 
-    std::uint32_t normal(std::string_view text) {
-        std::string reason;
-        const std::uint32_t index =
-            resolved(statement_.integer(text), document_.normals.size(), "normal", reason);
-        if (index == none && !document_.normalFault) document_.normalFault = statement_.failure(reason);
-        return index;
+    static std::uint32_t optionalIndex(std::string_view text, std::size_t count) {
+        if (text.empty()) return none;
+        const std::optional<std::int64_t> index = integerIn(text);
+        return index ? resolved(*index, count) : outOfRange;
     }
 
-    const Statement& statement_;
+    /// The text up to the next '/', which is taken off `word`.
+    static std::string_view nextPart(std::string_view& word) {
+        const std::size_t slash = std::min(word.find('/'), word.size());
+        const std::string_view part = word.substr(0, slash);
+        word.remove_prefix(std::min(slash + 1, word.size()));
+        return part;
+    }
+
+    /// Negative indices count back from the elements read so far; the others may be of elements to come.
+    static std::uint32_t resolved(std::int64_t index, std::size_t count) {
+        if (index > 0 && index <= std::int64_t{outOfRange}) return static_cast<std::uint32_t>(index - 1);
+        const auto signedCount = static_cast<std::int64_t>(count);
+        if (index < 0 && index >= -signedCount) return static_cast<std::uint32_t>(signedCount + index);
+        return outOfRange;
+    }
+
+    void noteFault(const Statement& statement, std::string_view vertex) {
+        if (document_.faceFault) return;
+        const std::size_t count = document_.positions.size();
+        const std::optional<std::int64_t> index = integerIn(vertex);
+        std::string reason =
+            "'" + readable(std::string(vertex)) + "', but the index of a vertex was expected";
+        if (index)
+            reason =
+                "vertex " + std::string(vertex) +
+                (*index == 0 ? ", but they count from 1"
+                             : ", but " + std::to_string(count) + (count == 1 ? " is there" : " are there"));
+        document_.faceFault = LineFault{statement.line(), statement.failure(reason)};
+    }
+
     Document& document_;
 };
 
-void parseCorners(Statement& statement, Document& document) {
-    CornerReader reader(statement, document);
-    std::optional<Parts> form;
-    std::size_t count = 0;
-    for (; const auto word = statement.word(); ++count) {
-        const Parts parts = partsOf(statement, *word);
-        if (form && !(parts == *form)) statement.fail("all corners of a face must have the same form");
-        form = parts;
-        document.corners.push_back(reader.read(parts));
-    }
-    if (count < 3) statement.fail(std::to_string(count) + " corners, but 3 or more were expected");
-}
-
-using Counts = std::array<std::size_t, 3>;
-
-Counts countsOf(const Statement& statement, const Tag& tag, std::string_view word) {
-    Counts counts{};
-    std::size_t slash = 0;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const bool last = i + 1 == counts.size();
-        slash = last ? word.size() : word.find('/');
-        if (slash == std::string_view::npos || slash == 0)
-            throw tag.failure("counts such as 2/1/0 were expected");
-        const std::int64_t count = statement.integer(word.substr(0, slash));
-        // No line has more words: the sum below does not overflow.
-        constexpr std::int64_t maxWords = 1'000'000'000'000;
-        if (count < 0 || count > maxWords) throw tag.failure("counts such as 2/1/0 were expected");
-        counts[i] = static_cast<std::size_t>(count);
-        if (!last) word.remove_prefix(slash + 1);
-    }
-    return counts;
-}
-
-Tag parseTag(Statement& statement) {
-    Tag tag;
-    tag.place = statement.place();
-    tag.name = statement.needWord("the name of a tag");
-    const Counts counts = countsOf(statement, tag, statement.needWord("counts such as 2/1/0"));
-    const std::size_t announced = counts[0] + counts[1] + counts[2], present = statement.wordsLeft();
-    if (announced > present) {
-        throw tag.failure(std::to_string(announced) + " words were expected, but " + std::to_string(present) +
-                          (present == 1 ? " follows" : " follow"));
-    }
-    for (std::size_t i = 0; i < counts[0]; ++i) tag.integers.push_back(statement.integer(*statement.word()));
-    for (std::size_t i = 0; i < counts[1]; ++i) tag.numbers.push_back(statement.number(*statement.word()));
-    for (std::size_t i = 0; i < counts[2]; ++i) tag.texts.emplace_back(*statement.word());
-    tag.surplusWords = statement.wordsLeft();
-    return tag;
-}
-
 // The maximum that `validate` allows.
 constexpr double maxCoordinate = 1e9;
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 /// Vertex colours are from photographs and scans, and are sRGB-encoded (IEC 61966-2-1).
 float linearOf(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
+/// The numbers of a statement; what is no number is NaN.
+struct Numbers {
+    std::array<double, 7> values{};
+    std::size_t count = 0;  ///< Of the words, which may be more than the values.
+
+    /// Whether the first `size` of them are there, and from -limit to limit.
+    bool areWithin(std::size_t size, double limit) const {
+        const auto end = values.begin() + static_cast<std::ptrdiff_t>(size);
+        return count >= size &&
+               std::all_of(values.begin(), end, [&](double value) { return std::abs(value) <= limit; });
+    }
+    Vec3 vector(std::size_t first) const {
+        return {static_cast<float>(values[first]), static_cast<float>(values[first + 1]),
+                static_cast<float>(values[first + 2])};
+    }
+};
+
 class Parser {
   public:
     Parser(const Bytes& file, const Host& host, double progressEnd)
-        : file_(file),
-          host_(host),
-          progressEnd_(progressEnd),
-          lines_({reinterpret_cast<const char*>(file.data), file.size}) {
+        : file_(file), host_(host), progressEnd_(progressEnd), lines_(textOf(file)), corners_(document_) {
         document_.objects.indexOf("");
         document_.groups.indexOf("");
     }
@@ -157,7 +110,8 @@ class Parser {
             Statement statement(lines_.line(), lines_.number(), sceneFile_);
             read(statement);
         }
-        ignored_.note(host_, sceneFile_);
+        decodeColors();
+        notes_.add(host_, sceneFile_);
         if (document_.faces.empty() && !hasOtherGeometry_)
             throw Failure{"", "no face, line or point was found, but an OBJ file was expected"};
         return std::move(document_);
@@ -193,54 +147,131 @@ class Parser {
         } else if (keyword == "mtllib") {
             readLibraries(statement);
         } else if (keyword == "t") {
-            document_.tags.push_back(parseTag(statement));
-        } else {
+            host_.leavesOut([&] { document_.tags.push_back(parseTag(statement)); });
+        } else if (!readInLowerCase(statement, keyword)) {
             countIgnored(statement, keyword);
         }
     }
 
-    void readVertex(Statement& statement) {
-        const std::size_t numbers = statement.wordsLeft();
-        const bool hasColor = numbers == 6 || numbers == 7;
-        if (numbers != 3 && numbers != 4 && !hasColor) {
-            statement.fail(std::to_string(numbers) +
-                           " numbers, but x y z, x y z w or x y z r g b was expected");
-        }
-        requireRoom(statement, document_.positions.size());
-        document_.positions.push_back(readVec3(statement, maxCoordinate));
-        if (hasColor) readColor(statement);
-        if (!hasColor && !document_.colors.empty()) document_.colors.push_back(white);
-        while (const auto weight = statement.word()) statement.number(*weight);
+    /// Some programs write keywords in other cases.
+    bool readInLowerCase(Statement& statement, std::string_view keyword) {
+        constexpr std::string_view known[] = {"v", "vt", "vn", "f", "usemtl", "mtllib"};
+        const std::string lower = lowerCase(keyword);
+        const auto found = std::find(std::begin(known), std::end(known), lower);
+        if (found == std::end(known) || lower == keyword) return false;
+        statement.setKeyword(*found);
+        read(statement);
+        return true;
     }
 
-    void readColor(Statement& statement) {
-        const Vec3 color = readVec3(statement, Statement::maxNumber);
-        for (const float part : {color.x, color.y, color.z})
-            if (part < 0.0f || part > 1.0f) statement.fail("a colour beyond 0 to 1");
-        document_.colors.resize(document_.positions.size() - 1, white);
-        document_.colors.push_back({linearOf(color.x), linearOf(color.y), linearOf(color.z)});
+    Numbers readNumbers(Statement& statement) {
+        Numbers numbers;
+        while (const auto word = statement.word()) {
+            if (numbers.count < numbers.values.size())
+                numbers.values[numbers.count] = numberOf(*word, statement.line());
+            ++numbers.count;
+        }
+        return numbers;
+    }
+
+    double numberOf(std::string_view word, std::size_t line) {
+        if (const auto value = numberIn(word)) return *value;
+        const auto value = numberWithCommaIn(word);
+        if (value) notes_.count(CANDELA_NOTE_REPAIRED, "decimal commas, read as points", line);
+        return value.value_or(std::numeric_limits<double>::quiet_NaN());
+    }
+
+    void readVertex(Statement& statement) {
+        requireRoom(statement, document_.positions.size());
+        const std::string_view text = statement.rest();
+        Numbers numbers = readNumbers(statement);
+        const bool isFlat = numbers.count == 2;
+        if (isFlat) {
+            notes_.count(CANDELA_NOTE_REPAIRED, "vertices of two coordinates: z is taken as 0",
+                         statement.line());
+            numbers.count = 3;
+        }
+        // x y z, x y z w, x y z r g b, and an alpha or a weight behind it.
+        if (numbers.count == 5 || numbers.count > 7)
+            notes_.count(CANDELA_NOTE_REPAIRED,
+                         "vertices of more numbers than x y z r g b: only x y z is used", statement.line());
+        const bool isUsable = numbers.areWithin(3, maxCoordinate);
+        if (!isUsable) noteVertexFault(statement, text);
+        document_.positions.push_back(isUsable ? numbers.vector(0) : Vec3{nan, 0.0f, 0.0f});
+        if (isUsable) keepResidual(numbers);
+        takeColor(numbers);
+    }
+
+    /// Far from the origin single precision is coarser than the file.
+    void keepResidual(const Numbers& numbers) {
+        constexpr double farCoordinate = 16384.0;  // There floats are a millimetre apart.
+        if (document_.residuals.empty() && numbers.areWithin(3, farCoordinate)) return;
+        const std::array<double, 7>& exact = numbers.values;
+        // Read back, and not rounded again: GCC 12 vectorises x - double(float(x)) to 0.
+        const Vec3 position = document_.positions.back();
+        document_.residuals.resize(document_.positions.size());
+        Vec3& residual = document_.residuals.back();
+        residual.x = static_cast<float>(exact[0] - double{position.x});
+        residual.y = static_cast<float>(exact[1] - double{position.y});
+        residual.z = static_cast<float>(exact[2] - double{position.z});
+    }
+
+    void noteVertexFault(const Statement& statement, std::string_view text) {
+        notes_.count(CANDELA_NOTE_INFORMATION, "vertices without three numbers of at most 1e+09",
+                     statement.line());
+        if (document_.vertexFault) return;
+        document_.vertexFault = LineFault{
+            statement.line(),
+            statement.failure(inQuotes(text) + ", but three numbers of at most 1e+09 were expected")};
+    }
+
+    /// As it is in the file: only all of them tell the range.
+    void takeColor(const Numbers& numbers) {
+        const bool hasColor = numbers.count == 6 || numbers.count == 7;
+        std::vector<Vec3>& colors = document_.colors;
+        if (!hasColor && colors.empty()) return;
+        colors.resize(document_.positions.size(), noColor);
+        if (hasColor) colors.back() = numbers.vector(3);
+    }
+
+    /// Colours are 0 to 1, or 0 to 255 in some files.
+    void decodeColors() {
+        float max = 0.0f;
+        for (const Vec3& color : document_.colors)
+            for (const float value : {color.x, color.y, color.z})
+                max = std::max(max, std::isfinite(value) ? value : 0.0f);
+        // What is above 1 by less is taken for an error of rounding.
+        constexpr float maxFraction = 1.5f, maxByte = 255.0f;
+        const bool areBytes = max > maxFraction && max <= maxByte;
+        if (areBytes)
+            host_.note(CANDELA_NOTE_REPAIRED, "", "colours of vertices from 0 to 255: divided by 255");
+        std::size_t held = 0;
+        for (Vec3& color : document_.colors) {
+            const bool isGiven = !isNoColor(color);
+            for (float* const value : {&color.x, &color.y, &color.z}) {
+                const float fraction = areBytes ? *value / maxByte : *value;
+                const float usable = std::isnan(fraction) ? 1.0f : std::clamp(fraction, 0.0f, 1.0f);
+                if (usable != fraction && isGiven) ++held;
+                *value = linearOf(usable);
+            }
+        }
+        if (held > 0)
+            host_.note(CANDELA_NOTE_REPAIRED, "", "colours of vertices beyond 0 to 1: held at the limit");
     }
 
     void readUv(Statement& statement) {
         requireRoom(statement, document_.uvs.size());
-        const float u = statement.needNumber(maxCoordinate);
-        const auto second = statement.word();
-        const float v = second ? statement.number(*second, maxCoordinate) : 0.0f;
-        document_.uvs.push_back({u, 1.0f - v});
-        if (const auto third = statement.word()) statement.number(*third);
+        const Numbers numbers = readNumbers(statement);
+        const bool isUsable = numbers.areWithin(std::clamp<std::size_t>(numbers.count, 1, 2), maxCoordinate);
+        const auto u = static_cast<float>(numbers.values[0]), v = static_cast<float>(numbers.values[1]);
+        document_.uvs.push_back(isUsable ? Vec2{u, 1.0f - v} : Vec2{nan, 0.0f});
     }
 
     void readNormal(Statement& statement) {
         requireRoom(statement, document_.normals.size());
-        document_.normals.push_back(readVec3(statement, Statement::maxNumber));
-    }
-
-    static Vec3 readVec3(Statement& statement, double limit) {
-        Vec3 vector;
-        vector.x = statement.needNumber(limit);
-        vector.y = statement.needNumber(limit);
-        vector.z = statement.needNumber(limit);
-        return vector;
+        const Numbers numbers = readNumbers(statement);
+        const bool isUsable = numbers.areWithin(3, Statement::maxNumber);
+        document_.normals.push_back(isUsable ? numbers.vector(0) : Vec3{nan, 0.0f, 0.0f});
     }
 
     void readFace(Statement& statement) {
@@ -249,51 +280,58 @@ class Parser {
         document_.faces.push_back({static_cast<std::uint32_t>(document_.corners.size()),
                                    static_cast<std::uint32_t>(document_.states.size() - 1),
                                    static_cast<std::uint32_t>(statement.line())});
-        parseCorners(statement, document_);
+        corners_.readFace(statement);
     }
 
     void readSmoothing(Statement& statement) {
-        const std::string_view word = statement.needWord("a number or 'off'");
-        if (word == "off" || word == "on") {
-            state_.smoothing = word == "on" ? 1 : 0;
-            return;
-        }
-        const std::int64_t group = statement.integer(word);
-        if (group < 0 || group >= none) statement.fail("a group from 0 to 4294967294 was expected");
-        state_.smoothing = static_cast<std::uint32_t>(group);
+        const std::string_view word = statement.word().value_or("off");
+        const std::optional<std::int64_t> group = integerIn(word);
+        const bool isGroup = group && *group >= 0 && *group < std::int64_t{none};
+        if (!isGroup && word != "on" && word != "off")
+            notes_.count(CANDELA_NOTE_REPAIRED,
+                         "smoothing groups that are neither a number nor 'off': taken as off",
+                         statement.line());
+        state_.smoothing = isGroup ? static_cast<std::uint32_t>(*group) : word == "on" ? 1 : 0;
     }
 
     void readLibraries(Statement& statement) {
         const std::vector<std::string> names = libraryNames(statement.rest());
-        if (names.empty()) statement.fail("a file name was expected");
-        for (const std::string& name : names) document_.materialFiles.push_back(besideFile("", name));
+        if (names.empty())
+            notes_.count(CANDELA_NOTE_REPAIRED, "mtllib without the name of a file: not used",
+                         statement.line());
+        for (const std::string& name : names) document_.materialFiles.indexOf(name);
     }
 
     /// Counts statements that are not drawn, not used or not known. Those that are part of a free-form shape,
-    /// which is counted, are skipped.
+    /// which is counted, and those of other renderers are skipped.
     void countIgnored(const Statement& statement, std::string_view keyword) {
         struct Geometry {
-            std::string_view keyword, kind;
+            std::string_view keyword;
+            const char* text;
         };
         static constexpr Geometry geometries[] = {
-            {"l", "lines (l)"},          {"p", "points (p)"},         {"curv", "curves (curv)"},
-            {"curv2", "curves (curv2)"}, {"surf", "surfaces (surf)"}, {"bzp", "patches (bzp)"},
-            {"bsp", "patches (bsp)"},    {"cdp", "patches (cdp)"},    {"cdc", "curves (cdc)"}};
-        static constexpr std::string_view freeForm[] = {"vp",   "cstype", "deg",   "bmat", "step", "parm",
-                                                        "trim", "hole",   "scrv",  "sp",   "end",  "con",
-                                                        "mg",   "res",    "ctech", "stech"};
-        static constexpr std::string_view unused[] = {"bevel",  "c_interp",   "d_interp",  "lod",  "usemap",
-                                                      "maplib", "shadow_obj", "trace_obj", "call", "csh"};
+            {"l", "not drawn: lines (l)"},          {"p", "not drawn: points (p)"},
+            {"curv", "not drawn: curves (curv)"},   {"curv2", "not drawn: curves (curv2)"},
+            {"surf", "not drawn: surfaces (surf)"}, {"bzp", "not drawn: patches (bzp)"},
+            {"bsp", "not drawn: patches (bsp)"},    {"cdp", "not drawn: patches (cdp)"},
+            {"cdc", "not drawn: curves (cdc)"}};
+        static constexpr std::string_view skipped[] = {
+            "vp",    "cstype",   "deg",      "bmat", "step",       "parm",     "trim",  "hole",
+            "scrv",  "sp",       "end",      "con",  "mg",         "res",      "ctech", "stech",
+            "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj"};
+        static constexpr std::string_view missing[] = {"usemap", "maplib", "call", "csh"};
         for (const Geometry& geometry : geometries) {
             if (keyword != geometry.keyword) continue;
             hasOtherGeometry_ = true;
-            return ignored_.count("not drawn", geometry.kind, statement.line());
+            return notes_.count(CANDELA_NOTE_MISSING, geometry.text, statement.line());
         }
-        for (const std::string_view part : freeForm)
-            if (keyword == part) return;
-        for (const std::string_view known : unused)
-            if (keyword == known) return ignored_.count("not used", keyword, statement.line());
-        ignored_.count("not known", keyword, statement.line());
+        const auto isOneOf = [&](const auto& known) {
+            return std::find(std::begin(known), std::end(known), keyword) != std::end(known);
+        };
+        if (isOneOf(skipped)) return;
+        if (isOneOf(missing))
+            return notes_.count(CANDELA_NOTE_MISSING, "not used: " + std::string(keyword), statement.line());
+        notes_.countUnknown(keyword, statement.line());
     }
 
     /// Indices have 32 bits, and a face adds fewer corners than a file of 4 GiB can hold.
@@ -302,7 +340,12 @@ class Parser {
         if (count >= maxCount) statement.fail("there are more than 2147483648 of them");
     }
 
-    static constexpr Vec3 white{1.0f, 1.0f, 1.0f};
+    /// Of a vertex without a colour in a file that has some: it is white.
+    static constexpr Vec3 noColor{nan, nan, nan};
+
+    static bool isNoColor(const Vec3& color) {
+        return std::isnan(color.x) && std::isnan(color.y) && std::isnan(color.z);
+    }
 
     const Bytes file_;
     const Host& host_;
@@ -311,14 +354,16 @@ class Parser {
     Lines lines_;
     std::size_t nextProgress_ = 0;
     Document document_;
+    CornerReader corners_;
     FaceState state_;
-    IgnoredStatements ignored_;
+    LineNotes notes_;
     bool hasOtherGeometry_ = false;
 };
 
 }  // namespace
 
 Document parseObj(const Bytes& file, const Host& host, double progressEnd) {
+    if (isUtf16(textOf(file))) throw Failure{"", "UTF-16 text, but an OBJ file is UTF-8"};
     return Parser(file, host, progressEnd).parse();
 }
 

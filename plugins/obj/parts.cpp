@@ -32,14 +32,17 @@ std::vector<Part> splitFaces(const Document& document, SplitAt splitAt) {
                    });
     for (std::size_t face = 0; face < document.faces.size(); ++face)
         parts[partOfState[document.faces[face].state]].faces.push_back(static_cast<std::uint32_t>(face));
+    std::erase_if(parts,
+                  [](const Part& part) { return part.faces.empty(); });  // All of its faces were left out.
     return parts;
 }
 
-std::int32_t addNode(const std::string& name, std::int32_t mesh, const Host& host) {
+std::int32_t addNode(const std::string& name, const Vec3& origin, std::int32_t mesh, const Host& host) {
     candela_node node{};
     node.struct_size = sizeof node;
     node.name = name.c_str();
     node.parent = -1;
+    std::copy_n(&origin.x, 3, node.translation);
     node.rotation[3] = 1.0f;
     std::fill_n(node.scale, 3, 1.0f);
     node.mesh = mesh;

@@ -25,8 +25,8 @@ enum class SplitAt {
 /// they stand. Its name is that of the object, of the group, or "object/group".
 std::vector<Part> splitFaces(const Document& document, SplitAt splitAt);
 
-/// Adds a root node at the origin with the mesh, -1 for none, and returns its index.
-std::int32_t addNode(const std::string& name, std::int32_t mesh, const Host& host);
+/// Adds a root node at `origin` with the mesh, -1 for none, and returns its index.
+std::int32_t addNode(const std::string& name, const Vec3& origin, std::int32_t mesh, const Host& host);
 
 /// Adds the faces as polygons: a mesh and a node for each object and each of its groups. `materials` holds
 /// those of the document. Progress goes from `from` to 1.

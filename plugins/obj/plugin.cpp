@@ -18,8 +18,10 @@ void importFile(const std::string& name, const Query& query, const Host& host) {
     host.progress(0.0);
     Document document = parseObj(host.readFile(name), host, documentRead);
     const bool asCages = query.subdivide || !document.tags.empty();
-    if (!asCages && document.normalFault) throw *document.normalFault;
-    const std::vector<AddedMaterial> materials = addMaterials(document, host, documentRead, materialsAdded);
+    repairFaces(document, asCages ? Surface::cages : Surface::polygons, host);
+    recentre(document);
+    const std::vector<AddedMaterial> materials =
+        addMaterials(document, name, host, documentRead, materialsAdded);
     if (asCages)
         addCages(document, query, materials, host, materialsAdded);
     else

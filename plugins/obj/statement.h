@@ -20,6 +20,7 @@ class Statement {
     Statement(std::string_view line, std::size_t lineNumber, const std::string& file);
 
     std::string_view keyword() const { return keyword_; }
+    void setKeyword(std::string_view keyword) { keyword_ = keyword; }
     std::size_t line() const { return lineNumber_; }
 
     /// The rest of the line: a name, which may hold blanks and '#'.
@@ -50,11 +51,27 @@ class Statement {
     const std::string* file_;
 };
 
-/// The number that all of `word` is, if it is one.
+/// The number that all of `word` is, if it is one; also infinite, or NaN.
 std::optional<double> numberIn(std::string_view word);
+/// The same of a number with a decimal comma, such as "1,5".
+std::optional<double> numberWithCommaIn(std::string_view word);
+/// The whole number that all of `word` is, if it is one. Too large ones become the nearest that fits.
+std::optional<std::int64_t> integerIn(std::string_view word);
 
-/// The lines of an OBJ or MTL file. Lines that are continued by a backslash at their end are joined; empty
-/// lines, comments and the blanks around a line are omitted.
+/// ASCII letters in lower case.
+std::string lowerCase(std::string_view text);
+
+/// The words of a text, which are separated by blanks.
+std::vector<std::string_view> wordsOf(std::string_view text);
+
+/// The bytes of a file as text.
+std::string_view textOf(const Bytes& file);
+
+/// Whether the bytes are UTF-16 text, with or without a byte order mark.
+bool isUtf16(std::string_view text);
+
+/// The lines of an OBJ or MTL file, which end with "\n", "\r\n" or "\r". Lines that are continued by a
+/// backslash at their end are joined; empty lines, comments and the blanks around a line are omitted.
 class Lines {
   public:
     explicit Lines(std::string_view text);
@@ -75,6 +92,8 @@ class Lines {
     std::string_view text_, line_;
     std::string joined_;
     std::size_t position_ = 0, linesRead_ = 0, number_ = 0;
+    std::size_t newline_ = 0;     ///< The first line feed at `position_` or behind it; the size for none.
+    std::size_t emptyLines_ = 0;  ///< Before `position_`, not yet part of `linesRead_`.
 };
 
 /// Without the blanks at both ends. A carriage return is a blank.
@@ -82,29 +101,29 @@ std::string_view trimmed(std::string_view text);
 
 bool isBlank(char c);
 
-/// The files that "mtllib" names. A name may hold blanks: it ends with a word that ends in ".mtl", or with
-/// the line.
-std::vector<std::string> libraryNames(std::string_view rest);
+/// "'word'", for messages.
+std::string inQuotes(std::string_view text);
 
-/// A file that `owner` (a path relative to the scene's folder) names: relative to the folder of `owner`, and
-/// with '/' in place of '\'.
-std::string besideFile(const std::string& owner, std::string_view name);
-
-/// Counts the statements of a file that are not drawn or not used, for one note of each kind.
-class IgnoredStatements {
+/// Counts what statements of one file give rise to, for one note of each kind with the number of times and
+/// the first line.
+class LineNotes {
   public:
-    /// `what` begins the note: "not drawn", "not used"; `kind` is the kind of statement.
-    void count(std::string_view what, std::string_view kind, std::size_t line);
+    /// `text` names no line: "not drawn: lines (l)".
+    void count(candela_note_kind kind, std::string_view text, std::size_t line);
+    /// A statement or an option that is not known.
+    void countUnknown(std::string_view name, std::size_t line);
     /// `file` is the name of a file other than the scene's own, or empty.
-    void note(const Host& host, const std::string& file) const;
+    void add(const Host& host, const std::string& file) const;
 
   private:
-    struct Kind {
-        std::string what, name;
-        std::size_t count = 0, firstLine = 0;
+    struct Entry {
+        candela_note_kind kind;
+        std::string text;
+        std::size_t count, firstLine;
     };
-    std::vector<Kind> kinds_;
-    std::size_t others_ = 0;
+
+    std::vector<Entry> entries_, unknown_;
+    std::size_t otherUnknown_ = 0;
 };
 
 /// Notes the number of corners without texture coordinates of faces that need them.

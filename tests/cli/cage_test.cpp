@@ -73,10 +73,10 @@ TEST_F(Cages, ShowTheirLinesOverThePicture) {
     EXPECT_NE(with("cage"), with("wireframe"));
 }
 
-TEST_F(Cages, AreRejectedByName) {
+TEST_F(Cages, AreRejectedByNameWhenStrict) {
     folder.write("sharp.obj", std::string(cube) + "t crease 2/1/0 0 6 2.0\n");
-    const CommandResult result = runCommand({"sharp.obj"}, {.folder = folder.path()});
-    expectFault(result, "sharp.obj", "line 15: t crease: no face has the edge 0 6");
+    const CommandResult result = runCommand({"sharp.obj", "--strict"}, {.folder = folder.path()});
+    expectFault(result, "sharp.obj", "line 15, t crease, edge 0 6: an edge of no face: not used");
 }
 
 }  // namespace

@@ -166,5 +166,26 @@ TEST_F(FilePolicy, SceneFileThatIsALink) {
     EXPECT_EQ(noteLines(importScene(plugins, link.string())), Lines{"inside.txt: 5"});
 }
 
+TEST_F(FilePolicy, AnOptionalFileIsFoundInAnotherCase) {
+    const std::string note = "': read, though its name differs in upper and lower case";
+    EXPECT_EQ(read("?DEEP/er/File.TXT"), (Lines{"file 'DEEP/er/File.TXT" + note, "DEEP/er/File.TXT: 3"}));
+    // The very name first, and else the first one by bytes.
+    folder.write("scene/a.PNG", "1");
+    folder.write("scene/a.png", "22");
+    folder.write("scene/A.png", "333");
+    EXPECT_EQ(read("?a.png"), Lines{"a.png: 2"});
+    EXPECT_EQ(read("?A.PNG").at(1), "A.PNG: 3");
+    EXPECT_EQ(read("?missing.PNG").at(0), "missing.PNG: file 'missing.PNG': No such file or directory");
+}
+
+TEST_F(FilePolicy, NoNameOutsideTheFolderIsTriedInAnotherCase) {
+    fs::create_directory_symlink(folder.path(), folder.path() / "scene" / "up");
+    EXPECT_EQ(read("?up/OUTSIDE.txt").size(), 1u);
+    EXPECT_EQ(read("?../OUTSIDE.txt").at(0),
+              "../OUTSIDE.txt: file '../OUTSIDE.txt': it leads out of the scene's folder");
+    fs::create_symlink("../outside.txt", folder.path() / "scene" / "link");
+    EXPECT_EQ(read("?LINK").at(0), "LINK: file 'link': a symbolic link leads out of the scene's folder");
+}
+
 }  // namespace
 }  // namespace candela

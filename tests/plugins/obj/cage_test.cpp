@@ -179,12 +179,13 @@ TEST(ObjCage, textureCoordinatesHaveTheirOwnTopology) {
               (std::vector<glm::vec2>{{0, 1}, {.5f, 1}, {.5f, 0}, {0, 0}, {.75f, 1}, {1, 1}, {1, 0}}));
 }
 
-TEST(ObjCage, missingTextureCoordinatesAreZeroAndNoted) {
+TEST(ObjCage, missingTextureCoordinatesAreZero) {
     const auto imported = loadObj(squareVertices() + "vt 1 1\nf 1/1 2/1 3/1\nf 1 3 4\n", {}, "?subdivide");
     const candela::Cage& cage = imported.scene.cages.at(0);
     EXPECT_EQ(cage.uvs, (std::vector<glm::vec2>{{1, 0}, {0, 0}}));
     EXPECT_EQ(cage.faceUvs, (Numbers{0, 0, 0, 1, 1, 1}));
-    EXPECT_TRUE(hasNote(imported, "3 corners have no texture coordinate and take (0, 0)"));
+    // No material reads them.
+    EXPECT_TRUE(imported.report.notes.empty());
 }
 
 TEST(ObjCage, facesKeepTheirMaterials) {
@@ -192,8 +193,9 @@ TEST(ObjCage, facesKeepTheirMaterials) {
                                   {{"a.mtl", "newmtl b\n"}}, "?subdivide");
     const candela::Cage& cage = imported.scene.cages.at(0);
     ASSERT_EQ(cage.faceMaterials.size(), 2u);
-    EXPECT_FALSE(cage.faceMaterials[0].has_value());
+    EXPECT_EQ(cage.faceMaterials[0], 1u);
     EXPECT_EQ(cage.faceMaterials[1], 0u);
+    EXPECT_EQ(imported.scene.materials.at(1).name, "default");
 }
 
 TEST(ObjCage, eachObjectIsASeparateCage) {
@@ -232,6 +234,64 @@ TEST(ObjCage, missingNormalsAreIgnored) {
     EXPECT_EQ(
         cageOf(squareVertices() + "vt 0 0\nf 1/1/1 2/1/2 3/1/3\nt interpolateboundary 1/0/0 2\n").faceSizes,
         Numbers{3});
+}
+
+TEST(ObjCage, TagsThatCannotBeUsedAreLeftOut) {
+    const std::vector<std::pair<const char*, const char*>> cases{
+        {"t hole 1/0 1", "line 15: t hole: counts such as 2/1/0 were expected"},
+        {"t hole 1/x/0 1", "line 15: t: 'x' is not a whole number"},
+        {"t hole -1/0/0 1", "line 15: t hole: counts such as 2/1/0 were expected"},
+        {"t hole 999999999999999/0/0 1", "line 15: t hole: counts such as 2/1/0 were expected"},
+        {"t hole 2/0/0 1", "line 15: t hole: 2 words were expected, but 1 follows"},
+        {"t hole 1/0/0 1.5", "line 15: t: '1.5' is not a whole number"},
+        {"t hole 1/0/0 6", "line 15: t hole: face 6, but 0 to 5 was expected"},
+        {"t hole 1/0/0 -1", "line 15: t hole: face -1, but 0 to 5 was expected"},
+        {"t hole 0/0/0", "line 15: t hole: no face is named"},
+        {"t crease 2/1/0 0 1 nan", "line 15: t: 'nan', but a number of at most 3e+38 was expected"},
+        {"t crease 2/1/0 0 1 -1", "line 15: t crease: sharpness -1.000000, but 0 or more was expected"},
+        {"t crease 2/1/0 0 8 1", "line 15: t crease: vertex 8, but 0 to 7 was expected"},
+        {"t crease 3/1/0 0 1 2 1", "line 15: t crease: 3 vertices, but pairs were expected"},
+        {"t crease 4/3/0 0 1 1 2 1 2 3",
+         "line 15: t crease: 3 numbers, but one sharpness or one a pair of vertices was expected"},
+        {"t crease 2/0/0 0 1",
+         "line 15: t crease: 0 numbers, but one sharpness or one a pair of vertices was expected"},
+        {"t corner 0/1/0 1", "line 15: t corner: no vertex is named"},
+        {"t corner 1/1/0 8 1", "line 15: t corner: vertex 8, but 0 to 7 was expected"},
+        {"t corner 1/1/0 1 -2", "line 15: t corner: sharpness -2.000000, but 0 or more was expected"},
+        {"t corner 1/2/0 1 2 3",
+         "line 15: t corner: 2 numbers, but one sharpness or one a vertex was expected"},
+        {"t interpolateboundary 1/0/0 3", "line 15: t interpolateboundary: 3, but 0 to 2 was expected"},
+        {"t interpolateboundary 0/0/0", "line 15: t interpolateboundary: one whole number was expected"},
+        {"t facevaryinginterpolateboundary 1/0/0 6",
+         "line 15: t facevaryinginterpolateboundary: 6, but 0 to 5 was expected"},
+        {"t facevaryingpropagatecorners 2/0/0 1 1",
+         "line 15: t facevaryingpropagatecorners: one whole number was expected"},
+        {"t creasemethod 0/0/1 round",
+         "line 15: t creasemethod: 'round', but 'normal' or 'chaikin' was expected"},
+        {"t creasemethod 0/0/0", "line 15: t creasemethod: 'normal' or 'chaikin' was expected"},
+        {"t smoothtriangles 1/0/0 3",
+         "line 15: t smoothtriangles: '3', but 'catmark', 'smooth', 1 or 2 was expected"}};
+    for (const auto& [tag, note] : cases) {
+        // Another tag makes it a cage.
+        const auto imported = loadObj(cube() + tag + "\nt corner 1/1/0 0 3\n");
+        ASSERT_EQ(imported.scene.cages.size(), 1u) << tag;
+        EXPECT_EQ(imported.scene.cages[0].corners.size(), 1u) << tag;
+        EXPECT_TRUE(imported.scene.cages[0].creases.empty() && imported.scene.cages[0].holes.empty()) << tag;
+        EXPECT_EQ(noteLines(imported), Lines{std::string(note) + ": left out"});
+    }
+}
+
+TEST(ObjCage, ACreaseThatIsNoEdgeIsNotUsed) {
+    const auto imported = loadObj(cube() + "t crease 4/1/0 0 6 0 1 2\nt crease 2/1/0 1 7 1\n");
+    EXPECT_EQ(imported.scene.cages.at(0).creases.size(), 1u);
+    EXPECT_EQ(noteLines(imported),
+              Lines{"line 15, t crease, edge 0 6 and 1 more: an edge of no face: not used"});
+}
+
+TEST(ObjCage, WhatOnlyLooksLikeATagMakesNoCage) {
+    const auto imported = loadObj(squareVertices() + "t 0.5 0.5\nf 1 2 3\n");
+    EXPECT_EQ(imported.scene.meshes.size(), 1u);
+    EXPECT_EQ(imported.report.notes.size(), 1u);
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ void fuzz(const std::string& obj, Target target, const std::string& query) {
     folder.write("c.png", makePng(2, 2, 1, 2, 3, 4));
     folder.write("a.mtl", mtl);
     const std::string path = folder.write("scene.obj", obj) + query;
-    int accepted = 0, rejected = 0;
+    int accepted = 0, noted = 0;
     for (int round = 0; round < rounds; ++round) {
         Random random(static_cast<Random::result_type>(round));
         std::string changed = target == Target::materials ? mtl : obj;
@@ -146,18 +146,17 @@ void fuzz(const std::string& obj, Target target, const std::string& query) {
         folder.write(target == Target::materials ? "a.mtl" : "scene.obj", changed);
         const auto start = std::chrono::steady_clock::now();
         try {
-            loadPath(path);
+            noted += !loadPath(path).report.notes.empty();
             ++accepted;
         } catch (const candela::Error& error) {
             EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-            ++rejected;
         }
         // Such a file takes about a millisecond; a minute is a hang on any machine.
         EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes(1)) << "round " << round;
     }
-    // The mutations have to exercise both outcomes.
-    EXPECT_GT(accepted, rounds / 50);
-    EXPECT_GT(rejected, rounds / 50);
+    // The mutations have to exercise both: most break a part, and hardly one breaks the whole file.
+    EXPECT_GT(accepted, rounds / 2);
+    EXPECT_GT(noted, rounds / 50);
 }
 
 TEST(ObjFuzz, unmodifiedFilesAreAccepted) {

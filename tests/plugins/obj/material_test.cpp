@@ -163,14 +163,15 @@ TEST(ObjMaterial, aFileNameMayBeANumber) {
     EXPECT_EQ(imported.scene.images.at(0).name, "5");
 }
 
-TEST(ObjMaterial, optionsWithoutEffectAreNoted) {
-    const auto imported = loadMaterial(
-        "map_Kd -blendu on -mm 0 1 -t 1 1 1 -texres 512 -boost 2 -new 3 c.png\n", {{"c.png", png(1, 2, 3)}});
-    for (const char* option : {"-blendu", "-mm", "-t", "-texres", "-boost"})
-        EXPECT_TRUE(
-            hasNote(imported, "a.mtl: not used: option " + std::string(option) + " (once, in line 2)"));
-    EXPECT_TRUE(hasNote(imported, "a.mtl: not known: option -new (once, in line 2)"));
+TEST(ObjMaterial, optionsThatAreNotDrawnAreNoted) {
+    const auto imported =
+        loadMaterial("map_Kd -blendu on -mm 0.5 1 -t 1 1 1 -texres 512 -boost 2 -new 3 c.png\n",
+                     {{"c.png", png(1, 2, 3)}});
+    EXPECT_EQ(noteLines(imported), (Lines{"a.mtl: not drawn: option -mm (once, in line 2)",
+                                          "a.mtl: not drawn: option -t (once, in line 2)",
+                                          "a.mtl: not known: option -new (once, in line 2)"}));
     EXPECT_EQ(imported.scene.images.size(), 1u);
+    EXPECT_TRUE(loadMaterial("map_Kd -mm 0 1 c.png\n", {{"c.png", png(1, 2, 3)}}).report.notes.empty());
 }
 
 TEST(ObjMaterial, optionsThatDifferAreNoted) {
@@ -217,25 +218,19 @@ TEST(ObjMaterial, missingTextureCoordinatesAreZero) {
     EXPECT_TRUE(hasNote(imported, "4 corners have no texture coordinate and take (0, 0)"));
 }
 
-TEST(ObjMaterial, anUnknownMaterialIsNoted) {
-    const auto imported = loadObj(squareVertices() + "usemtl gone\nf 1 2 3\n");
-    EXPECT_TRUE(hasNote(imported, "material 'gone': in no material file"));
-    EXPECT_FALSE(imported.scene.meshes.at(0).submeshes.at(0).material.has_value());
-}
-
-TEST(ObjMaterial, unsupportedStatementsAreNoted) {
+TEST(ObjMaterial, statementsThatAreNotDrawnAreNoted) {
     const auto imported = loadMaterial(
-        "Ka 1 1 1\nKs 1 1 1\nillum 2\nPs 1\nPc 1\nPcr 1\naniso 1\n"
-        "map_Bump -bm 2 h.png\nKd spectral a.rfl\nwhat 3\n");
-    for (const char* keyword : {"Ka", "Ks", "illum", "Ps", "Pc", "Pcr", "aniso", "map_Bump"})
-        EXPECT_TRUE(hasNote(imported, "a.mtl: not used: " + std::string(keyword) + " (once")) << keyword;
-    EXPECT_TRUE(hasNote(imported, "a.mtl: not used: Kd other than r g b (once, in line 10)"));
-    EXPECT_TRUE(hasNote(imported, "a.mtl: not known: what (once, in line 11)"));
+        "Ps 1\nPc 1\naniso 1\nmap_Ns c.png\ndisp c.png\nrefl c.png\nd -halo 1\nKd spectral a.rfl\nwhat 3\n");
+    for (const char* keyword : {"Ps", "Pc", "aniso", "map_Ns", "disp", "refl", "option -halo of d"})
+        EXPECT_TRUE(hasNote(imported, "a.mtl: not drawn: " + std::string(keyword) + " (once")) << keyword;
+    EXPECT_TRUE(hasNote(imported, "a.mtl: not used: Kd other than r g b (once, in line 9)"));
+    EXPECT_TRUE(hasNote(imported, "a.mtl: not known: what (once, in line 10)"));
+    EXPECT_EQ(imported.report.notes.size(), 9u);
 }
 
 TEST(ObjMaterial, anUnsupportedImageFormatIsNotedAndOmitted) {
     const auto imported = loadMaterial("map_Kd c.tga\nmap_d c.tga\n", {{"c.tga", "xxxx"}});
-    EXPECT_TRUE(hasNote(imported, "'c.tga': neither a PNG nor a JPEG file: left out"));
+    EXPECT_TRUE(hasNote(imported, "a.mtl, line 2: map_Kd 'c.tga': neither a PNG nor a JPEG file: left out"));
     EXPECT_TRUE(imported.scene.images.empty());
     EXPECT_FALSE(imported.scene.materials.at(0).baseColorTexture.has_value());
 }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "../../import/note_lines.h"
 #include "../gltf/loading.h"
 
 namespace candela_test {
