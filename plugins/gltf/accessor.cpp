@@ -70,6 +70,13 @@ std::string expectation(int components, Encodings allowed) {
     return text;
 }
 
+/// "normalized" means nothing for 32-bit numbers, and for indices.
+Encoding encodingOf(const tinygltf::Accessor& accessor, Encodings allowed) {
+    const bool isIndex = allowed.data() == indexEncodings;
+    const bool is32Bit = componentSize(accessor.componentType) == 4;
+    return {accessor.componentType, accessor.normalized && !isIndex && !is32Bit};
+}
+
 /// An accessor of validated type, and its name in messages.
 struct Checked {
     const tinygltf::Accessor& accessor;
@@ -84,7 +91,7 @@ Checked check(const Document& document, int index, int components, Encodings all
               const std::string& element) {
     requireAccessor(document, index, element);
     const tinygltf::Accessor& accessor = document.model.accessors.at(static_cast<std::size_t>(index));
-    const Encoding encoding{accessor.componentType, accessor.normalized};
+    const Encoding encoding = encodingOf(accessor, allowed);
     const int found = componentCount(accessor);
     Checked checked{accessor, element, "accessor " + std::to_string(index),
                     componentSize(accessor.componentType) * static_cast<std::uint64_t>(components)};

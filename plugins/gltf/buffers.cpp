@@ -196,8 +196,39 @@ Bytes findBytes(const Source& source, std::size_t index, const std::string& elem
 
 }  // namespace
 
+namespace {
+
+/// What exporters mean by a URI that is not percent-encoded, or has the separators of Windows.
+std::vector<std::string> otherPaths(const std::string& uri) {
+    std::string slashes = uri;
+    std::replace(slashes.begin(), slashes.end(), '\\', '/');
+    std::vector<std::string> paths;
+    if (uri.find('%') != std::string::npos) paths.push_back(uri);
+    if (slashes != uri) paths.push_back(slashes);
+    return paths;
+}
+
+Bytes readFile(const std::string& uri, const std::string& element, const Host& host) {
+    try {
+        return host.readOptionalFile(pathOfUri(uri, element), element);
+    } catch (const Failure& failure) {
+        for (const std::string& path : otherPaths(uri)) {
+            try {
+                const Bytes bytes = host.readOptionalFile(path, element);
+                host.note(CANDELA_NOTE_REPAIRED, element, "a path in place of a URI, read as it is");
+                return bytes;
+            } catch (const Failure&) {
+                // The first reason is told.
+            }
+        }
+        throw failure;
+    }
+}
+
+}  // namespace
+
 Bytes loadUri(const std::string& uri, const std::string& element, Storage& storage, const Host& host) {
-    if (!isDataUri(uri)) return host.readOptionalFile(pathOfUri(uri, element), element);
+    if (!isDataUri(uri)) return readFile(uri, element, host);
     const std::vector<std::uint8_t>& data = storage.emplace_back(decodeDataUri(uri, element));
     return {data.data(), data.size()};
 }

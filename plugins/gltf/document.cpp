@@ -156,6 +156,41 @@ std::vector<SkinSource> takeSkins(Json& document) {
     return skins;
 }
 
+bool isNormalizable(const tinygltf::Accessor& accessor) {
+    return accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+           accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+}
+
+/// Whether an attribute has numbers that only KHR_mesh_quantization allows.
+bool isQuantized(const std::string& attribute, const tinygltf::Accessor& accessor) {
+    if (accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT) return false;
+    if (attribute.starts_with("TEXCOORD_")) return !accessor.normalized || !isNormalizable(accessor);
+    return attribute == "POSITION" || attribute == "NORMAL" || attribute == "TANGENT";
+}
+
+/// Integers that lack "normalized" or the extension that allows them have only one meaning.
+void repairEncodings(Document& document, const Host& host) {
+    for (std::size_t i = 0; i < document.model.meshes.size(); ++i) {
+        const tinygltf::Mesh& mesh = document.model.meshes[i];
+        const auto note = [&](const std::string& text) {
+            host.note(CANDELA_NOTE_REPAIRED, elementName("mesh", i, mesh.name), text);
+        };
+        for (const tinygltf::Primitive& primitive : mesh.primitives) {
+            for (const auto& [name, index] : primitive.attributes) {
+                tinygltf::Accessor& accessor = document.model.accessors.at(static_cast<std::size_t>(index));
+                const bool isFraction = name.starts_with("COLOR_") || name.starts_with("WEIGHTS_");
+                if (isFraction && isNormalizable(accessor) && !accessor.normalized) {
+                    accessor.normalized = true;
+                    note("integers in " + name + " without \"normalized\", taken as fractions");
+                }
+                if (document.quantized || !isQuantized(name, accessor)) continue;
+                document.quantized = true;
+                note("integers in " + name + " without KHR_mesh_quantization, read as it says");
+            }
+        }
+    }
+}
+
 void loadModel(tinygltf::Model& model, const Json& document) {
     const std::string text = document.dump();
     if (text.size() > std::numeric_limits<unsigned int>::max()) throw Failure{"JSON", "is larger than 4 GiB"};
@@ -191,6 +226,7 @@ Document readDocument(const Bytes& text, const Host& host) {
     document.imageSources = takeSources(json, "images");
     document.skins = takeSkins(json);
     loadModel(document.model, json);
+    repairEncodings(document, host);
     noteDeformations(document, host);
     return document;
 }

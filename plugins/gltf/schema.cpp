@@ -234,7 +234,7 @@ class Checker {
         const auto& values = property.values;
         if (std::find(values.begin(), values.end(), text) != values.end()) return;
         std::string expected;
-        for (const std::string_view known : values) {
+        for (const std::string_view& known : values) {
             const bool isLast = &known == &values.back();
             expected += (expected.empty() ? "" : isLast ? " or " : ", ") + std::string(known);
         }

@@ -149,7 +149,7 @@ std::vector<Case> brokenMeshes() {
          wheelWithTexcoords([](GltfFile& f) {
              f.addData<std::uint16_t>("VEC2", {1, 2, 3, 4, 5, 6});
          }),
-         {"attribute TEXCOORD_0", "VEC2 of UNSIGNED_SHORT"}},
+         {"mesh 0 'wheel'", "TEXCOORD_0 without KHR_mesh_quantization"}},
         {"matrixType",
          wheelWithTexcoords([](GltfFile& f) { f.addAccessor(0, "MAT2", 5126, 1); }),
          {"accessor 2"}},

@@ -31,6 +31,7 @@ struct OldHost {
         };
         functions.note = [](void*, const char*) {};
         functions.progress = [](void*, double) { return CANDELA_OK; };
+        functions.add_material = [](void*, const candela_material*) { return 0; };
         functions.add_mesh = [](void* self, const candela_mesh*) {
             return static_cast<OldHost*>(self)->nextIndex++;
         };
