@@ -31,6 +31,16 @@ layout(binding = INSTANCE_COLORS_UNIT) uniform samplerBuffer instanceColors;
 
 layout(location = 0) out vec4 code;
 
+// Nearest / (nearest + distance), where the closest surface has the largest depth.
+float depthCode(float depth, float largest) {
+    if (!isOrthographic()) {
+        vec2 inverse = vec2(depth, largest) * frame.depthRange.y + frame.depthRange.x;
+        return inverse.x / (inverse.x + inverse.y);
+    }
+    float nearest = viewDistance(largest), distance = viewDistance(depth);
+    return distance > 0.0 ? nearest / (nearest + distance) : 0.5;
+}
+
 vec3 viewCode(ivec2 pixel, float depth) {
     float maximum = uintBitsToFloat(maximumBits);
 #if SOURCE == SOURCE_SURFACE

@@ -34,11 +34,17 @@ float slope(ivec2 pixel, float depth, ivec2 axis) {
     return max(min(before.x, after.x), max(min(before.x, before.y), min(after.x, after.y)));
 }
 
+// What rounding needs: the share of the distance, or in an orthographic view a share of a pixel's height.
+float depthTolerance(float depth) {
+    if (isOrthographic()) return 0.05 * length(frame.rayStepY.xyz) / frame.depthRange.z;
+    return (depth + frame.depthRange.x / frame.depthRange.y) * DEPTH_SHARE;
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = depthAt(pixel);
     // A line passes within half a pixel of the pixel's centre along each axis, and its end points are rounded to subpixels.
-    float bias = depth * DEPTH_SHARE + 0.6 * (slope(pixel, depth, ivec2(1, 0)) + slope(pixel, depth, ivec2(0, 1)));
+    float bias = depthTolerance(depth) + 0.6 * (slope(pixel, depth, ivec2(1, 0)) + slope(pixel, depth, ivec2(0, 1)));
     if (gl_FragCoord.z < depth - bias) discard;
     code = vec4(lineColor, 1.0);
 }

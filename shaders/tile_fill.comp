@@ -25,9 +25,10 @@ shared Reach wide[64];
 shared uint wideCount;
 
 ViewFrustum viewFrustum() {
-    vec2 halfExtent = vec2(frame.cameraRight.w, frame.cameraUp.w);
-    vec2 edgeScale = inversesqrt(1.0 + halfExtent * halfExtent);
-    return ViewFrustum(frame.eye.w, halfExtent.x, halfExtent.y, edgeScale.x, edgeScale.y);
+    vec2 extent = vec2(frame.cameraRight.w, frame.cameraUp.w);
+    if (isOrthographic()) return ViewFrustum(frame.eye.w, 0.0, 0.0, 1.0, 1.0, extent.x, extent.y);
+    vec2 edgeScale = inversesqrt(1.0 + extent * extent);
+    return ViewFrustum(frame.eye.w, extent.x, extent.y, edgeScale.x, edgeScale.y, 0.0, 0.0);
 }
 
 TileGrid tileGrid() {

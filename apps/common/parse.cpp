@@ -69,15 +69,15 @@ double parseNumberBetween(std::string_view option, std::string_view text, double
     return *value;
 }
 
-glm::vec3 parsePoint(std::string_view option, std::string_view text) {
+glm::dvec3 parsePoint(std::string_view option, std::string_view text) {
     const std::vector<std::string> parts = splitAtCommas(text);
-    glm::vec3 point{0.0f};
+    glm::dvec3 point{0.0};
     if (parts.size() != 3) reject(option, text, "three numbers X,Y,Z");
     for (int axis = 0; axis < 3; ++axis) {
         const std::optional<double> value = readFinite(parts[static_cast<std::size_t>(axis)]);
         if (!value || std::abs(*value) > 1.0e15)
             reject(option, text, "three numbers X,Y,Z of at most 1e15 metres");
-        point[axis] = static_cast<float>(*value);
+        point[axis] = *value;
     }
     return point;
 }

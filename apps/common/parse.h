@@ -33,7 +33,7 @@ double parseNumber(std::string_view option, std::string_view text);
 double parseNumberBetween(std::string_view option, std::string_view text, double min, double max);
 
 /// "X,Y,Z", finite numbers.
-glm::vec3 parsePoint(std::string_view option, std::string_view text);
+glm::dvec3 parsePoint(std::string_view option, std::string_view text);
 
 /// "WIDTHxHEIGHT", each from 1 to 16384.
 std::pair<int, int> parseSize(const std::string& text);

@@ -1,5 +1,7 @@
 #include "scene_lights.h"
 
+#include "scene_selection.h"
+
 #include <candela/default_lights.h>
 #include <candela/error.h>
 
@@ -46,15 +48,11 @@ std::vector<candela::WorldLight> lightsWithDefaults(const candela::Scene& scene,
 }
 
 std::vector<double> exposureTimes(const candela::Scene& scene, double time) {
-    float end = 0.0f;
-    for (const candela::Animation& animation : scene.animations) {
-        for (const candela::AnimationChannel& channel : animation.channels)
-            end = std::max(end, channel.times.back());
-    }
-    if (end == 0.0f) return {time};
+    const double end = lastKeyTime(scene);
+    if (end == 0.0) return {time};
     constexpr int count = 8;
     std::vector<double> times;
-    for (int i = 0; i < count; ++i) times.push_back(static_cast<double>(end) * i / (count - 1));
+    for (int i = 0; i < count; ++i) times.push_back(end * i / (count - 1));
     return times;
 }
 

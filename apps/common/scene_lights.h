@@ -30,7 +30,7 @@ std::vector<candela::WorldLight> lightsWithDefaults(const candela::Scene& scene,
                                                     const candela::CameraView& view, double exposure);
 
 /// Times, in seconds, at which --exposure auto measures: `time` where nothing moves, else some that are
-/// evenly spread over all animations, so that each part of a sequence gets the same exposure.
+/// evenly spread over the animations that play, so that each part of a sequence gets the same exposure.
 std::vector<double> exposureTimes(const candela::Scene& scene, double time);
 
 /// What is wrong with a picture as a user would say it, with the remedy, where nothing is in view, next to

@@ -25,6 +25,11 @@ constexpr const char* strict =
 constexpr const char* pluginPath = "Search this folder for plugins first. May be given several times";
 constexpr const char* time = "Time of the picture, or of frame 0, in seconds. Default: 0";
 
+constexpr const char* animation =
+    "The animation that plays, by name or by number from 0; all or none of them.\n"
+    "Default: the first one";
+constexpr const char* loop = "Repeat the animations after their last key. Default: they hold their last pose";
+
 constexpr const char* size = "Width and height in pixels, 1 to 16384 each. Default: 1280x720";
 constexpr const char* show =
     "Show a debug view instead of the lit picture: normals, level (of subdivision),\n"
@@ -40,6 +45,8 @@ constexpr const char* target = "Look at this point. Needs --eye";
 constexpr const char* fov =
     "Vertical field of view in degrees, between 0 and 180. Default: the camera's,\n"
     "or 45";
+
+constexpr const char* ortho = "An orthographic view in which the picture is HEIGHT metres high";
 
 constexpr const char* defaultLights =
     "Add a key, a fill and a rim light that move with the camera: auto (where the\n"
@@ -87,6 +94,7 @@ constexpr const char* exposure =
 
 constexpr double maxStops = 64.0;
 constexpr double maxEdgePixels = 1.0e6;
+constexpr double maxOrthographicHeight = 1.0e9;
 
 std::uint32_t parseLevel(const std::string& option, const std::string& text) {
     return static_cast<std::uint32_t>(parseInteger(option, text, 1, candela::maxSubdivisionLevel));
@@ -186,6 +194,12 @@ void SceneOptionReader::declareScene(CLI::App& app) {
            help::time)
         ->type_name("S")
         ->group("Scene");
+    app.add_option("--animation", options_.animation, help::animation)
+        ->type_name("NAME|INDEX|all|none")
+        ->group("Scene");
+    app.add_flag_callback(
+           "--loop", [this] { options_.repeatAnimations = true; }, help::loop)
+        ->group("Scene");
 }
 
 void SceneOptionReader::declarePicture(CLI::App& app) {
@@ -213,6 +227,15 @@ void SceneOptionReader::declareCamera(CLI::App& app) {
            },
            help::fov)
         ->type_name("DEG")
+        ->group("Camera");
+    app.add_option_function<std::string>(
+           "--ortho",
+           [this](const std::string& text) {
+               options_.orthographicHeight =
+                   static_cast<float>(parseNumberBetween("--ortho", text, 0.0, maxOrthographicHeight));
+           },
+           help::ortho)
+        ->type_name("HEIGHT")
         ->group("Camera");
 }
 
@@ -310,6 +333,8 @@ void SceneOptionReader::declareColor(CLI::App& app) {
 void SceneOptionReader::finish() {
     if (eye_.has_value() != target_.has_value())
         throw UsageError(eye_ ? "--eye needs --target too" : "--target needs --eye too");
+    if (options_.orthographicHeight && options_.verticalFov)
+        throw UsageError("--ortho and --fov exclude each other");
     if (!eye_) return;
     options_.eye = EyeOptions{parsePoint("--eye", *eye_), parsePoint("--target", *target_)};
     if (options_.eye->eye == options_.eye->target)

@@ -18,9 +18,9 @@ namespace CLI {
 class App;
 }
 
-/// A camera position: metres, world space.
+/// A camera position: metres, in the space of the scene's file.
 struct EyeOptions {
-    glm::vec3 eye{0.0f}, target{0.0f};
+    glm::dvec3 eye{0.0}, target{0.0};
 };
 
 /// --default-lights: whether lights are added that move with the camera.
@@ -50,12 +50,15 @@ struct SceneOptions {
     candela::Strictness strictness = candela::Strictness::tolerant;
     std::optional<candela::LightScatter> scatter;
     std::vector<std::filesystem::path> pluginFolders;
-    double time = 0.0;  ///< Seconds.
+    double time = 0.0;                     ///< Seconds.
+    std::optional<std::string> animation;  ///< Name, index, "all" or "none"; none: the first one.
+    bool repeatAnimations = false;         ///< After their last key, instead of holding the last pose.
 
     int width = 1280, height = 720;     ///< Pixels.
     std::optional<std::string> camera;  ///< Name or index.
     std::optional<EyeOptions> eye;
-    std::optional<float> verticalFov;  ///< Radians.
+    std::optional<float> verticalFov;         ///< Radians.
+    std::optional<float> orthographicHeight;  ///< Metres: an orthographic view.
 
     DefaultLights defaultLights = DefaultLights::automatic;
     candela::BrdfModel brdf = candela::BrdfModel::course;

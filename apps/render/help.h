@@ -30,8 +30,8 @@ constexpr const char* stats =
 constexpr const char* quiet = "Say nothing but errors: no notes, no progress and no result";
 
 constexpr const char* list =
-    "Show plugins, devices, displays or views, and draw nothing. Views are those of\n"
-    "--display, if given";
+    "Show plugins, devices, displays or views, or the animations, cameras or\n"
+    "materials of SCENE, and draw nothing. Views are those of --display, if given";
 constexpr const char* help = "Show this help";
 constexpr const char* version = "Show the version";
 

@@ -97,5 +97,7 @@ void printList(const Options& options) {
             return printDisplays(candela::ColorConfig::choose(options.ocio));
         case ListKind::views:
             return printViews(candela::ColorConfig::choose(options.ocio), options.display.display);
+        default:
+            return printSceneList(options);
     }
 }

@@ -17,10 +17,13 @@ namespace {
 
 ListKind parseListKind(const std::string& text) {
     using enum ListKind;
-    return parseWord("--list", text, std::array{plugins, devices, displays, views}, [](ListKind kind) {
-        constexpr std::array names{"plugins", "devices", "displays", "views"};
-        return names[static_cast<std::size_t>(kind)];
-    });
+    return parseWord("--list", text,
+                     std::array{plugins, devices, displays, views, animations, cameras, materials},
+                     [](ListKind kind) {
+                         constexpr std::array names{"plugins",    "devices", "displays", "views",
+                                                    "animations", "cameras", "materials"};
+                         return names[static_cast<std::size_t>(kind)];
+                     });
 }
 
 PictureFormat parseFormat(const std::filesystem::path& output) {
@@ -74,9 +77,9 @@ void declareRunning(CLI::App& app, Options& options) {
 }
 
 void resolve(const std::optional<std::string>& aovs, Options& options) {
-    if (options.list) return;
-    if (options.scene.empty())
+    if (options.scene.empty() && (!options.list || needsScene(*options.list)))
         throw UsageError("SCENE is missing: name a file such as room.glb, or plaza:4096");
+    if (options.list) return;
     options.format = parseFormat(options.output);
     const bool exr = options.format == PictureFormat::exr;
     if (aovs) options.aovs = parseAovs(*aovs);

@@ -10,7 +10,11 @@
 #include <string>
 #include <vector>
 
-enum class ListKind { plugins, devices, displays, views };
+enum class ListKind { plugins, devices, displays, views, animations, cameras, materials };
+/// Whether a list is of what the scene holds.
+inline bool needsScene(ListKind kind) {
+    return kind >= ListKind::animations;
+}
 enum class PictureFormat { png, exr };
 
 /// The frames of --frames, in the order in which they are drawn.

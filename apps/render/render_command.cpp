@@ -1,9 +1,9 @@
 #include "commands.h"
 
-#include "common/camera_selection.h"
 #include "common/output_file.h"
 #include "common/program.h"
 #include "common/scene_lights.h"
+#include "common/scene_selection.h"
 #include "frame_writer.h"
 #include "stats.h"
 
@@ -76,6 +76,7 @@ candela::Scene readScene(Session& session, const candela::PluginRegistry& plugin
     };
     candela::ImportedScene imported = candela::importScene(plugins, session.options.scene, options);
     for (const candela::ImportNote& note : imported.report.notes) session.note(note.line());
+    if (const auto note = selectAnimations(imported.scene, session.options)) session.note(*note);
     if (session.options.scatter)
         addScatteredLights(imported.scene, *session.options.scatter, session.options.scene);
     return std::move(imported.scene);
@@ -184,13 +185,13 @@ double measureExposure(Session& session, candela::Renderer& renderer, candela::G
 }
 
 /// Draws frame after frame and writes each. Returns what the drawings took.
-std::vector<FrameTiming> drawFrames(Session& session, FrameWriter& frameWriter, Lighting& lighting,
-                                    const CameraSelection& views, PictureNotes& notes) {
+std::vector<FrameTiming> drawFrames(Session& session, const candela::Scene& scene, FrameWriter& frameWriter,
+                                    Lighting& lighting, const CameraSelection& views, PictureNotes& notes) {
     const std::uint64_t count = session.frameCount();
     std::vector<FrameTiming> timings;
     for (std::uint64_t i = 0; i < count; ++i) {
         const int frame = session.frame(i);
-        const double time = session.timeOf(frame);
+        const double time = poseTime(scene, session.options, session.timeOf(frame));
         const std::string name = session.pathOf(frame).string();
         session.progress.show("drawing " + name + " (" + std::to_string(i + 1) + " of " +
                               std::to_string(count) + ")");
@@ -265,7 +266,7 @@ void renderFrames(const Options& options) {
 
     Stats stats;
     PictureNotes pictureNotes;
-    stats.timings = drawFrames(session, frameWriter, lighting, views, pictureNotes);
+    stats.timings = drawFrames(session, scene, frameWriter, lighting, views, pictureNotes);
     pictureNotes.tell(session);
     noteLodClamped(session, gpuScene.cageReport());
     stats.renderer = context.renderer();

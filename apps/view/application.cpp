@@ -3,6 +3,7 @@
 #include "close_signals.h"
 #include "common/output_file.h"
 #include "common/program.h"
+#include "common/scene_selection.h"
 #include "panels/panels.h"
 #include "render_command_line.h"
 #include "scene_lighting.h"
@@ -190,7 +191,9 @@ void Application::open(const std::string& scene) {
         wanted.camera.reset();
         wanted.eye.reset();
         wanted.verticalFov.reset();
+        wanted.orthographicHeight.reset();
         wanted.scatter.reset();
+        wanted.animation.reset();
         wanted.time = 0.0;
     }
     wanted.scene = scene;
@@ -222,13 +225,15 @@ void Application::install(SceneLoader::Result loaded) {
         return std::make_unique<Document>(std::move(*loaded.scene), context_, uploadOptions(model_.color),
                                           scattered);
     });
-    document->setTime(loaded.options.time);
+    document->setTime(poseTime(document->scene(), loaded.options, loaded.options.time));
     SceneOptions options = model_.options;
     options.scene = loaded.options.scene;
     options.camera = loaded.options.camera;
     options.eye = loaded.options.eye;
     options.verticalFov = loaded.options.verticalFov;
+    options.orthographicHeight = loaded.options.orthographicHeight;
     options.scatter = loaded.options.scatter;
+    options.animation = loaded.options.animation;
     options.time = loaded.options.time;
     std::swap(model_.document, document);
     std::swap(model_.options, options);
@@ -276,7 +281,9 @@ void Application::advanceTime() {
     lastStep_ = now;
     if (!model_.document) return;
     if (model_.playing) model_.options.time += seconds;
-    guarded([this] { model_.document->setTime(model_.options.time); });
+    guarded([this] {
+        model_.document->setTime(poseTime(model_.document->scene(), model_.options, model_.options.time));
+    });
 }
 
 /// What the picture depends on.

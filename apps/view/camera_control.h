@@ -6,6 +6,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <optional>
+
 /// A camera controlled by pointer and keys: an eye that looks at a target, +Y up, without roll. Angles in
 /// radians, lengths in metres.
 class CameraControl {
@@ -21,7 +23,8 @@ class CameraControl {
     void orbit(const glm::vec2& drag);
     /// The target's point follows the pointer.
     void pan(const glm::vec2& drag);
-    /// Approaches the target by a factor for each step: 1 step is one click of the wheel.
+    /// Approaches the target by a factor for each step, or shows less of it in an orthographic view: 1 step
+    /// is one click of the wheel.
     void dolly(float steps);
     /// Rotates the view direction; the eye stays.
     void lookAround(const glm::vec2& drag);
@@ -29,15 +32,21 @@ class CameraControl {
     void fly(const glm::vec3& direction, float metres);
 
     void setVerticalFov(float radians);
+    /// Metres, over 0: an orthographic view; none: a perspective one.
+    void setOrthographicHeight(std::optional<float> metres) { orthographicHeight_ = metres; }
 
     /// A view that `candela::lookAt` makes of eye and target: what candela-render draws for
-    /// --eye, --target and --fov with these numbers.
+    /// --eye, --target and --fov or --ortho with these numbers, but for the near plane.
     candela::CameraView view() const;
     const glm::vec3& eye() const { return eye_; }
     const glm::vec3& target() const { return target_; }
     float verticalFov() const { return verticalFov_; }
+    const std::optional<float>& orthographicHeight() const { return orthographicHeight_; }
+    /// The height, in metres, of what the picture shows at the target's distance.
+    float heightAtTarget() const;
 
   private:
     glm::vec3 eye_{0.0f, 0.0f, 5.0f}, target_{0.0f};
     float verticalFov_ = 0.785398f;
+    std::optional<float> orthographicHeight_;
 };

@@ -1,7 +1,7 @@
 #include "document.h"
 
-#include "common/camera_selection.h"
 #include "common/scene_lights.h"
+#include "common/scene_selection.h"
 
 #include <candela/default_lights.h>
 
@@ -45,7 +45,15 @@ void Document::adopt(candela::GpuScene uploaded) {
 }
 
 bool Document::animated() const {
-    return !scene_.animations.empty() || motion_.moving;
+    return motion_.moving || std::ranges::any_of(scene_.animations, &candela::Animation::plays);
+}
+
+void Document::playAnimations(const std::vector<std::uint32_t>& animations) {
+    playOnly(scene_, animations);
+    gpuScene_.playAnimations(animations);
+    framedBox_.reset();
+    ++revision_;
+    poseLights();
 }
 
 void Document::setTime(double seconds) {
@@ -53,6 +61,11 @@ void Document::setTime(double seconds) {
     time_ = seconds;
     ++revision_;
     gpuScene_.setTime(seconds);
+    poseLights();
+}
+
+/// Moves the lights to where their nodes and the time put them.
+void Document::poseLights() {
     const bool carried = !lightsChanged_ && !scene_.animations.empty();
     if (carried) worldLights();
     if (lightsTaken_ && (carried || motion_.moving)) {

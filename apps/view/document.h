@@ -37,6 +37,8 @@ class Document {
     void setTime(double seconds);
     double time() const { return time_; }
     bool animated() const;
+    /// Lets the animations of these indices play, and no other.
+    void playAnimations(const std::vector<std::uint32_t>& animations);
 
     void setMaterial(std::uint32_t index, const candela::Material& material);
     void setVisibility(std::uint32_t node, candela::GpuScene::Visibility visibility);
@@ -72,6 +74,7 @@ class Document {
     const candela::Bounds& framedBox();
 
   private:
+    void poseLights();
     void showLights();
     void uploadLights(candela::GpuScene& scene) const;
     void worldLights();

@@ -1,6 +1,6 @@
 #include "interaction.h"
 
-#include "common/camera_selection.h"
+#include "common/scene_selection.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -9,6 +9,8 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
 namespace {
@@ -89,18 +91,32 @@ bool clicked(const ImGuiIO& io) {
     return ImGui::IsMouseReleased(left) && io.MouseDragMaxDistanceSqr[left] < clickDistance * clickDistance;
 }
 
+/// The numbers of the shortest decimals that are read as these floats: 0.1 and not 0.10000000149.
+glm::dvec3 shortDecimals(const glm::vec3& point) {
+    glm::dvec3 numbers(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        std::array<char, 64> text;
+        const auto end = std::to_chars(text.data(), text.data() + text.size(), point[axis]).ptr;
+        std::from_chars(text.data(), end, numbers[axis]);
+    }
+    return numbers;
+}
+
 }  // namespace
 
 candela::CameraView selectedView(const ViewModel& model) {
     const CameraSelection selection(model.document->scene(), model.options,
                                     [&] { return model.document->framedBox(); });
-    return selection.at(model.options.time);
+    return selection.at(poseTime(model.document->scene(), model.options, model.options.time));
 }
 
 void loadCamera(ViewModel& model) {
     if (model.options.eye) {
-        model.camera.lookAt(model.options.eye->eye, model.options.eye->target);
+        const glm::dvec3& origin = model.document->scene().origin;
+        model.camera.lookAt(glm::vec3(model.options.eye->eye - origin),
+                            glm::vec3(model.options.eye->target - origin));
         model.camera.setVerticalFov(model.options.verticalFov.value_or(candela::CameraView().verticalFov));
+        model.camera.setOrthographicHeight(model.options.orthographicHeight);
         return;
     }
     const candela::CameraView view = selectedView(model);
@@ -116,14 +132,23 @@ void followView(ViewModel& model, const candela::CameraView& view) {
 
 void storeCamera(ViewModel& model) {
     model.options.camera.reset();
-    model.options.eye = EyeOptions{model.camera.eye(), model.camera.target()};
+    const glm::dvec3& origin = model.document->scene().origin;
+    model.options.eye =
+        EyeOptions{origin + shortDecimals(model.camera.eye()), origin + shortDecimals(model.camera.target())};
+    storeLens(model);
+}
+
+void storeLens(ViewModel& model) {
+    model.options.orthographicHeight = model.camera.orthographicHeight();
     model.options.verticalFov = model.camera.verticalFov();
+    if (model.options.orthographicHeight) model.options.verticalFov.reset();
 }
 
 void selectSceneCamera(ViewModel& model, std::uint32_t index) {
     model.options.camera = cameraText(model.document->scene(), index);
     model.options.eye.reset();
     model.options.verticalFov.reset();
+    model.options.orthographicHeight.reset();
     loadCamera(model);
 }
 

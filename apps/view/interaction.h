@@ -26,6 +26,8 @@ void followView(ViewModel& model, const candela::CameraView& view);
 
 /// Writes the interactive camera into the options.
 void storeCamera(ViewModel& model);
+/// Writes its lens into the options: the field of view, or the height of an orthographic view.
+void storeLens(ViewModel& model);
 
 /// Looks through camera `index` of the scene.
 void selectSceneCamera(ViewModel& model, std::uint32_t index);

@@ -16,7 +16,7 @@ std::string numberText(Number number) {
     return std::string(buffer.data(), end);
 }
 
-std::string pointText(const glm::vec3& point) {
+std::string pointText(const glm::dvec3& point) {
     return numberText(point.x) + "," + numberText(point.y) + "," + numberText(point.z);
 }
 
@@ -85,6 +85,7 @@ void addCamera(Command& command, const SceneOptions& options) {
     }
     if (options.verticalFov)
         command.option("--fov", numberText(*options.verticalFov * 180.0 / std::numbers::pi));
+    if (options.orthographicHeight) command.option("--ortho", numberText(*options.orthographicHeight));
 }
 
 void addSubdivision(Command& command, const candela::SubdivisionSettings& settings) {
@@ -105,6 +106,8 @@ std::string renderCommandLine(const SceneOptions& options) {
     command.option("--size", std::to_string(options.width) + "x" + std::to_string(options.height));
     addCamera(command, options);
     if (options.time != 0.0) command.option("--time", numberText(options.time));
+    if (options.animation) command.option("--animation", *options.animation);
+    if (options.repeatAnimations) command.flag("--loop");
     if (options.scatter) command.option("--scatter-lights", scatterText(*options.scatter));
     if (options.strictness == candela::Strictness::strict) command.flag("--strict");
     for (const std::filesystem::path& folder : options.pluginFolders)

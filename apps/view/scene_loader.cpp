@@ -1,6 +1,7 @@
 #include "scene_loader.h"
 
 #include "common/scene_lights.h"
+#include "common/scene_selection.h"
 
 #include <candela/error.h>
 
@@ -40,6 +41,8 @@ struct SceneLoader::Job {
     void read() {
         candela::ImportedScene imported = candela::importScene(
             plugins, options.scene, {options.strictness, [this](double now) { return goOn(now); }});
+        if (const auto note = selectAnimations(imported.scene, options))
+            imported.report.notes.push_back({candela::NoteKind::information, *note, {}, 1});
         if (options.scatter) addScatteredLights(imported.scene, *options.scatter, options.scene);
         result.scene = std::move(imported);
     }

@@ -26,6 +26,7 @@ struct AnimationChannel {
 struct Animation {
     std::string name;
     std::vector<AnimationChannel> channels;
+    bool plays = true;  ///< False: `worldTransforms` and the like pose nodes as if it were not there.
 };
 
 }  // namespace candela

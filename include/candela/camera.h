@@ -15,9 +15,13 @@ namespace candela {
 struct Camera {
     std::string name;               ///< The camera's own; its node may have another one.
     float verticalFov = 0.785398f;  ///< Radians, over 0 and under pi; default 45 degrees.
-    std::optional<float> nearPlane =
-        {};                             ///< Metres, over 0. None: `defaultNearPlane` of what the scene shows.
-    std::optional<std::uint32_t> node;  ///< Index into `Scene::nodes`; none: the world's frame.
+    /// Metres, over 0: an orthographic camera. None: a perspective one.
+    std::optional<float> orthographicHeight = {};
+    /// Metres, over 0 (of an orthographic camera 0 or more). None: `defaultNearPlane` of what the scene
+    /// shows, and 0 of an orthographic camera.
+    std::optional<float> nearPlane = {};
+    std::optional<float> farPlane = {};      ///< Metres, over the near plane; none: at infinity.
+    std::optional<std::uint32_t> node = {};  ///< Index into `Scene::nodes`; none: the world's frame.
     /// The camera's number in its file, by which a user may name it. None: its index in `Scene::cameras`.
     std::optional<std::uint32_t> number = {};
 };
@@ -25,8 +29,12 @@ struct Camera {
 /// A camera in world space, which a picture is rendered from.
 struct CameraView {
     glm::mat4 worldFromCamera{1.0f};  ///< A rigid transform.
-    float verticalFov = 0.785398f;    ///< Radians, over 0 and under pi.
-    float nearPlane = 0.01f;          ///< Metres, over 0.
+    float verticalFov = 0.785398f;    ///< Radians, over 0 and under pi; not used by an orthographic view.
+    float nearPlane = 0.01f;          ///< Metres, over 0; of an orthographic view 0 or more.
+    /// Metres, over 0: an orthographic view of a frame that is so high. None: a perspective view.
+    std::optional<float> orthographicHeight = {};
+    /// Metres, over the near plane: nothing beyond is drawn. None: at infinity.
+    std::optional<float> farPlane = {};
 
     glm::vec3 eye() const { return glm::vec3(worldFromCamera[3]); }
 };
@@ -36,9 +44,9 @@ struct CameraView {
 /// does not lie between 0 and pi.
 CANDELA_API CameraView lookAt(const glm::vec3& eye, const glm::vec3& target, float verticalFov);
 
-/// Clip space from camera space: reversed depth in 0..1 with 1 at the near plane and 0 at infinity. `aspect`
-/// is width over height. Throws `Error` (badInput) when `aspect` or the near plane is not finite and over 0,
-/// or the field of view does not lie between 0 and pi.
+/// Clip space from camera space, with reversed depth: 1 at the near plane, and 0 at the far plane or at
+/// infinity where there is none. `aspect` is width over height. Throws `Error` (badInput) when `aspect` or a
+/// member of the view is not in the range that it states, or an orthographic view has no far plane.
 CANDELA_API glm::mat4 projection(const CameraView& view, float aspect);
 
 }  // namespace candela

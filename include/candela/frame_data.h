@@ -39,7 +39,7 @@ struct Aov {
 struct PixelProbe {
     std::uint32_t node = 0;     ///< The node whose mesh or cage it is.
     float z = 0.0f;             ///< Distance along the view axis, metres.
-    glm::vec3 position{0.0f};   ///< World, metres.
+    glm::vec3 position{0.0f};   ///< World, metres: relative to `Scene::origin`.
     glm::vec3 normal{0.0f};     ///< World, unit length; (0, 0, 0) on an unlit surface.
     glm::vec3 baseColor{0.0f};  ///< Linear, working space.
     float metallic = 0.0f, roughness = 0.0f;

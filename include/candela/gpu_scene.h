@@ -101,6 +101,9 @@ class CANDELA_API GpuScene {
     void setTransform(std::uint32_t node, const glm::mat4& local);
     /// Poses all animated nodes, and what is below them, as at `seconds`, a finite number.
     void setTime(double seconds);
+    /// Lets the animations of these indices play (`Animation::plays`), and no other. What only others move
+    /// returns to the pose of the scene. Throws `Error` (badInput) when there is no such animation.
+    void playAnimations(std::span<const std::uint32_t> animations);
     /// Replaces the points of the cage of a node (one per vertex of the cage, in the node's frame). Morph
     /// targets and skin do not move it any more. Throws `Error` (badInput) when there is no such node, it
     /// shows no cage, the number of points differs or one of them is not finite.

@@ -34,6 +34,8 @@ struct Node {
         Transform{};                    ///< Local; an affine matrix where the file gives one.
     std::optional<std::uint32_t> mesh;  ///< Index into `Scene::meshes`.
     std::optional<CageInstance> cage;
+    /// Metres, added to the local translation in double precision: what a float can not hold of it.
+    glm::dvec3 translationRemainder{0.0};
 };
 
 }  // namespace candela

@@ -229,11 +229,14 @@ typedef struct candela_camera {
     uint32_t struct_size;
     const char* name;   /* the camera's own, not that of its node */
     float vertical_fov; /* radians, over 0 and under pi */
-    float near_plane;   /* metres, over 0; 0: the size of the scene decides. The far plane is at infinity. */
+    float near_plane;   /* metres, over 0; 0: the size of the scene decides */
     int32_t node;       /* index of an added node that places the camera, -1: the camera is in world space */
     uint32_t unused;    /* padding of version 1.0, which is not read */
     /* since 1.3 */
-    uint32_t number; /* 1 + the number by which a user finds the camera in the file; 0: its index */
+    uint32_t number;           /* 1 + the number by which a user finds the camera in the file; 0: its index */
+    float orthographic_height; /* metres, over 0: an orthographic camera, whose vertical_fov is not read; 0: a
+                                * perspective one */
+    float far_plane;           /* metres, over near_plane: nothing beyond is drawn; 0: at infinity */
 } candela_camera;
 
 typedef enum candela_light_type {
@@ -268,6 +271,10 @@ typedef struct candela_node {
     float scale[3];
     const float* matrix; /* 16 numbers, column-major, affine */
     int32_t mesh;        /* index of an added mesh, -1 for none */
+    uint32_t unused;     /* padding of version 1.0, which is not read */
+    /* since 1.3: metres, added in double precision to the translation, or to that of the matrix: what a
+     * float can not hold of it */
+    double translation_remainder[3];
 } candela_node;
 
 typedef enum candela_animation_path {

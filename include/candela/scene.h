@@ -19,6 +19,11 @@
 namespace candela {
 
 /// A scene as plain values; elements refer to each other by index. Metres, right-handed, +Y up.
+///
+/// World space, in which world matrices, lights, boxes and views are, is relative to `origin`, which lies in
+/// a scene that is far from the origin of its file: what nodes without a parent say is composed in double
+/// precision, and `origin` is subtracted before anything becomes a float. A light or a camera without a node
+/// is in world space.
 struct Scene {
     std::vector<Image> images;
     std::vector<Material> materials;
@@ -29,6 +34,7 @@ struct Scene {
     std::vector<Camera> cameras;
     std::vector<Light> lights;
     std::vector<Animation> animations;
+    glm::dvec3 origin{0.0};  ///< Metres, at most 1e9 along each axis; 0: world space is that of the file.
 };
 
 /// An axis-aligned box, metres; empty where `min` is over `max` on an axis.
@@ -40,8 +46,8 @@ struct CANDELA_API Bounds {
     void add(const Bounds& other);
 };
 
-/// World matrices of all nodes, one per node. Animated nodes are posed at `time` (seconds). Every animation
-/// of the scene plays; where two animate the same property of a node, the later one in the scene applies.
+/// World matrices of all nodes, one per node. Animated nodes are posed at `time` (seconds). Where two
+/// animations that play animate the same property of a node, the later one in the scene applies.
 /// Interpolation is that of glTF 2.0, appendix C. Throws `Error` (badInput) when `time` is not finite, a
 /// parent does not precede its child, or a channel does not fit its node.
 CANDELA_API std::vector<glm::mat4> worldTransforms(const Scene& scene, double time = 0.0);
@@ -121,6 +127,7 @@ CANDELA_API void scatterLights(Scene& scene, const LightScatter& scatter);
 /// directions and quaternions, and sums of joint weights, may be 1 % off. Further rules:
 ///  - a mesh has the texture coordinates that its materials' textures read (glTF 2.0, 5.30.2), and so has a
 ///    cage, whose only set is 0;
+///  - the origin is finite and at most 1e9 m along each axis;
 ///  - as the nodes stand at time 0, their world matrices are finite, and meshes, posed cages, lights and
 ///    cameras stand within 1e9 m of the world's origin along each axis (matrices may be singular);
 ///  - emission, and a light's intensity times its colour, are at most 1e20;

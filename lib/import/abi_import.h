@@ -30,4 +30,9 @@ void addCageInstance(const candela_cage_instance& source, Scene& scene);
 /// texture. Appends a note for each attribute that cannot be generated.
 void addMissingAttributes(Scene& scene, NoteList& notes);
 
+/// Sets `Scene::origin` where the scene stands so far from the origin of its file that floats lose what its
+/// size needs: farther than 8 km, or than 100 times its size. Lights and cameras without a node, which are in
+/// world space then, keep their places.
+void chooseOrigin(Scene& scene);
+
 }  // namespace candela

@@ -44,6 +44,7 @@ void callImporter(const SceneSource& source, const std::string& uri, const Impor
 void finish(Scene& scene, NoteList& notes, const std::string& uri) {
     try {
         addMissingAttributes(scene, notes);
+        chooseOrigin(scene);
         validate(scene);
     } catch (const Error& error) {
         if (!error.path().empty()) throw;

@@ -44,6 +44,13 @@ Node nodeFrom(const candela_node& source, const AbiReader& element, const Scene&
     node.name = element.name();
     node.parent = element.reference("parent", source.parent, scene.nodes.size());
     node.mesh = element.reference("mesh", source.mesh, scene.meshes.size());
+    for (int axis = 0; axis < 3; ++axis) {
+        const double remainder = source.translation_remainder[axis];
+        if (!std::isfinite(remainder))
+            element.refuse(
+                joined("translation_remainder is ", remainder, ", but a finite number was expected"));
+        node.translationRemainder[axis] = remainder;
+    }
     if (source.matrix)
         node.transform = matrixFrom(source, element);
     else
@@ -51,15 +58,33 @@ Node nodeFrom(const candela_node& source, const AbiReader& element, const Scene&
     return node;
 }
 
-Camera cameraFrom(const candela_camera& source, const AbiReader& element, const Scene& scene) {
-    Camera camera;
-    camera.name = element.name();
+namespace {
+
+void takeLens(const candela_camera& source, const AbiReader& element, Camera& camera) {
+    const float height = element.zeroOrMore("orthographic_height", source.orthographic_height);
+    if (height > 0.0f) {
+        camera.orthographicHeight = height;
+        return;
+    }
     camera.verticalFov = element.finite("vertical_fov", source.vertical_fov);
     if (camera.verticalFov <= 0.0f || camera.verticalFov >= glm::pi<float>())
         element.refuse(joined("vertical_fov is ", camera.verticalFov,
                               ", but more than 0 and less than pi was expected"));
-    if (const float nearPlane = element.zeroOrMore("near_plane", source.near_plane); nearPlane > 0.0f)
-        camera.nearPlane = nearPlane;
+}
+
+}  // namespace
+
+Camera cameraFrom(const candela_camera& source, const AbiReader& element, const Scene& scene) {
+    Camera camera;
+    camera.name = element.name();
+    takeLens(source, element, camera);
+    const float nearPlane = element.zeroOrMore("near_plane", source.near_plane);
+    if (nearPlane > 0.0f) camera.nearPlane = nearPlane;
+    const float farPlane = element.zeroOrMore("far_plane", source.far_plane);
+    if (farPlane > 0.0f && farPlane <= nearPlane)
+        element.refuse(
+            joined("far_plane is ", farPlane, ", but more than near_plane, ", nearPlane, ", was expected"));
+    if (farPlane > 0.0f) camera.farPlane = farPlane;
     camera.node = element.reference("node", source.node, scene.nodes.size());
     if (source.number > 0) camera.number = source.number - 1;
     return camera;

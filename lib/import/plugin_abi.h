@@ -23,6 +23,8 @@ inline constexpr std::size_t firstSizeOf<candela_mesh> = offsetof(candela_mesh, 
 template <>
 inline constexpr std::size_t firstSizeOf<candela_camera> = offsetof(candela_camera, number);
 template <>
+inline constexpr std::size_t firstSizeOf<candela_node> = offsetof(candela_node, translation_remainder);
+template <>
 inline constexpr std::size_t firstSizeOf<candela_plugin> = offsetof(candela_plugin, subdivider);
 
 /// The first version that had a struct of plugin.h.

@@ -142,8 +142,9 @@ std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
     }
     const std::vector<GBufferTexel> surfaces = readSurfaces(targets);
     const std::vector<float> depth = readDepth(targets);
-    const AovSources sources{targets.width, targets.height, state.frame->uniforms, depth, surfaces,
-                             emission,      lightCount};
+    const AovSources sources{
+        targets.width, targets.height, state.frame->uniforms, state.frame->origin, depth, surfaces,
+        emission,      lightCount};
     std::vector<Aov> result;
     for (const ChannelRow* row : rows) result.push_back(makeAov(*row, sources));
     return result;

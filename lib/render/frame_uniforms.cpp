@@ -4,15 +4,27 @@
 
 namespace candela {
 
+namespace {
+
+glm::vec4 depthRange(const CameraView& view) {
+    if (view.orthographicHeight) return {0.0f, *view.farPlane, *view.farPlane - view.nearPlane, 1.0f};
+    const double end = view.farPlane ? static_cast<double>(view.nearPlane) / *view.farPlane : 0.0;
+    return {end, 1.0 - end, 0.0, 0.0};
+}
+
+}  // namespace
+
 layout::FrameUniforms frameUniforms(const CameraView& view, int width, int height,
                                     const glm::dmat3& workingFromRec709, const LightCounts& lights) {
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     const glm::dmat4 frameOfCamera(view.worldFromCamera);
     const glm::dvec3 right(frameOfCamera[0]), up(frameOfCamera[1]), forward(-frameOfCamera[2]);
-    const double halfHeight = std::tan(0.5 * static_cast<double>(view.verticalFov));
+    const double halfHeight = view.orthographicHeight ? 0.5 * static_cast<double>(*view.orthographicHeight)
+                                                      : std::tan(0.5 * static_cast<double>(view.verticalFov));
     const double step = 2.0 * halfHeight / height;
+    const glm::dvec3 middle = view.orthographicHeight ? glm::dvec3(0.0) : forward;
     const glm::dvec3 corner =
-        forward + right * (step * (0.5 - 0.5 * width)) + up * (step * (0.5 - 0.5 * height));
+        middle + right * (step * (0.5 - 0.5 * width)) + up * (step * (0.5 - 0.5 * height));
 
     layout::FrameUniforms frame{};
     frame.clipFromWorld = projection(view, aspect) * glm::inverse(view.worldFromCamera);
@@ -23,6 +35,7 @@ layout::FrameUniforms frameUniforms(const CameraView& view, int width, int heigh
     frame.cameraRight = glm::vec4(right, halfHeight * width / height);
     frame.cameraUp = glm::vec4(up, halfHeight);
     frame.cameraForward = glm::vec4(forward, 0.0);
+    frame.depthRange = depthRange(view);
     frame.workingFromRed = glm::vec4(workingFromRec709[0], 0.0);
     frame.workingFromGreen = glm::vec4(workingFromRec709[1], 0.0);
     frame.workingFromBlue = glm::vec4(workingFromRec709[2], 0.0);
@@ -34,7 +47,14 @@ layout::FrameUniforms frameUniforms(const CameraView& view, int width, int heigh
 glm::vec3 worldPosition(const layout::FrameUniforms& frame, int x, int y, float depth) {
     const glm::vec3 ray = glm::vec3(frame.rayCorner) + static_cast<float>(x) * glm::vec3(frame.rayStepX) +
                           static_cast<float>(y) * glm::vec3(frame.rayStepY);
-    return glm::vec3(frame.eye) + ray * (frame.eye.w / depth);
+    if (frame.depthRange.w != 0.0f)
+        return glm::vec3(frame.eye) + ray + glm::vec3(frame.cameraForward) * viewDistance(frame, depth);
+    return glm::vec3(frame.eye) + ray * viewDistance(frame, depth);
+}
+
+float viewDistance(const layout::FrameUniforms& frame, float depth) {
+    if (frame.depthRange.w != 0.0f) return frame.depthRange.y - depth * frame.depthRange.z;
+    return frame.eye.w / (depth * frame.depthRange.y + frame.depthRange.x);
 }
 
 }  // namespace candela

@@ -25,7 +25,9 @@ Frustum::Frustum(const CameraView& view, float aspect)
       up_(view.worldFromCamera[1]),
       forward_(-glm::vec3(view.worldFromCamera[2])),
       near_(view.nearPlane),
-      halfExtent_(std::tan(0.5f * view.verticalFov) * glm::vec2(aspect, 1.0f)),
+      halfExtent_(view.orthographicHeight ? glm::vec2(0.0f)
+                                          : std::tan(0.5f * view.verticalFov) * glm::vec2(aspect, 1.0f)),
+      base_(0.5f * view.orthographicHeight.value_or(0.0f) * glm::vec2(aspect, 1.0f)),
       edgeScale_(1.0f / glm::sqrt(1.0f + halfExtent_ * halfExtent_)) {}
 
 glm::vec3 Frustum::inCameraSpace(const glm::vec3& position) const {
@@ -35,7 +37,8 @@ glm::vec3 Frustum::inCameraSpace(const glm::vec3& position) const {
 
 bool Frustum::meets(const glm::vec3& center, float radius) const {
     const glm::vec3 c = inCameraSpace(center);
-    const ViewFrustum frustum{near_, halfExtent_.x, halfExtent_.y, edgeScale_.x, edgeScale_.y};
+    const ViewFrustum frustum{near_,        halfExtent_.x, halfExtent_.y, edgeScale_.x,
+                              edgeScale_.y, base_.x,       base_.y};
     return distanceToFrustum(frustum, c.x, c.y, c.z) <= radius;
 }
 
@@ -45,8 +48,8 @@ bool Frustum::meetsNearPlane(const glm::vec3& center, float radius) const {
 
 Frustum::Rectangle Frustum::projectedBounds(const glm::vec3& center, float radius) const {
     const glm::vec3 c = inCameraSpace(center);
-    const Span across = projectedSpan(c.x, c.z, radius, halfExtent_.x);
-    const Span along = projectedSpan(c.y, c.z, radius, halfExtent_.y);
+    const Span across = projectedSpan(c.x, c.z, radius, halfExtent_.x, base_.x);
+    const Span along = projectedSpan(c.y, c.z, radius, halfExtent_.y, base_.y);
     return {{across.first, along.first}, {across.last, along.last}};
 }
 

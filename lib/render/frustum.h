@@ -26,13 +26,14 @@ class Frustum {
     };
     Rectangle projectedBounds(const glm::vec3& center, float radius) const;
 
-  private:
     /// Camera space: x right, y up, z the depth.
     glm::vec3 inCameraSpace(const glm::vec3& position) const;
 
+  private:
     glm::vec3 eye_, right_, up_, forward_;
     float near_;
-    glm::vec2 halfExtent_;  ///< Of the picture at a depth of one metre.
+    glm::vec2 halfExtent_;  ///< Of the picture at a depth of one metre; 0 in an orthographic view.
+    glm::vec2 base_;        ///< Half of the picture in an orthographic view; 0 in a perspective one.
     glm::vec2 edgeScale_;   ///< 1 / length of a side plane's unnormalised normal.
 };
 

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -17,6 +18,9 @@
 namespace candela {
 
 namespace {
+
+/// Of orthographic views: twice the size of the largest scene that `validate` takes.
+constexpr float maxFarPlane = 4.0e9f;
 
 bool hasLines(const Overlays& overlays) {
     return overlays.wireframe || overlays.cage;
@@ -56,10 +60,33 @@ void checkView(const CameraView& view) {
         refuse("the view's verticalFov is " + std::to_string(view.verticalFov) +
                " radians; it has to be over 0 and under pi");
     }
-    if (!(view.nearPlane > 0.0f && std::isfinite(view.nearPlane))) {
-        refuse("the view's nearPlane is " + std::to_string(view.nearPlane) +
+    const bool orthographic = view.orthographicHeight.has_value();
+    const auto isPositive = [](float number) { return number > 0.0f && std::isfinite(number); };
+    if (orthographic && !isPositive(*view.orthographicHeight)) {
+        refuse("the view's orthographicHeight is " + std::to_string(*view.orthographicHeight) +
                " m; it has to be finite and over 0");
     }
+    if (!isPositive(view.nearPlane) && !(orthographic && view.nearPlane == 0.0f)) {
+        refuse("the view's nearPlane is " + std::to_string(view.nearPlane) +
+               " m; it has to be finite and over 0" + (orthographic ? " or 0" : ""));
+    }
+    if (view.farPlane && !(*view.farPlane > view.nearPlane && std::isfinite(*view.farPlane))) {
+        refuse("the view's farPlane is " + std::to_string(*view.farPlane) +
+               " m; it has to be finite and over its nearPlane, " + std::to_string(view.nearPlane) + " m");
+    }
+}
+
+/// The depth of an orthographic view is linear and needs a far plane: one behind everything.
+CameraView withFarPlane(const CameraView& view, const GpuScene::State& scene, float aspect) {
+    if (!view.orthographicHeight) return view;
+    CameraView limited = view;
+    constexpr float margin = 1.001f;
+    const float minRange = 0.01f * *view.orthographicHeight;
+    const float range = margin * (scene.instances.farthestDepth(Frustum(view, aspect)) - view.nearPlane);
+    // Written so that a range that is not a number is the least one.
+    const float farPlane = view.nearPlane + (range > minRange ? range : minRange);
+    limited.farPlane = std::min({view.farPlane.value_or(farPlane), farPlane, maxFarPlane});
+    return limited;
 }
 
 }  // namespace
@@ -158,7 +185,8 @@ void Renderer::State::displayFrame(const DisplayTransform& transform, const Fram
     if (hasLines(settings.overlays)) overlays->display(target);
 }
 
-void Renderer::State::render(GpuScene::State& scene, const CameraView& view, const FrameSettings& settings) {
+void Renderer::State::render(GpuScene::State& scene, const CameraView& requested,
+                             const FrameSettings& settings) {
     ++frameNumber;
     frame.reset();
     resize(settings.width, settings.height);
@@ -166,11 +194,12 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& view, con
     const Technique technique =
         settings.technique == Technique::automatic ? Technique::tiles : settings.technique;
     createPasses(settings, technique);
-    frame.emplace(
-        DrawnFrame{settings, technique,
-                   frameUniforms(view, settings.width, settings.height, scene.options.workingFromRec709,
-                                 scene.lights.counts()),
-                   Frustum(view, static_cast<float>(settings.width) / static_cast<float>(settings.height))});
+    const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
+    const CameraView view = withFarPlane(requested, scene, aspect);
+    frame.emplace(DrawnFrame{settings, technique,
+                             frameUniforms(view, settings.width, settings.height,
+                                           scene.options.workingFromRec709, scene.lights.counts()),
+                             Frustum(view, aspect), scene.sceneState.origin});
     timer.beginFrame();
     bindFrame();
     if (scene.hasCages()) {

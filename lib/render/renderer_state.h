@@ -25,6 +25,7 @@ struct DrawnFrame {
     Technique technique;  ///< Never `automatic`.
     layout::FrameUniforms uniforms;
     Frustum frustum;
+    glm::dvec3 origin;  ///< `Scene::origin`.
 };
 
 /// An 8-bit picture that is read back.
@@ -39,7 +40,7 @@ struct Renderer::State {
     explicit State(const Context& context);
 
     /// Draws a frame and counts it in `frameNumber`.
-    void render(GpuScene::State& scene, const CameraView& view, const FrameSettings& settings);
+    void render(GpuScene::State& scene, const CameraView& requested, const FrameSettings& settings);
 
     // What frames ask for, after a check that `frame` is theirs.
     LightingInputs lightingInputs(const GpuScene::State& scene) const;

@@ -191,7 +191,8 @@ const ObjectSchema node{
      object("extensions", nodeExtensions)}};
 const ObjectSchema scene{"scene", {text("name"), geometry(indices("nodes", Target::nodes))}};
 
-const ObjectSchema perspective{"perspective", {required(positive("yfov")), positive("znear")}};
+const ObjectSchema perspective{"perspective",
+                               {required(positive("yfov")), positive("znear"), number("zfar")}};
 const ObjectSchema orthographic{"orthographic",
                                 {required(number("xmag")), required(number("ymag")), required(number("zfar")),
                                  required(number("znear"))}};

@@ -155,6 +155,19 @@ void copyNumbers(const std::vector<double>& from, float* to) {
     std::transform(from.begin(), from.end(), to, [](double v) { return static_cast<float>(v); });
 }
 
+/// What a float loses of a number. Volatile: GCC 12 takes the double for what it becomes as a float where it
+/// vectorises this.
+double lostByAFloat(double number) {
+    const volatile auto kept = static_cast<float>(number);
+    return number - static_cast<double>(kept);
+}
+
+/// What the floats of a translation lose: survey coordinates have more digits.
+void setRemainder(const std::vector<double>& translation, candela_node& node) {
+    for (std::size_t i = 0; i < translation.size(); ++i)
+        node.translation_remainder[i] = lostByAFloat(translation[i]);
+}
+
 /// Brings a quaternion to unit length; one of length 0 becomes no rotation.
 void repairRotation(const std::string& element, const Host& host, float (&rotation)[4]) {
     double square = 0.0;
@@ -196,6 +209,7 @@ std::vector<std::int32_t> addNodes(const Document& document, const std::vector<D
         std::array<float, 16> matrix;
         if (source.matrix.empty()) {
             copyNumbers(source.translation, node.translation);
+            setRemainder(source.translation, node);
             copyNumbers(source.rotation, node.rotation);
             copyNumbers(source.scale, node.scale);
             repairRotation(element, host, node.rotation);
@@ -203,6 +217,7 @@ std::vector<std::int32_t> addNodes(const Document& document, const std::vector<D
             copyNumbers(source.matrix, matrix.data());
             repairMatrix(element, host, matrix);
             node.matrix = matrix.data();
+            setRemainder({source.matrix.begin() + 12, source.matrix.begin() + 15}, node);
         }
         static const std::vector<std::int32_t> nothing;
         const auto& parts = source.mesh < 0 ? nothing : meshes.at(static_cast<std::size_t>(source.mesh));
@@ -219,21 +234,37 @@ std::vector<std::int32_t> addNodes(const Document& document, const std::vector<D
 
 namespace {
 
-void addPerspective(const tinygltf::Camera& source, const std::string& element, std::uint32_t number,
-                    std::int32_t node, const Host& host) {
-    if (source.perspective.yfov <= 0.0) throw Failure{element, "\"perspective\" is missing"};
-    if (source.perspective.yfov >= std::numbers::pi) {
-        throw Failure{element,
-                      "yfov is " + std::to_string(source.perspective.yfov) + ", expected less than pi"};
-    }
+/// A far plane at or before the near one shows nothing. One that no float holds is none.
+float farPlaneOf(double zfar, double znear, const std::string& element, const Host& host) {
+    const auto farPlane = static_cast<float>(zfar);
+    if (zfar == 0.0 || std::isinf(farPlane)) return 0.0f;
+    if (farPlane > static_cast<float>(znear)) return farPlane;
+    host.note(CANDELA_NOTE_REPAIRED, element, "zfar is not over znear: left out");
+    return 0.0f;
+}
+
+candela_camera perspective(const tinygltf::PerspectiveCamera& source, const std::string& element,
+                           const Host& host) {
+    if (source.yfov <= 0.0) throw Failure{element, "\"perspective\" is missing"};
+    if (source.yfov >= std::numbers::pi)
+        throw Failure{element, "yfov is " + std::to_string(source.yfov) + ", expected less than pi"};
     candela_camera camera{};
-    camera.struct_size = sizeof camera;
-    camera.name = source.name.c_str();
-    camera.vertical_fov = static_cast<float>(source.perspective.yfov);
-    camera.near_plane = static_cast<float>(source.perspective.znear);
-    camera.node = node;
-    camera.number = 1 + number;
-    host.add(camera);
+    camera.vertical_fov = static_cast<float>(source.yfov);
+    camera.near_plane = static_cast<float>(source.znear);
+    camera.far_plane = farPlaneOf(source.zfar, source.znear, element, host);
+    return camera;
+}
+
+candela_camera orthographic(const tinygltf::OrthographicCamera& source, const std::string& element,
+                            const Host& host) {
+    const auto height = static_cast<float>(2.0 * std::abs(source.ymag));
+    if (!(height > 0.0f) || !std::isfinite(height))
+        throw Failure{element, "ymag is " + std::to_string(source.ymag) + ", expected a number over 0"};
+    candela_camera camera{};
+    camera.orthographic_height = height;
+    camera.near_plane = static_cast<float>(std::max(source.znear, 0.0));
+    camera.far_plane = farPlaneOf(source.zfar, source.znear, element, host);
+    return camera;
 }
 
 }  // namespace
@@ -248,12 +279,15 @@ void addCameras(const Document& document, const std::vector<DrawnNode>& drawn,
         const tinygltf::Camera& camera = document.model.cameras.at(cameraIndex);
         const std::string element = elementName("camera", cameraIndex, camera.name);
         if (host.leavesOut([&] { requireUsable(document, element); })) continue;
-        if (camera.type == "orthographic") {
-            host.note(CANDELA_NOTE_MISSING, element, "orthographic: left out");
-            continue;
-        }
         host.leavesOut([&] {
-            addPerspective(camera, element, static_cast<std::uint32_t>(cameraIndex), nodes[index], host);
+            candela_camera added = camera.type == "orthographic"
+                                       ? orthographic(camera.orthographic, element, host)
+                                       : perspective(camera.perspective, element, host);
+            added.struct_size = sizeof added;
+            added.name = camera.name.c_str();
+            added.node = nodes[index];
+            added.number = 1 + static_cast<std::uint32_t>(cameraIndex);
+            host.add(added);
         });
     }
 }

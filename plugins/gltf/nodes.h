@@ -24,8 +24,8 @@ std::vector<DrawnNode> drawnNodes(const Document& document, const Host& host);
 std::vector<std::int32_t> addNodes(const Document& document, const std::vector<DrawnNode>& drawn,
                                    const MeshParts& meshes, const Host& host);
 
-/// Adds a camera for each drawn node with a perspective camera, and notes others and broken ones. `nodes` are
-/// the host's indices of the file's nodes.
+/// Adds a camera for each drawn node that has one, and notes broken ones. `nodes` are the host's indices of
+/// the file's nodes.
 void addCameras(const Document& document, const std::vector<DrawnNode>& drawn,
                 const std::vector<std::int32_t>& nodes, const Host& host);
 

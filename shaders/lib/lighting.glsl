@@ -71,7 +71,7 @@ PixelSurface fetchSurface(ivec2 pixel) {
 
 #ifdef BRDF
 ShadingPoint shadingPointOf(PixelSurface pixel) {
-    return shadingPoint(BRDF, pixel.surface.lobes, pixel.surface.normal, pixel.position, frame.eye.xyz, albedoTexture);
+    return shadingPoint(BRDF, pixel.surface.lobes, pixel.surface.normal, pixel.position, wayToEye(pixel.position), albedoTexture);
 }
 
 vec3 directionalLight(ShadingPoint point, int index) {

@@ -2,13 +2,16 @@
 
 struct FrameUniforms {
     mat4 clipFromWorld;
-    vec4 eye;          // w: distance of the near plane
-    vec4 rayCorner;    // world direction, one metre deep, through the centre of pixel (0, 0)
+    vec4 eye;  // w: distance of the near plane
+    // Perspective: world direction, one metre deep, through the centre of pixel (0, 0). Orthographic: the way from the eye to that pixel.
+    vec4 rayCorner;
     vec4 rayStepX;     // added for each pixel to the right
     vec4 rayStepY;     // added for each pixel up
-    vec4 cameraRight;  // w: half the picture's width one metre deep
+    vec4 cameraRight;  // w: half the picture's width, in a perspective view one metre deep
     vec4 cameraUp;     // w: half its height
     vec4 cameraForward;
+    // Perspective: near / far plane, 1 - near / far plane, 0, 0. Orthographic: 0, far plane, far - near plane, 1.
+    vec4 depthRange;
     vec4 workingFromRed;  // columns of the matrix from linear Rec.709 to the working space
     vec4 workingFromGreen;
     vec4 workingFromBlue;

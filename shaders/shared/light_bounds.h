@@ -5,14 +5,15 @@
 // The view frustum without a far plane, in camera space: x points right, y up, and depth forward.
 struct ViewFrustum {
     float nearPlane;
-    float halfWidth, halfHeight;   // of the picture at a depth of one metre
+    float halfWidth, halfHeight;   // of the picture at a depth of one metre; 0 in an orthographic view
     float edgeScaleX, edgeScaleY;  // 1 / sqrt(1 + halfWidth²): 1 / length of a side plane's normal
+    float baseWidth, baseHeight;   // half of the picture's width and height in an orthographic view; 0 in a perspective one
 };
 
 // How far a point lies outside of the planes of the frustum, at most; negative inside. A sphere whose radius is less lies wholly outside.
 SHARED_FUNCTION Real distanceToFrustum(ViewFrustum frustum, Real x, Real y, Real depth) {
-    Real beside = (abs(x) - depth * frustum.halfWidth) * frustum.edgeScaleX;
-    Real above = (abs(y) - depth * frustum.halfHeight) * frustum.edgeScaleY;
+    Real beside = (abs(x) - frustum.baseWidth - depth * frustum.halfWidth) * frustum.edgeScaleX;
+    Real above = (abs(y) - frustum.baseHeight - depth * frustum.halfHeight) * frustum.edgeScaleY;
     return max(max(beside, above), frustum.nearPlane - depth);
 }
 
@@ -22,12 +23,17 @@ struct Span {
 };
 
 // The sphere lies wholly in front of the near plane. Tangent lines from the eye, after Mara and McGuire, "2D polyhedral bounds of a
-// clipped, perspective-projected 3D sphere", 2013. `side` is x or y, and `halfExtent` the half width or height that belongs to it.
-SHARED_FUNCTION Span projectedSpan(float side, float depth, float radius, float halfExtent) {
+// clipped, perspective-projected 3D sphere", 2013. `side` is x or y, and `halfExtent` and `base` belong to it.
+SHARED_FUNCTION Span projectedSpan(float side, float depth, float radius, float halfExtent, float base) {
+    Span span;
+    if (base > 0.0f) {
+        span.first = 0.5f + 0.5f * (side - radius) / base;
+        span.last = 0.5f + 0.5f * (side + radius) / base;
+        return span;
+    }
     float radius2 = radius * radius;
     float reach = radius * sqrt(max(side * side + depth * depth - radius2, 0.0f));
     float scale = 0.5f / (halfExtent * (depth * depth - radius2));
-    Span span;
     span.first = 0.5f + (side * depth - reach) * scale;
     span.last = 0.5f + (side * depth + reach) * scale;
     return span;
@@ -57,8 +63,8 @@ SHARED_FUNCTION TileRange tilesUnder(TileGrid grid, ViewFrustum frustum, float x
     tiles.right = grid.columns - 1;
     tiles.top = grid.rows - 1;
     if (depth - radius <= frustum.nearPlane) return tiles;
-    Span across = projectedSpan(x, depth, radius, frustum.halfWidth);
-    Span along = projectedSpan(y, depth, radius, frustum.halfHeight);
+    Span across = projectedSpan(x, depth, radius, frustum.halfWidth, frustum.baseWidth);
+    Span along = projectedSpan(y, depth, radius, frustum.halfHeight, frustum.baseHeight);
     tiles.left = tileOf(across.first * float(grid.width) - 1.0f, grid.tileSize, grid.columns);
     tiles.right = tileOf(across.last * float(grid.width) + 1.0f, grid.tileSize, grid.columns);
     tiles.bottom = tileOf(along.first * float(grid.height) - 1.0f, grid.tileSize, grid.rows);

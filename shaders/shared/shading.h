@@ -84,11 +84,11 @@ SHARED_FUNCTION Real schlickWeight(Real t2) {
 
 // ---- The equation
 
-SHARED_FUNCTION ShadingPoint shadingPoint(const int brdf, SurfaceLobes lobes, Real3 normal, Real3 position, Real3 eye, AlbedoTable table) {
+// `way` points towards the eye and has any length over 0.
+SHARED_FUNCTION ShadingPoint shadingPoint(const int brdf, SurfaceLobes lobes, Real3 normal, Real3 position, Real3 way, AlbedoTable table) {
     ShadingPoint point;
     point.position = position;
     point.normal = normal;
-    Real3 way = eye - position;
     point.toEye = way * inversesqrt(dot(way, way));
     point.nDotV = dot(normal, point.toEye);
     Real alpha = max(lobes.roughness * lobes.roughness, MIN_ALPHA);

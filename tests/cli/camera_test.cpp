@@ -106,6 +106,55 @@ TEST_F(CameraChoice, TheAutomaticCameraLooksPastWhatIsFarAndTiny) {
     EXPECT_GT(alone, 0.4);
 }
 
+TEST_F(CameraChoice, TheAutomaticCameraLooksPastVerticesOfNoFace) {
+    Json scene = Json::parse(sampleSceneWithoutCameras());
+    write("square.gltf", scene);
+    const ExrPicture expected = exr({"square.gltf"});
+    // The square's four vertices and one at (1e6, 0, 0), which no triangle uses.
+    const std::string bytes =
+        "AACAvwAAgL8AAAAAAACAPwAAgL8AAAAAAACAPwAA"
+        "gD8AAAAAAACAvwAAgD8AAAAAACR0SQAAAAAAAAAA";
+    scene["buffers"].push_back(
+        {{"byteLength", 60}, {"uri", "data:application/octet-stream;base64," + bytes}});
+    scene["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 60}});
+    scene["accessors"][0]["bufferView"] = 4;
+    scene["accessors"][0]["count"] = 5;
+    scene["accessors"][0]["max"] = {1e6, 1, 0};
+    write("stray.gltf", scene);
+    EXPECT_EQ(exr({"stray.gltf"}).channels, expected.channels);
+}
+
+TEST_F(CameraChoice, OrthographicCamerasShowSizesAtAnyDistance) {
+    Json scene = namedScene();
+    scene["cameras"][1] = {{"name", "far"},
+                           {"type", "orthographic"},
+                           {"orthographic", {{"xmag", 2}, {"ymag", 2}, {"zfar", 100}, {"znear", 0}}}};
+    write("plan.gltf", scene);
+    const ExrPicture plan = exr({"plan.gltf", "--camera", "Hero"});
+    EXPECT_EQ(coverage(plan), 0.25) << "a square of 2 m in a picture of 4 m";
+    EXPECT_FLOAT_EQ(plan.at("Z", 16, 16), 6.0f);
+    EXPECT_NEAR(plan.at("P.X", 16, 16), 4.0f / 64.0f, 1e-6f);
+    EXPECT_NEAR(plan.at("P.Z", 16, 16), 0.0f, 1e-5f);
+    // The same by the option, from any distance.
+    for (const char* eye : {"0,0,6", "0,0,50"}) {
+        const ExrPicture parallel = exr({"plan.gltf", "--eye", eye, "--target", "0,0,0", "--ortho", "4"});
+        EXPECT_EQ(parallel.channels.at("A"), plan.channels.at("A"));
+    }
+    EXPECT_EQ(coverage(exr({"plan.gltf", "--camera", "Plan", "--ortho", "8"})), 0.0625);
+    EXPECT_FLOAT_EQ(exr({"plan.gltf", "--camera", "Hero", "--fov", "90"}).at("Z", 16, 16), 6.0f);
+    expectUsageError(run({"plan.gltf", "--ortho", "2", "--fov", "30"}), "exclude each other");
+    expectUsageError(run({"plan.gltf", "--ortho", "0"}), "--ortho");
+}
+
+TEST_F(CameraChoice, NothingIsDrawnBeyondTheFarPlane) {
+    Json scene = namedScene();
+    scene["cameras"][0]["perspective"]["zfar"] = 2.9;
+    scene["cameras"][1]["perspective"]["zfar"] = 6.1;
+    write("a.gltf", scene);
+    EXPECT_EQ(coverage(exr({"a.gltf", "--camera", "Plan"})), 0.0);
+    EXPECT_FLOAT_EQ(distanceFrom("a.gltf", "Hero"), 6.0f);
+}
+
 TEST_F(CameraChoice, SmallThingsAreSeenFromCloseBy) {
     Json scene = Json::parse(sampleSceneWithoutCameras());
     scene["nodes"][0]["scale"] = {0.001, 0.001, 0.001};

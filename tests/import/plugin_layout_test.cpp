@@ -122,7 +122,9 @@ static_assert(offsetof(candela_camera, near_plane) == 20);
 static_assert(offsetof(candela_camera, node) == 24);
 static_assert(offsetof(candela_camera, unused) == 28);
 static_assert(offsetof(candela_camera, number) == 32);
-static_assert(sizeof(candela_camera) == 40);
+static_assert(offsetof(candela_camera, orthographic_height) == 36);
+static_assert(offsetof(candela_camera, far_plane) == 40);
+static_assert(sizeof(candela_camera) == 48);
 
 static_assert(offsetof(candela_light, struct_size) == 0);
 static_assert(offsetof(candela_light, name) == 8);
@@ -145,7 +147,9 @@ static_assert(offsetof(candela_node, rotation) == 32);
 static_assert(offsetof(candela_node, scale) == 48);
 static_assert(offsetof(candela_node, matrix) == 64);
 static_assert(offsetof(candela_node, mesh) == 72);
-static_assert(sizeof(candela_node) == 80);
+static_assert(offsetof(candela_node, unused) == 76);
+static_assert(offsetof(candela_node, translation_remainder) == 80);
+static_assert(sizeof(candela_node) == 104);
 
 static_assert(offsetof(candela_animation_channel, node) == 0);
 static_assert(offsetof(candela_animation_channel, path) == 4);

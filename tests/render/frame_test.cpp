@@ -107,6 +107,11 @@ TEST_F(FrameTest, rejectsInvalidViews) {
     for (const float near : {0.0f, -0.1f}) {
         expectRefused(with([&](CameraView& v) { v.nearPlane = near; }), "nearPlane");
     }
+    for (const float height : {0.0f, -1.0f, nan, infinite})
+        expectRefused(with([&](CameraView& v) { v.orthographicHeight = height; }), "orthographicHeight");
+    for (const float far : {0.0f, 0.01f, nan, infinite})
+        expectRefused(with([&](CameraView& v) { v.farPlane = far; }), "farPlane");
+    EXPECT_NO_THROW(with([](CameraView& v) { v.orthographicHeight = 2.0f, v.nearPlane = 0.0f; })());
     EXPECT_NO_THROW(test::render(renderer(), scene, request()));
 }
 

@@ -99,7 +99,7 @@ TEST(Dolly, ApproachesTheTargetButNeverReachesIt) {
     for (int i = 0; i < 1000; ++i) camera.dolly(1.0f);
     EXPECT_GT(camera.eye().z, 0.0f);
     EXPECT_TRUE(isFinite(camera));
-    for (int i = 0; i < 100; ++i) camera.dolly(-1.0f);
+    for (int i = 0; i < 150; ++i) camera.dolly(-1.0f);
     EXPECT_GT(camera.eye().z, 1.0f);
 }
 
@@ -160,6 +160,31 @@ TEST(Frame, AcceptsAPointAndIgnoresAnEmptyBox) {
     EXPECT_EQ(camera.eye(), glm::vec3(0.0f, 0.0f, 5.0f));
     camera.frame(box(glm::vec3(2.0f), glm::vec3(2.0f)), 1.0f);
     EXPECT_EQ(camera.target(), glm::vec3(2.0f));
+    EXPECT_TRUE(isFinite(camera));
+}
+
+TEST(Orthographic, DollyPanAndFrameFollowTheHeight) {
+    CameraControl camera = cameraAt({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f));
+    camera.setOrthographicHeight(4.0f);
+    EXPECT_EQ(camera.heightAtTarget(), 4.0f);
+    camera.pan({0.25f, 0.0f});
+    EXPECT_FLOAT_EQ(camera.target().x, -1.0f);
+    camera.dolly(2.0f);
+    EXPECT_FLOAT_EQ(*camera.orthographicHeight(), 4.0f * 0.81f);
+    EXPECT_EQ(camera.view().orthographicHeight, camera.orthographicHeight());
+    camera.frame(box(glm::vec3(-1.0f), glm::vec3(1.0f)), 0.5f);
+    EXPECT_FLOAT_EQ(*camera.orthographicHeight(), 4.0f * std::sqrt(3.0f));
+    camera.setOrthographicHeight(std::nullopt);
+    EXPECT_FALSE(camera.view().orthographicHeight);
+}
+
+TEST(Dolly, ApproachesSmallThings) {
+    CameraControl camera = cameraAt({0.0f, 0.0f, 5.0f}, glm::vec3(0.0f));
+    camera.dolly(120.0f);
+    EXPECT_LT(camera.eye().z, 1.0e-4f);
+    EXPECT_TRUE(isFinite(camera));
+    camera = cameraAt({1000.0f, 0.0f, 5.0f}, {1000.0f, 0.0f, 0.0f});
+    camera.dolly(1000.0f);
     EXPECT_TRUE(isFinite(camera));
 }
 

@@ -170,6 +170,20 @@ TEST(RenderCommandLine, PreservesEnumerationsAndLists) {
     EXPECT_EQ(read.display.display, "Display P3");
 }
 
+TEST(RenderCommandLine, KeepsTheLensAndTheAnimation) {
+    SceneOptions options = someScene();
+    options.orthographicHeight = 1.0f / 3.0f;
+    options.animation = "--all";
+    options.repeatAnimations = true;
+    const SceneOptions read = readBack(options);
+    EXPECT_EQ(read.orthographicHeight, options.orthographicHeight);
+    EXPECT_EQ(read.animation, "--all");
+    EXPECT_TRUE(read.repeatAnimations);
+    EXPECT_FALSE(readBack(someScene()).orthographicHeight);
+    EXPECT_FALSE(readBack(someScene()).animation);
+    EXPECT_FALSE(readBack(someScene()).repeatAnimations);
+}
+
 TEST(RenderCommandLine, PrefersAnEyeToACamera) {
     SceneOptions options = someScene();
     options.camera = "front";

@@ -99,15 +99,4 @@ TEST(SceneFacts, ListEachMaterialOfANodeOnce) {
     EXPECT_TRUE(materialsOfNode(scene, 1).empty());
 }
 
-TEST(SceneFacts, FindTheLastKey) {
-    candela::Scene scene;
-    EXPECT_EQ(lastKeyTime(scene), 0.0);
-    scene.animations.resize(2);
-    scene.animations[0].channels.resize(1);
-    scene.animations[0].channels[0].times = {0.0f, 2.5f};
-    scene.animations[1].channels.resize(1);
-    scene.animations[1].channels[0].times = {1.0f};
-    EXPECT_EQ(lastKeyTime(scene), 2.5);
-}
-
 }  // namespace

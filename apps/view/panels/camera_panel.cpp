@@ -1,4 +1,4 @@
-#include "common/camera_selection.h"
+#include "common/scene_selection.h"
 #include "interaction.h"
 #include "panels/panel_values.h"
 #include "panels/panels.h"
@@ -17,10 +17,6 @@ namespace {
 constexpr float pixelsToTarget = 500.0f;
 /// The time slider's end where no animation gives one, in seconds.
 constexpr double standardEnd = 10.0;
-
-struct Kept {
-    std::optional<double> lastKey;
-};
 
 /// Where the picture is taken from, in words.
 std::string standpoint(const ViewModel& model) {
@@ -42,7 +38,15 @@ void chooseCamera(ViewModel& model) {
     ImGui::EndDisabled();
 }
 
+/// Coordinates of a scene far from the origin of its file are small numbers too.
+void tellOrigin(const candela::Scene& scene) {
+    if (scene.origin == glm::dvec3(0.0)) return;
+    const glm::dvec3& origin = scene.origin;
+    ImGui::TextDisabled("relative to %.0f %.0f %.0f of the file", origin.x, origin.y, origin.z);
+}
+
 void editPlace(ViewModel& model) {
+    tellOrigin(model.document->scene());
     glm::vec3 eye = model.camera.eye(), target = model.camera.target();
     const float speed = glm::distance(eye, target) / pixelsToTarget;
     bool changed = dragPoint("eye", eye, speed);
@@ -60,17 +64,71 @@ void editFieldOfView(ViewModel& model) {
     float degrees = glm::degrees(model.camera.verticalFov());
     if (!slideNumber("field of view", degrees, {.min = 1.0f, .max = 175.0f, .format = "%.1f deg"})) return;
     model.camera.setVerticalFov(glm::radians(degrees));
-    model.options.verticalFov = model.camera.verticalFov();
+    storeLens(model);
 }
 
-void editTime(ViewModel& model, Kept& kept) {
-    if (!kept.lastKey) kept.lastKey = lastKeyTime(model.document->scene());
-    slideNumber("time", model.options.time, 0.0, *kept.lastKey > 0.0 ? *kept.lastKey : standardEnd, "%.3f s");
+void editHeight(ViewModel& model) {
+    float height = *model.camera.orthographicHeight();
+    const float speed = height / pixelsToTarget;
+    if (!dragNumber("height", height, {.min = 1e-6f, .max = 1e9f, .speed = speed, .format = "%.4g m"}))
+        return;
+    model.camera.setOrthographicHeight(height);
+    storeLens(model);
+}
+
+void editLens(ViewModel& model) {
+    bool orthographic = model.camera.orthographicHeight().has_value();
+    if (ImGui::Checkbox("orthographic", &orthographic)) {
+        model.camera.setOrthographicHeight(orthographic ? std::optional(model.camera.heightAtTarget())
+                                                        : std::nullopt);
+        storeLens(model);
+    }
+    if (orthographic) {
+        editHeight(model);
+    } else {
+        editFieldOfView(model);
+    }
+}
+
+/// The animations that play, in words.
+std::string playing(const ViewModel& model) {
+    const candela::Scene& scene = model.document->scene();
+    if (scene.animations.empty()) return "no animation";
+    return model.options.animation.value_or(animationLabel(scene, 0));
+}
+
+void chooseAnimation(ViewModel& model) {
+    const candela::Scene& scene = model.document->scene();
+    std::optional<std::string> chosen;
+    ImGui::BeginDisabled(scene.animations.empty());
+    if (ImGui::BeginCombo("animation", playing(model).c_str())) {
+        for (const char* word : {"all", "none"})
+            if (ImGui::Selectable(word)) chosen = word;
+        for (std::uint32_t i = 0; i < scene.animations.size(); ++i)
+            if (listRow(i, Row::plain, animationLabel(scene, i))) chosen = std::to_string(i);
+        ImGui::EndCombo();
+    }
+    ImGui::EndDisabled();
+    if (!chosen) return;
+    tryTo(model, [&] {
+        SceneOptions options = model.options;
+        options.animation = chosen;
+        model.document->playAnimations(selectedAnimations(scene, options));
+        model.options.animation = chosen;
+    });
+}
+
+void editTime(ViewModel& model) {
+    chooseAnimation(model);
+    const double lastKey = lastKeyTime(model.document->scene());
+    slideNumber("time", model.options.time, 0.0, lastKey > 0.0 ? lastKey : standardEnd, "%.3f s");
     ImGui::BeginDisabled(!model.document->animated() && !model.playing);
     if (ImGui::Button(model.playing ? "Pause" : "Play")) model.playing = !model.playing;
     ImGui::EndDisabled();
     ImGui::SameLine();
     if (ImGui::Button("To the start")) model.options.time = 0.0;
+    ImGui::SameLine();
+    ImGui::Checkbox("loop", &model.options.repeatAnimations);
 }
 
 }  // namespace
@@ -80,12 +138,12 @@ void drawCameraPanel(ViewModel& model) {
     if (!window || !model.document) return;
     chooseCamera(model);
     editPlace(model);
-    editFieldOfView(model);
+    editLens(model);
     if (ImGui::Button("Frame all")) model.requests.frameAll = true;
     ImGui::SameLine();
     ImGui::BeginDisabled(!model.pickedNode);
     if (ImGui::Button("Frame picked")) model.requests.framePicked = true;
     ImGui::EndDisabled();
     ImGui::Separator();
-    editTime(model, keptOfScene<Kept>(model));
+    editTime(model);
 }

@@ -78,14 +78,6 @@ std::vector<std::uint32_t> materialsOfNode(const candela::Scene& scene, std::uin
     return list.take();
 }
 
-double lastKeyTime(const candela::Scene& scene) {
-    float last = 0.0f;
-    for (const candela::Animation& animation : scene.animations)
-        for (const candela::AnimationChannel& channel : animation.channels)
-            last = std::max(last, channel.times.back());
-    return last;
-}
-
 std::optional<FrameSummary> summarise(const std::deque<FrameRecord>& frames) {
     if (frames.empty()) return std::nullopt;
     FrameSummary summary;

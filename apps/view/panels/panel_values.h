@@ -16,9 +16,6 @@ std::vector<std::string> kindsOfNodes(const candela::Scene& scene);
 /// The materials of the mesh or cage of `node`, each once, in the order of first use.
 std::vector<std::uint32_t> materialsOfNode(const candela::Scene& scene, std::uint32_t node);
 
-/// The time of the last key of the scene's animations, in seconds; 0 where there are none.
-double lastKeyTime(const candela::Scene& scene);
-
 /// Times of one pass, in milliseconds.
 struct PassSummary {
     std::string name;

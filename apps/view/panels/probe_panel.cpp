@@ -4,6 +4,8 @@
 
 #include <imgui.h>
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -18,6 +20,15 @@ std::string numberText(float value) {
 
 std::string vectorText(const glm::vec3& value) {
     return numberText(value.x) + " " + numberText(value.y) + " " + numberText(value.z);
+}
+
+/// A place in the space of the scene's file.
+std::string placeText(const glm::dvec3& origin, const glm::vec3& position) {
+    if (origin == glm::dvec3(0.0)) return vectorText(position);
+    const glm::dvec3 place = origin + glm::dvec3(position);
+    std::array<char, 128> text;
+    std::snprintf(text.data(), text.size(), "%.3f %.3f %.3f", place.x, place.y, place.z);
+    return text.data();
 }
 
 int codeValue(float share) {
@@ -44,7 +55,7 @@ void showSurface(const candela::PixelProbe& probe, const candela::Scene& scene) 
     const std::string& name = scene.nodes[probe.node].name;
     showRow("node", std::to_string(probe.node) + (name.empty() ? "" : " " + name));
     showRow("depth", numberText(probe.z) + " m");
-    showRow("position", vectorText(probe.position));
+    showRow("position", placeText(scene.origin, probe.position));
     showRow("normal", vectorText(probe.normal));
     showPatchRow("base colour", vectorText(probe.baseColor), colorPatch, probe.baseColor);
     showRow("metallic", numberText(probe.metallic));

@@ -39,7 +39,7 @@ glm::vec3 valueAt(const ChannelRow& row, const AovSources& sources, int x, int y
     const std::size_t i =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(sources.width) + static_cast<std::size_t>(x);
     if (!hasValue(row, sources, i)) return glm::vec3(0.0f);
-    ChannelPixel pixel{sources.frame, x, y, sources.depth[i], {}};
+    ChannelPixel pixel{sources.frame, sources.origin, x, y, sources.depth[i], {}};
     if (row.source == ChannelSource::surface) pixel.surface = unpackSurface(sources.surfaces[i]);
     if (row.source == ChannelSource::lightCount) pixel.lightCount = sources.lightCount[i];
     if (row.source == ChannelSource::emission)

@@ -16,6 +16,7 @@ namespace candela {
 struct AovSources {
     int width, height;
     const layout::FrameUniforms& frame;
+    glm::dvec3 origin;  ///< `Scene::origin`.
     std::span<const float> depth;
     std::span<const GBufferTexel> surfaces;
     std::span<const float> emission;  ///< RGBA.

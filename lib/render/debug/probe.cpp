@@ -28,7 +28,7 @@ std::optional<PixelProbe> probeSurface(const ProbedPixel& pixel) {
     const float depth = readDepthAt(pixel.targets, pixel.x, pixel.y);
     if (depth <= 0.0f) return std::nullopt;
     PixelProbe probe;
-    probe.z = pixel.frame.eye.w / depth;
+    probe.z = viewDistance(pixel.frame, depth);
     probe.position = worldPosition(pixel.frame, pixel.x, pixel.y, depth);
     probe.radiance = readColorAt(pixel.targets.radiance, pixel.x, pixel.y);
     const GBufferTexel texel = readSurfaceAt(pixel.targets, pixel.x, pixel.y);

@@ -17,25 +17,29 @@ using Scale = DebugViewRow::Scale;
 constexpr std::array rows{
     ChannelRow{
         {"Z", "", "distance along the view axis in metres, 0 on the background",
-         "reversed depth: near plane / Z", "32-bit float"},
+         "reversed depth: near plane / Z without a far plane", "32-bit float"},
         depth,
-        [](const ChannelPixel& pixel) { return glm::vec3(pixel.frame.eye.w / pixel.depth, 0, 0); },
-        // near / (near + distance), by the distance of the closest surface, for depth = near plane / Z.
-        {DebugView::depth, "depth", depth, Scale::maximum, "vec3(depth / (depth + maximum))"}},
+        [](const ChannelPixel& pixel) { return glm::vec3(viewDistance(pixel.frame, pixel.depth), 0, 0); },
+        // Nearest / (nearest + distance), by the distance of the closest surface.
+        {DebugView::depth, "depth", depth, Scale::maximum, "vec3(depthCode(depth, maximum))"}},
     ChannelRow{
-        {"P", "XYZ", "world position in metres", "follows from Z and the camera", "none of its own"},
+        {"P", "XYZ", "position in metres, in the space of the scene's file", "follows from Z and the camera", "none of its own"},
         depth,
-        [](const ChannelPixel& pixel) { return worldPosition(pixel.frame, pixel.x, pixel.y, pixel.depth); },
+        [](const ChannelPixel& pixel) {
+            const glm::dvec3 position(worldPosition(pixel.frame, pixel.x, pixel.y, pixel.depth));
+            return glm::vec3(pixel.origin + position);
+        },
         {}},
     ChannelRow{
         {"N", "XYZ", "world normal, unit length", "octahedral, codes 1 to 4095 an axis", "2 × 12 bits"},
         surface,
         [](const ChannelPixel& pixel) { return pixel.surface.normal; },
         {DebugView::normals, "normals", surface, Scale::fixed, "0.5 + 0.5 * surface.normal"}},
-    ChannelRow{{"base_color", "RGB", "base colour, linear in the working space", "sRGB curve", "3 × 8 bits"},
-               surface,
-               [](const ChannelPixel& pixel) { return pixel.surface.lobes.baseColor; },
-               {DebugView::baseColor, "base_color", surface, Scale::fixed, "srgbEncode(surface.lobes.baseColor)"}},
+    ChannelRow{
+        {"base_color", "RGB", "base colour, linear in the working space", "sRGB curve", "3 × 8 bits"},
+        surface,
+        [](const ChannelPixel& pixel) { return pixel.surface.lobes.baseColor; },
+        {DebugView::baseColor, "base_color", surface, Scale::fixed, "srgbEncode(surface.lobes.baseColor)"}},
     ChannelRow{{"metallic", "", "metallic, 0 to 1", "linear", "8 bits"},
                surface,
                [](const ChannelPixel& pixel) { return glm::vec3(pixel.surface.lobes.metallic, 0, 0); },

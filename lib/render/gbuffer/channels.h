@@ -2,8 +2,8 @@
 
 #include "render/layout.h"
 
-#include <candela/gbuffer.h>
 #include <candela/frame_settings.h>
+#include <candela/gbuffer.h>
 
 #include <glm/vec3.hpp>
 
@@ -25,8 +25,9 @@ enum class ChannelSource {
 /// is set.
 struct ChannelPixel {
     const layout::FrameUniforms& frame;
-    int x, y;     ///< y from the bottom.
-    float depth;  ///< Reversed; 0 on the background.
+    const glm::dvec3& origin;  ///< `Scene::origin`.
+    int x, y;                  ///< y from the bottom.
+    float depth;               ///< Reversed; 0 on the background.
     GBufferSurface surface;
     glm::vec3 emission{0.0f};
     float lightCount = 0.0f;

@@ -110,4 +110,13 @@ Bounds GpuInstances::bounds() const {
     return box;
 }
 
+float GpuInstances::farthestDepth(const Frustum& frustum) const {
+    float farthest = 0.0f;
+    for (std::uint32_t i = 0; i < spheres_.size(); ++i) {
+        if (!isVisible(i, frustum)) continue;
+        farthest = std::max(farthest, frustum.inCameraSpace(spheres_[i].center).z + spheres_[i].radius);
+    }
+    return farthest;
+}
+
 }  // namespace candela

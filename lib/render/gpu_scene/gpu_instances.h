@@ -56,6 +56,9 @@ class GpuInstances {
     /// Uploads the records written since the last call. Returns how many those are.
     std::size_t upload() { return records_.upload(); }
 
+    /// The depth of the farthest point that the bounding spheres in view reach; 0 where there is none.
+    float farthestDepth(const Frustum& frustum) const;
+
     void setHidden(std::uint32_t index, bool hidden) { hidden_[index] = hidden; }
     bool isVisible(std::uint32_t index, const Frustum& frustum) const {
         const BoundingSphere& sphere = spheres_[index];

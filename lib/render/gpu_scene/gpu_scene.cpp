@@ -47,6 +47,10 @@ void GpuScene::setTime(double seconds) {
     state().setTime(seconds);
 }
 
+void GpuScene::playAnimations(std::span<const std::uint32_t> animations) {
+    state().playAnimations(animations);
+}
+
 void GpuScene::setCagePoints(std::uint32_t node, std::span<const glm::vec3> points) {
     requireContext();
     state().setCagePoints(node, points);

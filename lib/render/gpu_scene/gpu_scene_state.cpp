@@ -21,6 +21,7 @@ namespace {
 Scene editableParts(const Scene& scene) {
     Scene parts;
     parts.nodes = scene.nodes;
+    parts.origin = scene.origin;
     parts.lights = scene.lights;
     parts.animations = scene.animations;
     parts.cages = scene.cages;
@@ -129,6 +130,15 @@ void GpuScene::State::setTime(double seconds) {
     if (!std::isfinite(seconds)) throw Error(ErrorKind::badInput, "", "the time must be a finite number");
     if (seconds == transforms.time()) return;
     transforms.setTime(seconds);
+    timeChanged_ = true;
+}
+
+void GpuScene::State::playAnimations(std::span<const std::uint32_t> animations) {
+    for (const std::uint32_t index : animations)
+        requireIndex("animation", index, sceneState.animations.size());
+    for (Animation& animation : sceneState.animations) animation.plays = false;
+    for (const std::uint32_t index : animations) sceneState.animations[index].plays = true;
+    transforms.resetAnimated();
     timeChanged_ = true;
 }
 

@@ -22,11 +22,15 @@ NodeTransforms::NodeTransforms(Scene& scene)
       animated_(scene.nodes.size()),
       world_(scene.nodes.size()),
       isMarked_(scene.nodes.size()) {
-    local_.reserve(scene.nodes.size());
     parents_.reserve(scene.nodes.size());
-    for (const Node& node : scene.nodes) {
-        local_.push_back(localMatrix(node.transform));
-        parents_.push_back(node.parent.value_or(none));
+    local_.resize(scene.nodes.size());
+    if (isFar(scene)) {
+        exactLocal_.resize(scene.nodes.size());
+        exactWorld_.resize(scene.nodes.size());
+    }
+    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
+        rest(i);
+        parents_.push_back(scene.nodes[i].parent.value_or(none));
     }
     listChildren();
     listAnimated();
@@ -68,12 +72,28 @@ void NodeTransforms::setLocal(std::uint32_t node, const glm::mat4& local) {
         animated_[node] = false;
     }
     local_[node] = local;
+    if (isFar(scene_)) exactLocal_[node] = glm::dmat4(local);
     mark(node);
+}
+
+void NodeTransforms::rest(std::uint32_t index) {
+    const Node& node = scene_.nodes[index];
+    local_[index] = localMatrix(node.transform);
+    if (isFar(scene_)) exactLocal_[index] = exactLocalMatrix(node.transform, exactTranslation(node));
 }
 
 void NodeTransforms::setTime(double seconds) {
     timeChanged_ = timeChanged_ || seconds != time_;
     time_ = seconds;
+}
+
+void NodeTransforms::resetAnimated() {
+    timeChanged_ = true;
+    for (std::uint32_t i = 0; i < local_.size(); ++i) {
+        if (!animated_[i]) continue;
+        rest(i);
+        mark(i);
+    }
 }
 
 void NodeTransforms::mark(std::uint32_t node) {
@@ -86,9 +106,14 @@ void NodeTransforms::pose() {
     timeChanged_ = false;
     for (const PosedNode& posed : poseAnimatedNodes(scene_, time_)) {
         const glm::mat4 local = localMatrix(posed.transform);
-        if (local == local_[posed.node]) continue;
+        bool moved = local != local_[posed.node];
         local_[posed.node] = local;
-        mark(posed.node);
+        if (isFar(scene_)) {
+            const glm::dmat4 exact = exactLocalMatrix(posed.transform, posed.translation);
+            moved = moved || exact != exactLocal_[posed.node];
+            exactLocal_[posed.node] = exact;
+        }
+        if (moved) mark(posed.node);
     }
 }
 
@@ -118,8 +143,18 @@ void NodeTransforms::updateAll() {
 }
 
 void NodeTransforms::updateNode(std::uint32_t node) {
-    world_[node] = parents_[node] == none ? local_[node] : world_[parents_[node]] * local_[node];
+    if (isFar(scene_)) {
+        updateFarNode(node);
+    } else {
+        world_[node] = parents_[node] == none ? local_[node] : world_[parents_[node]] * local_[node];
+    }
     updated_.push_back(node);
+}
+
+void NodeTransforms::updateFarNode(std::uint32_t node) {
+    exactWorld_[node] = parents_[node] == none ? exactRootMatrix(scene_, exactLocal_[node])
+                                               : exactWorld_[parents_[node]] * exactLocal_[node];
+    world_[node] = glm::mat4(exactWorld_[node]);
 }
 
 void NodeTransforms::updateSubtree(std::uint32_t root) {

@@ -23,6 +23,8 @@ class NodeTransforms {
     /// Poses animated nodes as at `seconds`.
     void setTime(double seconds);
     double time() const { return time_; }
+    /// Returns what animations move to the pose of the scene, before those that play pose it again.
+    void resetAnimated();
 
     /// Recomputes world matrices. Returns the nodes whose matrices that were, parents before children.
     std::span<const std::uint32_t> update();
@@ -38,6 +40,9 @@ class NodeTransforms {
     void updateAll();
     void updateSubtree(std::uint32_t root);
     void updateNode(std::uint32_t node);
+    void updateFarNode(std::uint32_t node);
+    /// Sets the local matrix to the pose of the scene.
+    void rest(std::uint32_t node);
     std::span<const std::uint32_t> childrenOf(std::uint32_t node) const;
 
     Scene& scene_;
@@ -47,6 +52,7 @@ class NodeTransforms {
     std::vector<std::uint32_t> firstChild_, children_;  ///< Children of node i from firstChild_[i] on.
     std::vector<bool> animated_;                        ///< In translation, rotation or scale.
     std::vector<glm::mat4> local_, world_;
+    std::vector<glm::dmat4> exactLocal_, exactWorld_;  ///< Of a scene far from its file's origin; else empty.
     std::vector<std::uint8_t> isMarked_;
     std::vector<std::uint32_t> marked_, updated_, stack_;
 };

@@ -9,7 +9,7 @@ namespace {
 
 bool sameView(const CameraView& a, const CameraView& b) {
     return a.worldFromCamera == b.worldFromCamera && a.verticalFov == b.verticalFov &&
-           a.nearPlane == b.nearPlane;
+           a.orthographicHeight == b.orthographicHeight && a.nearPlane == b.nearPlane;
 }
 
 }  // namespace
@@ -189,9 +189,8 @@ void GpuCages::requestLevel(const LodView& view, const Instance& instance) {
     request.inView = true;
     if (surface.tables().fixedLevel(settings_)) return;
     // No edge is longer than the sphere is wide, nor nearer than its surface.
-    const float nearest = std::max(glm::distance(center, view.eye) - radius, view.nearPlane);
-    if (request.longestEdge && 2.0f * radius * view.pixelsAtOneMetre / nearest <= *request.longestEdge)
-        return;
+    const float nearest = glm::distance(center, view.eye) - radius;
+    if (request.longestEdge && view.pixels(2.0f * radius, nearest) <= *request.longestEdge) return;
     worldPoints_.clear();
     for (const glm::vec3& point : surface.points()) worldPoints_.emplace_back(m * glm::vec4(point, 1.0f));
     const std::optional<float> longest = longestEdge(view, worldPoints_, surface.tables().edges());

@@ -72,8 +72,11 @@ void checkSettings(const SubdivisionSettings& settings) {
 
 LodView lodView(const CameraView& view, int width, int height) {
     const auto pixels = static_cast<float>(height);
+    const float pixelsAtOneMetre = view.orthographicHeight
+                                       ? pixels / *view.orthographicHeight
+                                       : 0.5f * pixels / std::tan(0.5f * view.verticalFov);
     return {Frustum(view, static_cast<float>(width) / pixels), view.eye(), view.nearPlane,
-            0.5f * pixels / std::tan(0.5f * view.verticalFov)};
+            view.orthographicHeight.has_value(), pixelsAtOneMetre};
 }
 
 std::optional<float> longestEdge(const LodView& view, std::span<const glm::vec3> points,
@@ -83,7 +86,7 @@ std::optional<float> longestEdge(const LodView& view, std::span<const glm::vec3>
         const glm::vec3 &a = points[first], &b = points[second];
         const float length = glm::distance(a, b);
         const float nearest = std::min(glm::distance(a, view.eye), glm::distance(b, view.eye));
-        const float pixels = length * view.pixelsAtOneMetre / std::max(nearest, view.nearPlane);
+        const float pixels = view.pixels(length, nearest);
         if (longest && pixels <= *longest) continue;
         if (view.frustum.meets(0.5f * (a + b), 0.5f * length)) longest = pixels;
     }

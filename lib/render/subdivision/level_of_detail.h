@@ -7,6 +7,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -31,7 +32,14 @@ struct LodView {
     Frustum frustum;
     glm::vec3 eye;
     float nearPlane;         ///< Metres; the minimum distance of any point.
-    float pixelsAtOneMetre;  ///< The length on the screen of 1 m at a distance of 1 m.
+    bool orthographic;       ///< The size on the screen does not depend on the distance.
+    float pixelsAtOneMetre;  ///< The length on the screen of 1 m, in a perspective view at a distance of 1 m.
+
+    /// The length on the screen, in pixels, of `length` metres at `distance` metres from the eye.
+    float pixels(float length, float distance) const {
+        if (orthographic) return length * pixelsAtOneMetre;
+        return length * pixelsAtOneMetre / std::max(distance, nearPlane);
+    }
 };
 
 /// The view of a picture of `width` × `height` pixels.

@@ -99,11 +99,13 @@ glm::dvec4 rotationAt(const AnimationChannel& channel, const Moment& moment) {
     return unitOr(value, unitOr(from, glm::dvec4(0.0, 0.0, 0.0, 1.0)));
 }
 
-void apply(const AnimationChannel& channel, double time, Transform& transform) {
+void apply(const AnimationChannel& channel, double time, PosedNode& pose) {
     const glm::dvec4 value = sampleChannel(channel, time);
+    Transform& transform = pose.transform;
     switch (channel.path) {
         case AnimationPath::translation:
             transform.translation = glm::vec3(value);
+            pose.translation = glm::dvec3(value);
             break;
         case AnimationPath::scale:
             transform.scale = glm::vec3(value);
@@ -138,20 +140,22 @@ std::vector<float> sampleMorphWeights(const AnimationChannel& channel, double ti
 }
 
 std::vector<PosedNode> poseAnimatedNodes(const Scene& scene, double time) {
-    std::map<std::uint32_t, Transform> poses;
+    std::map<std::uint32_t, PosedNode> poses;
     for (std::size_t a = 0; a < scene.animations.size(); ++a) {
         const Animation& animation = scene.animations[a];
+        if (!animation.plays) continue;
         for (std::size_t c = 0; c < animation.channels.size(); ++c) {
             const AnimationChannel& channel = animation.channels[c];
             requireChannel(channel, c, scene, ErrorContext("animation", a, animation.name));
             if (channel.path == AnimationPath::morphWeights) continue;
-            const Transform& rest = std::get<Transform>(scene.nodes[channel.node].transform);
-            apply(channel, time, poses.try_emplace(channel.node, rest).first->second);
+            const Node& rest = scene.nodes[channel.node];
+            const PosedNode still{channel.node, std::get<Transform>(rest.transform), exactTranslation(rest)};
+            apply(channel, time, poses.try_emplace(channel.node, still).first->second);
         }
     }
     std::vector<PosedNode> nodes;
     nodes.reserve(poses.size());
-    for (const auto& [node, transform] : poses) nodes.push_back({node, transform});
+    for (const auto& [node, pose] : poses) nodes.push_back(pose);
     return nodes;
 }
 
@@ -159,6 +163,7 @@ std::vector<float> morphWeightsAt(const Scene& scene, std::uint32_t node, double
     const AnimationChannel* last = nullptr;
     for (std::size_t a = 0; a < scene.animations.size(); ++a) {
         const Animation& animation = scene.animations[a];
+        if (!animation.plays) continue;
         for (std::size_t c = 0; c < animation.channels.size(); ++c) {
             const AnimationChannel& channel = animation.channels[c];
             if (channel.node != node || channel.path != AnimationPath::morphWeights) continue;

@@ -22,6 +22,7 @@ std::vector<float> sampleMorphWeights(const AnimationChannel& channel, double ti
 struct PosedNode {
     std::uint32_t node = 0;
     Transform transform;
+    glm::dvec3 translation{0.0};  ///< That of the transform in double precision.
 };
 
 /// The nodes whose transforms are animated, at `time`, in ascending order of node; where two animations move
@@ -32,12 +33,30 @@ std::vector<PosedNode> poseAnimatedNodes(const Scene& scene, double time);
 /// The local matrix of a node's transform.
 glm::mat4 localMatrix(const std::variant<Transform, glm::mat4>& transform);
 
+/// The local translation of a node in double precision.
+glm::dvec3 exactTranslation(const Node& node);
+
+/// The local matrix in double precision, with `translation` in place of that of the transform.
+glm::dmat4 exactLocalMatrix(const std::variant<Transform, glm::mat4>& transform,
+                            const glm::dvec3& translation);
+
+/// Whether world space is not that of the file, so that world matrices are composed in double precision.
+inline bool isFar(const Scene& scene) {
+    return scene.origin != glm::dvec3(0.0);
+}
+
+/// The world matrix of a node without parent, from its local one.
+inline glm::dmat4 exactRootMatrix(const Scene& scene, glm::dmat4 local) {
+    local[3] -= glm::dvec4(scene.origin, 0.0);
+    return local;
+}
+
 /// One of `worldLights`. The light has passed `validate`, and `world` has one matrix per node.
 WorldLight worldLight(const Light& light, const std::vector<glm::mat4>& world);
 
 /// The weights at `time` of the morph targets of the cage that `node` shows: those of the last channel that
-/// animates them, else the node's own. May be empty: all 0. Throws `Error` (badInput) when the channel does
-/// not fit the node.
+/// plays and animates them, else the node's own. May be empty: all 0. Throws `Error` (badInput) when the
+/// channel does not fit the node.
 std::vector<float> morphWeightsAt(const Scene& scene, std::uint32_t node, double time);
 
 }  // namespace candela

@@ -219,6 +219,7 @@ std::vector<double> coarseToFine(const std::vector<double>& times) {
 std::vector<double> poseTimes(const Scene& scene) {
     std::vector<double> keys;
     for (const Animation& animation : scene.animations) {
+        if (!animation.plays) continue;
         for (const AnimationChannel& channel : animation.channels)
             keys.insert(keys.end(), channel.times.begin(), channel.times.end());
     }

@@ -31,15 +31,60 @@ glm::mat4 localMatrix(const std::variant<Transform, glm::mat4>& transform) {
     return std::get<glm::mat4>(transform);
 }
 
-std::vector<glm::mat4> worldTransforms(const Scene& scene, double time) {
-    requireTime(time);
-    const std::vector<PosedNode> posed = poseAnimatedNodes(scene, time);
+glm::dvec3 exactTranslation(const Node& node) {
+    const auto* parts = std::get_if<Transform>(&node.transform);
+    const glm::vec3 translation =
+        parts ? parts->translation : glm::vec3(std::get<glm::mat4>(node.transform)[3]);
+    return glm::dvec3(translation) + node.translationRemainder;
+}
+
+glm::dmat4 exactLocalMatrix(const std::variant<Transform, glm::mat4>& transform,
+                            const glm::dvec3& translation) {
+    glm::dmat4 matrix(1.0);
+    if (const auto* parts = std::get_if<Transform>(&transform)) {
+        const glm::dquat quaternion(parts->rotation);
+        const double length = glm::length(quaternion);
+        if (length > 0.0) matrix = glm::mat4_cast(quaternion / length);
+        for (int axis = 0; axis < 3; ++axis) matrix[axis] *= static_cast<double>(parts->scale[axis]);
+    } else {
+        matrix = glm::dmat4(std::get<glm::mat4>(transform));
+    }
+    matrix[3] = glm::dvec4(translation, 1.0);
+    return matrix;
+}
+
+namespace {
+
+std::vector<glm::mat4> farWorldTransforms(const Scene& scene, const std::vector<PosedNode>& posed) {
+    std::vector<glm::dmat4> exact(scene.nodes.size());
     std::vector<glm::mat4> world(scene.nodes.size());
     auto pose = posed.begin();
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
-        ErrorContext("node", i, node.name)
-            .require(!node.parent || *node.parent < i, "its parent must precede it");
+        const bool animated = pose != posed.end() && pose->node == i;
+        const glm::dmat4 local = animated ? exactLocalMatrix(pose->transform, pose->translation)
+                                          : exactLocalMatrix(node.transform, exactTranslation(node));
+        if (animated) ++pose;
+        exact[i] = node.parent ? exact[*node.parent] * local : exactRootMatrix(scene, local);
+        world[i] = glm::mat4(exact[i]);
+    }
+    return world;
+}
+
+}  // namespace
+
+std::vector<glm::mat4> worldTransforms(const Scene& scene, double time) {
+    requireTime(time);
+    const std::vector<PosedNode> posed = poseAnimatedNodes(scene, time);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        ErrorContext("node", i, scene.nodes[i].name)
+            .require(!scene.nodes[i].parent || *scene.nodes[i].parent < i, "its parent must precede it");
+    }
+    if (isFar(scene)) return farWorldTransforms(scene, posed);
+    std::vector<glm::mat4> world(scene.nodes.size());
+    auto pose = posed.begin();
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
         const bool animated = pose != posed.end() && pose->node == i;
         const glm::mat4 local = animated ? matrixOf((pose++)->transform) : localMatrix(node.transform);
         world[i] = node.parent ? world[*node.parent] * local : local;

@@ -21,6 +21,10 @@ void validateTransform(const Transform& transform, const ErrorContext& element) 
                     "its rotation must be a quaternion of unit length");
 }
 
+bool isPositive(float number) {
+    return number > 0.0f && std::isfinite(number);
+}
+
 void validateMatrix(const glm::mat4& matrix, const ErrorContext& element) {
     element.require(allFinite(matrix), "its matrix must be finite numbers");
     element.require(isAffine(matrix), "its matrix must be affine: a last row of 0, 0, 0, 1");
@@ -32,6 +36,8 @@ void validateNode(const Node& node, std::size_t index, const Scene& scene, const
     element.requireIndex("node", node.parent, scene.nodes.size());
     element.require(!node.parent || *node.parent < index, "its parent must precede it");
     element.requireIndex("mesh", node.mesh, scene.meshes.size());
+    element.require(allFinite(node.translationRemainder),
+                    "the remainder of its translation must be finite numbers");
     if (const auto* transform = std::get_if<Transform>(&node.transform)) {
         validateTransform(*transform, element);
     } else {
@@ -43,8 +49,14 @@ void validateCamera(const Camera& camera, const Scene& scene, const ErrorContext
     element.requireIndex("node", camera.node, scene.nodes.size());
     element.require(camera.verticalFov > 0.0f && camera.verticalFov < std::numbers::pi_v<float>,
                     "its vertical field of view must lie between 0 and pi");
-    element.require(!camera.nearPlane || (*camera.nearPlane > 0.0f && std::isfinite(*camera.nearPlane)),
+    const bool orthographic = camera.orthographicHeight.has_value();
+    element.require(!orthographic || isPositive(*camera.orthographicHeight),
+                    "its orthographic height must be over 0 metres");
+    const float nearPlane = camera.nearPlane.value_or(0.0f);
+    element.require(!camera.nearPlane || isPositive(nearPlane) || (orthographic && nearPlane == 0.0f),
                     "its near plane must be over 0 metres");
+    element.require(!camera.farPlane || (*camera.farPlane > nearPlane && isPositive(*camera.farPlane)),
+                    "its far plane must be beyond its near plane");
 }
 
 void validateLight(const Light& light, const Scene& scene, const ErrorContext& element) {
@@ -89,6 +101,8 @@ void requireWorldMatrices(const Scene& scene, const std::vector<glm::mat4>& worl
 }
 
 void validate(const Scene& scene) {
+    for (int axis = 0; axis < 3; ++axis)
+        ErrorContext("scene").requireWithin("its origin", scene.origin[axis], -maxCoordinate, maxCoordinate);
     for (std::size_t i = 0; i < scene.images.size(); ++i) {
         validateImage(scene.images[i], ErrorContext("image", i, scene.images[i].name));
     }

@@ -81,6 +81,17 @@ TEST(Node, skinsAreNoted) {
     EXPECT_TRUE(hasNote(load(file), "skins are not applied: 1 node drawn in the bind pose"));
 }
 
+TEST(Node, keepsTheDigitsOfItsTranslation) {
+    const GltfFile file = fileWithNodes(
+        {R"({"translation":[4000000.3,-0.1,2]})", R"({"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,4000000.3,0,0,1]})"});
+    const candela::Scene scene = load(file).scene;
+    const auto& placed = std::get<candela::Transform>(scene.nodes[0].transform);
+    EXPECT_EQ(double{placed.translation.x} + scene.nodes[0].translationRemainder.x, 4000000.3);
+    EXPECT_EQ(double{placed.translation.y} + scene.nodes[0].translationRemainder.y, -0.1);
+    EXPECT_EQ(scene.nodes[0].translationRemainder.z, 0.0);
+    EXPECT_NEAR(scene.nodes[1].translationRemainder.x, 0.05, 1e-9);
+}
+
 TEST(Camera, perspective) {
     GltfFile file =
         fileWithNodes({R"({"camera":0,"translation":[0,1,2]})", R"({"camera":1,"name":"above"})"});
@@ -93,6 +104,7 @@ TEST(Camera, perspective) {
     EXPECT_EQ(scene.cameras[0].name, "front");
     EXPECT_EQ(scene.cameras[0].verticalFov, 0.5f);
     EXPECT_EQ(scene.cameras[0].nearPlane, 0.25f);
+    EXPECT_EQ(scene.cameras[0].farPlane, 10.0f);
     EXPECT_EQ(scene.cameras[0].node, 0u);
     EXPECT_EQ(scene.cameras[0].number, 0u);
     EXPECT_EQ(scene.cameras[1].name, "") << "its node is called above, which its index tells";
@@ -110,13 +122,25 @@ TEST(Camera, hasItsNumberInTheFile) {
     EXPECT_EQ(scene.cameras[2].number, 2u);
 }
 
-TEST(Camera, orthographicIsNotedAndOmitted) {
+TEST(Camera, orthographic) {
     GltfFile file = fileWithNodes({R"({"camera":0})"});
     file.add("cameras", R"({"name":"map","type":"orthographic","orthographic":
-                            {"xmag":1,"ymag":1,"zfar":10,"znear":0}})");
+                            {"xmag":1,"ymag":1.5,"zfar":10,"znear":0}})");
+    const candela::Scene scene = load(file).scene;
+    ASSERT_EQ(scene.cameras.size(), 1u);
+    EXPECT_EQ(scene.cameras[0].name, "map");
+    EXPECT_EQ(scene.cameras[0].orthographicHeight, 3.0f);
+    EXPECT_FALSE(scene.cameras[0].nearPlane);
+    EXPECT_EQ(scene.cameras[0].farPlane, 10.0f);
+}
+
+TEST(Camera, farPlaneBeforeTheNearOneIsLeftOut) {
+    GltfFile file = fileWithNodes({R"({"camera":0})"});
+    file.add("cameras", R"({"type":"perspective","perspective":{"yfov":1,"znear":2,"zfar":1}})");
     const candela::ImportedScene imported = load(file);
-    EXPECT_TRUE(imported.scene.cameras.empty());
-    EXPECT_TRUE(hasNote(imported, "camera 0 'map': orthographic: left out"));
+    ASSERT_EQ(imported.scene.cameras.size(), 1u);
+    EXPECT_FALSE(imported.scene.cameras[0].farPlane);
+    EXPECT_TRUE(hasNote(imported, "camera 0: zfar is not over znear: left out"));
 }
 
 GltfFile fileWithLights(const std::string& lights, int count) {

@@ -165,6 +165,34 @@ TEST_F(EditTest, matrixReplacesTheAnimationOfANode) {
     }
 }
 
+TEST_F(EditTest, animationsThatPlayAreSelected) {
+    Scene animated = sceneOf(makeSphere(0.5f), Material{});
+    place(animated, makeSphere(0.5f), Material{});
+    animate(animated, 0);
+    animate(animated, 1);
+    const WorldLight light = pointLight({1, 3, 5}, 30.0f, glm::vec3(30.0f));
+    GpuScene scene = upload(animated, {&light, 1});
+    scene.setTime(0.75);
+    const std::vector<std::vector<std::uint32_t>> selections{{1}, {}, {0}, {0, 1}};
+    for (const std::vector<std::uint32_t>& selection : selections) {
+        Scene expected = animated;
+        for (std::uint32_t i = 0; i < 2; ++i)
+            expected.animations[i].plays = std::ranges::find(selection, i) != selection.end();
+        scene.playAnimations(selection);
+        GpuScene fresh = upload(expected, {&light, 1});
+        fresh.setTime(0.75);
+        EXPECT_EQ(drawn(scene, inputs).rgba, drawn(fresh, inputs).rgba);
+    }
+    // A node that the host places stays there.
+    scene.setTransform(0, at(-1.5f));
+    const HdrImage before = drawn(scene, inputs);
+    scene.playAnimations(selections[2]);
+    scene.playAnimations(selections[3]);
+    EXPECT_EQ(drawn(scene, inputs).rgba, before.rgba);
+    const std::vector<std::uint32_t> beyond{2};
+    EXPECT_NE(errorOfEdit([&] { scene.playAnimations(beyond); }).find("animation 2"), std::string::npos);
+}
+
 TEST_F(EditTest, manyEditsGiveTheImageOfANewScene) {
     Scene edited = sceneOfGroups();
     GpuScene scene(context(), edited);

@@ -54,7 +54,7 @@ class EvaluatorTest : public DrawingTest {
         FrameRequest inputs{width, height, lit.view, model, Technique::fullscreen};
         render(scene, inputs);
         const std::vector<ExpectedPixel> expected = evaluatedImage(
-            model, aovs(width), width, height, lit.view.eye(), withRanges(lit.lights, scene.lightReport()));
+            model, aovs(width), width, height, lit.view, withRanges(lit.lights, scene.lightReport()));
         for (const Technique technique : techniques) {
             inputs.technique = technique;
             const Worst worst = compare(drawn(scene, inputs), expected);
@@ -80,8 +80,7 @@ TEST_F(EvaluatorTest, comparisonDetectsALightThatIsOnePerMilleTooBright) {
     GpuScene scene = upload(lit.scene, lit.lights);
     render(scene, {width, height, lit.view, BrdfModel::course, Technique::fullscreen});
     for (WorldLight& light : lit.lights) light.intensity *= 1.001f;
-    const auto expected =
-        evaluatedImage(BrdfModel::course, aovs(width), width, height, lit.view.eye(), lit.lights);
+    const auto expected = evaluatedImage(BrdfModel::course, aovs(width), width, height, lit.view, lit.lights);
     EXPECT_GT(compare(lastFrame().radiance(), expected).ofTolerance, 1.0);
 }
 

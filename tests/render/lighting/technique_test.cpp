@@ -109,7 +109,7 @@ std::vector<WorldLight> mixedLights(std::uint32_t count, float range) {
 const CameraView front = lookAt({0, 0, 9}, {0, 0, 0}, 0.8f);
 
 TEST_F(TechniqueTest, sceneOfTheEvaluatorsTest) {
-    for (const LitScene& lit : {spheresOnAFloor(), textured(), grazing()})
+    for (const LitScene& lit : {spheresOnAFloor(), textured(), grazing(), orthographic(), withFarPlane()})
         expectSameImages(lit.scene, lit.lights, lit.view, lit.name.c_str());
 }
 
@@ -132,6 +132,20 @@ TEST_F(TechniqueTest, farNearPlaneCutsVolumes) {
     for (const float nearPlane : {0.001f, 2.0f, 8.0f, 9.5f}) {
         view.nearPlane = nearPlane;
         expectSameImages(room(), mixedLights(60, 3.0f), view, "near plane");
+    }
+}
+
+TEST_F(TechniqueTest, orthographicViewsAndFarPlanes) {
+    for (const float height : {0.0f, 0.5f, 6.0f, 40.0f}) {
+        CameraView view = lookAt({3, 2, 9}, {0, 0, 0}, 0.8f);
+        if (height > 0.0f) view.orthographicHeight = height;
+        for (const float nearPlane : {1.0f, 7.0f}) {
+            view.nearPlane = nearPlane;
+            for (const float farPlane : {1.0e6f, 12.0f, 8.0f}) {
+                view.farPlane = farPlane;
+                expectSameImages(room(), mixedLights(60, 3.0f), view, "far plane");
+            }
+        }
     }
 }
 

@@ -79,7 +79,7 @@ void add(ExpectedPixel& pixel, const ShadingContext& lit, const WorldLight& one)
 }  // namespace
 
 std::vector<ExpectedPixel> evaluatedImage(BrdfModel model, const AovReader& aovs, int width, int height,
-                                          const glm::vec3& eye, std::span<const WorldLight> lights) {
+                                          const CameraView& view, std::span<const WorldLight> lights) {
     std::vector<ExpectedPixel> pixels;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
@@ -88,7 +88,7 @@ std::vector<ExpectedPixel> evaluatedImage(BrdfModel model, const AovReader& aovs
             pixel.tolerance = relativeError * pixel.radiance;
             const glm::vec3 normal = aovs.vector("N", x, y);
             if (normal == glm::vec3(0.0f)) continue;
-            ShadingContext lit{model, {}, eye, 0.0};
+            ShadingContext lit{model, {}, view.eye(), 0.0};
             lit.surface.position = aovs.vector("P", x, y);
             lit.surface.normal = glm::normalize(glm::dvec3(normal));
             lit.surface.lobes.baseColor = aovs.vector("base_color", x, y);
@@ -96,6 +96,8 @@ std::vector<ExpectedPixel> evaluatedImage(BrdfModel model, const AovReader& aovs
             lit.surface.lobes.roughness = aovs.scalar("roughness", x, y);
             const glm::dvec3 reach = glm::abs(lit.eye) + glm::abs(lit.surface.position - lit.eye);
             lit.reach = std::max({reach.x, reach.y, reach.z});
+            // The direction to the eye of an orthographic view is the same everywhere.
+            if (view.orthographicHeight) lit.eye = lit.surface.position + glm::dvec3(view.worldFromCamera[2]);
             for (const WorldLight& one : lights) add(pixel, lit, one);
         }
     }

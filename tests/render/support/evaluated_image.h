@@ -30,7 +30,7 @@ struct ExpectedPixel {
 ///  - `windowError` of it before the range window, where 1 - (d / range)^4 cancels;
 ///  - the change of a spot's factor when the cosine moves by `cosineError`.
 std::vector<ExpectedPixel> evaluatedImage(BrdfModel model, const AovReader& aovs, int width, int height,
-                                          const glm::vec3& eye, std::span<const WorldLight> lights);
+                                          const CameraView& view, std::span<const WorldLight> lights);
 
 /// The lights, with the ranges that the renderer has assigned.
 std::vector<WorldLight> withRanges(std::span<const WorldLight> lights, const LightReport& report);

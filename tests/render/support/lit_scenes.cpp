@@ -161,8 +161,26 @@ LitScene grazing() {
     return lit;
 }
 
+LitScene orthographic() {
+    LitScene lit = spheresOnAFloor();
+    lit.name = "orthographic";
+    lit.view = lookAt({4, 5, 9}, {0, 0.5f, 0}, 0.8f);
+    lit.view.orthographicHeight = 8.0f;
+    lit.view.nearPlane = 0.0f;
+    lit.lights.push_back(directionalLight({0.3f, -1, -0.2f}, {0.4f, 0.5f, 0.6f}));
+    return lit;
+}
+
+LitScene withFarPlane() {
+    LitScene lit = spheresOnAFloor();
+    lit.name = "with a far plane";
+    lit.view.farPlane = 11.0f;
+    return lit;
+}
+
 std::vector<LitScene> litScenes() {
-    return {spheresOnAFloor(), textured(), sunAndSpots(), nearAndFar(), smoothAndBright(), grazing()};
+    return {spheresOnAFloor(), textured(), sunAndSpots(),  nearAndFar(),
+            smoothAndBright(), grazing(),  orthographic(), withFarPlane()};
 }
 
 }  // namespace candela::test

@@ -30,6 +30,11 @@ LitScene smoothAndBright();
 /// A floor viewed and lit at grazing angles.
 LitScene grazing();
 
+/// `spheresOnAFloor` in an orthographic view from the side.
+LitScene orthographic();
+/// `spheresOnAFloor` behind a far plane that cuts the floor and the reach of lights.
+LitScene withFarPlane();
+
 std::vector<LitScene> litScenes();
 
 }  // namespace candela::test

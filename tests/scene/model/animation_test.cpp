@@ -169,6 +169,10 @@ TEST(WorldTransforms, TheLaterAnimationOfAPropertyApplies) {
     scene.animations.push_back(linearAnimation(0, AnimationPath::translation, {0, 0, 0}, {2, 0, 0}));
     scene.animations.push_back(linearAnimation(0, AnimationPath::translation, {0, 0, 0}, {0, 8, 0}));
     EXPECT_EQ(glm::vec3(worldTransforms(scene, 1.0)[0][3]), glm::vec3(0, 8, 0));
+    scene.animations[1].plays = false;
+    EXPECT_EQ(glm::vec3(worldTransforms(scene, 1.0)[0][3]), glm::vec3(2, 0, 0));
+    scene.animations[0].plays = false;
+    EXPECT_EQ(glm::vec3(worldTransforms(scene, 1.0)[0][3]), glm::vec3(0, 0, 0)) << "as the scene places it";
 }
 
 }  // namespace

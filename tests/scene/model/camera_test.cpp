@@ -87,6 +87,45 @@ TEST(Projection, ReversesDepthWithoutAFarPlane) {
     EXPECT_EQ(infinitelyFar.z / infinitelyFar.w, 0.0f);
 }
 
+TEST(Projection, EndsAtTheFarPlane) {
+    CameraView view;
+    view.nearPlane = 0.25f;
+    view.farPlane = 4.0f;
+    EXPECT_FLOAT_EQ(project(view, 1.0f, {0.0f, 0.0f, -4.0f}).z, 0.0f);
+    EXPECT_FLOAT_EQ(project(view, 1.0f, {0.0f, 0.0f, -1.0f}).z, 0.2f);
+    EXPECT_FLOAT_EQ(project(view, 1.0f, {0.0f, 0.0f, -0.25f}).z, 1.0f);
+    EXPECT_LT(project(view, 1.0f, {0.0f, 0.0f, -4.1f}).z, 0.0f);
+    view.farPlane = 0.25f;
+    EXPECT_THROW(projection(view, 1.0f), Error);
+}
+
+TEST(Projection, OrthographicDepthIsLinear) {
+    CameraView view;
+    view.orthographicHeight = 3.0f;
+    EXPECT_THROW(projection(view, 2.0f), Error) << "there is no far plane";
+    view.nearPlane = 0.0f;
+    view.farPlane = 8.0f;
+    expectNear(project(view, 2.0f, {3.0f, 1.5f, 0.0f}), {1.0f, 1.0f, 1.0f}, rounding);
+    expectNear(project(view, 2.0f, {-1.5f, -0.75f, -2.0f}), {-0.5f, -0.5f, 0.75f}, rounding);
+    expectNear(project(view, 2.0f, {0.0f, 0.0f, -8.0f}), {0.0f, 0.0f, 0.0f}, rounding);
+    view.orthographicHeight = 0.0f;
+    EXPECT_THROW(projection(view, 1.0f), Error);
+}
+
+TEST(CameraView, HasTheLensOfTheCamera) {
+    Scene scene;
+    scene.cameras.push_back({.name = "plan", .orthographicHeight = 2.5f, .farPlane = 10.0f});
+    CameraView view = cameraView(scene, 0, {});
+    EXPECT_EQ(view.orthographicHeight, 2.5f);
+    EXPECT_EQ(view.nearPlane, 0.0f);
+    EXPECT_EQ(view.farPlane, 10.0f);
+    scene.cameras[0] = {.name = "short", .farPlane = 0.005f};
+    view = cameraView(scene, 0, {});
+    EXPECT_LT(view.nearPlane, 0.005f);
+    scene.cameras[0] = {.name = "wrong", .nearPlane = 2.0f, .farPlane = 1.0f};
+    EXPECT_THROW(cameraView(scene, 0, {}), Error);
+}
+
 TEST(CameraView, HasTheFrameOfItsNodeWithoutScale) {
     Scene scene;
     scene.nodes.resize(2);

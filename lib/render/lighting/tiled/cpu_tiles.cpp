@@ -65,8 +65,13 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     copy(frame.right, glm::vec3(uniforms.cameraRight));
     copy(frame.up, glm::vec3(uniforms.cameraUp));
     copy(frame.forward, glm::vec3(uniforms.cameraForward));
-    frame.halfExtent[0] = uniforms.cameraRight.w;
-    frame.halfExtent[1] = uniforms.cameraUp.w;
+    frame.orthographic = uniforms.depthRange.w != 0.0f;
+    frame.nearOverFar = uniforms.depthRange.x;
+    frame.depthScale = uniforms.depthRange.y;
+    frame.farPlane = uniforms.depthRange.y;
+    frame.depthRange = uniforms.depthRange.z;
+    (frame.orthographic ? frame.base : frame.halfExtent)[0] = uniforms.cameraRight.w;
+    (frame.orthographic ? frame.base : frame.halfExtent)[1] = uniforms.cameraUp.w;
     for (int axis = 0; axis < 2; ++axis)
         frame.edgeScale[axis] = 1.0f / std::sqrt(1.0f + frame.halfExtent[axis] * frame.halfExtent[axis]);
     frame.width = inputs.targets.width;

@@ -20,8 +20,11 @@ struct TileFrame {
     float eye[3], nearPlane;
     float rayCorner[3], rayStepX[3], rayStepY[3];  ///< As in `FrameUniforms`.
     float right[3], up[3], forward[3];             ///< Axes of the camera, world space.
-    float halfExtent[2];                           ///< Of the picture at a depth of one metre.
-    float edgeScale[2];                            ///< 1 / sqrt(1 + halfExtent²): see `ViewFrustum`.
+    float halfExtent[2], edgeScale[2], base[2];    ///< As in `ViewFrustum`.
+    bool orthographic;
+    float nearOverFar,
+        depthScale;  ///< Of a perspective view: near / far plane (0 without one), and 1 less that.
+    float farPlane, depthRange;  ///< Of an orthographic view: far plane, and far - near plane.
     int width, height;
     const std::uint32_t* surfaces;  ///< Two words a pixel: `GBufferTexel`.
     const float* depth;             ///< Reversed.

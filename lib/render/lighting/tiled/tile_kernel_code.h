@@ -133,8 +133,9 @@ inline VisibleLight visibleLight(std::uint32_t index, const TileRange& tiles) {
 std::size_t cull(const TileFrame& frame, std::uint32_t first, std::uint32_t end, VisibleLight* out) {
     const TileGrid grid{frame.width, frame.height, tileSize, (frame.width + tileSize - 1) / tileSize,
                         (frame.height + tileSize - 1) / tileSize};
-    const ViewFrustum frustum{frame.nearPlane, frame.halfExtent[0], frame.halfExtent[1], frame.edgeScale[0],
-                              frame.edgeScale[1]};
+    const ViewFrustum frustum{frame.nearPlane,    frame.halfExtent[0], frame.halfExtent[1],
+                              frame.edgeScale[0], frame.edgeScale[1],  frame.base[0],
+                              frame.base[1]};
     std::size_t count = 0;
     for (std::uint32_t i = first; i < end; i += laneCount) {
         // The columns of `reach` end with padding, so that the last vector may read past the lights.
@@ -187,9 +188,9 @@ inline void addRadiance(const TileFrame& frame, const BlockPixels& pixels, int l
 template <int brdf>
 inline ShadingPoint shadingPointAt(const TileFrame& frame, const BlockPixels& pixels, int first) {
     const Ints word0 = loadWords(pixels.word0 + first), word1 = loadWords(pixels.word1 + first);
-    return shadingPoint(brdf, unpackLobes(frame, word0, word1), unpackNormal(word1),
-                        positionOf(frame, pixels, first), splat3(frame.eye),
-                        {frame.albedoTable, frame.albedoTableSize});
+    const Vec3 position = positionOf(frame, pixels, first);
+    return shadingPoint(brdf, unpackLobes(frame, word0, word1), unpackNormal(word1), position,
+                        wayToEye(frame, position), {frame.albedoTable, frame.albedoTableSize});
 }
 
 template <int brdf>

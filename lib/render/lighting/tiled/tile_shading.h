@@ -134,7 +134,18 @@ inline Vec3 positionOf(const TileFrame& frame, const BlockPixels& pixels, int fi
                      roundedProduct(splat3(frame.rayStepX), load(pixels.x + first)) +
                      roundedProduct(splat3(frame.rayStepY), load(pixels.y + first));
     const Floats depth = select(isSurface(pixels, first), load(pixels.depth + first), splat(1.0f));
-    return splat3(frame.eye) + roundedProduct(ray, frame.nearPlane / depth);
+    if (frame.orthographic) {
+        const Floats distance = frame.farPlane - rounded(depth * frame.depthRange);
+        return splat3(frame.eye) + ray + roundedProduct(splat3(frame.forward), distance);
+    }
+    return splat3(frame.eye) +
+           roundedProduct(ray, frame.nearPlane / (rounded(depth * frame.depthScale) + frame.nearOverFar));
+}
+
+/// As `wayToEye` of shaders/lib/frame.glsl.
+inline Vec3 wayToEye(const TileFrame& frame, Vec3 position) {
+    if (frame.orthographic) return Vec3(0.0f) - splat3(frame.forward);
+    return splat3(frame.eye) - position;
 }
 
 // The encoding of shaders/shared/gbuffer_encoding.h.

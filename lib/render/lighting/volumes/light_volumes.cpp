@@ -60,6 +60,22 @@ SphereProxy makeSphereProxy() {
     return proxy;
 }
 
+/// A far plane would cut off the back faces of volumes that reach beyond it.
+class DepthClamp {
+  public:
+    explicit DepthClamp(bool needed) : needed_(needed) {
+        if (needed_) glEnable(GL_DEPTH_CLAMP);
+    }
+    DepthClamp(const DepthClamp&) = delete;
+    DepthClamp& operator=(const DepthClamp&) = delete;
+    ~DepthClamp() {
+        if (needed_) glDisable(GL_DEPTH_CLAMP);
+    }
+
+  private:
+    bool needed_;
+};
+
 }  // namespace
 
 std::uint32_t LightBatches::freeBatch(const Frustum::Rectangle& bounds) {
@@ -164,6 +180,7 @@ LightVolumes::Kind LightVolumes::append(const LightingInputs& inputs, std::uint3
 }
 
 std::uint32_t LightVolumes::prepare(const LightingInputs& inputs) {
+    hasFarPlane_ = inputs.uniforms.depthRange.x > 0.0f || inputs.uniforms.depthRange.w > 0.0f;
     const LightCounts& counts = inputs.lights.counts();
     lightIndices_.clear();
     points_ = append(inputs, 0, static_cast<std::uint32_t>(counts.points));
@@ -185,6 +202,7 @@ void LightVolumes::drawInside(const gl::Program& pointProgram, const gl::Program
 
 void LightVolumes::drawKind(const Kind& kind, const gl::Program& program) const {
     if (kind.all.count == 0) return;
+    const DepthClamp clamp(hasFarPlane_);
     glBindVertexArray(vertexArray_.name());
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
@@ -223,6 +241,7 @@ void LightVolumes::drawKind(const Kind& kind, const gl::Program& program) const 
 }
 
 void LightVolumes::drawBackFaces(const gl::Program& program) const {
+    const DepthClamp clamp(hasFarPlane_);
     glBindVertexArray(vertexArray_.name());
     glUseProgram(program.name());
     glEnable(GL_DEPTH_TEST);

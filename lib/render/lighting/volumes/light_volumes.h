@@ -96,6 +96,7 @@ class LightVolumes {
     LightBatches batches_;
     Kind points_, spots_;
     std::vector<std::uint32_t> lightIndices_;
+    bool hasFarPlane_ = false;  ///< The view of the last `prepare`.
     SphereProxy proxy_;
     gl::Program mark_;
     gl::Buffer vertices_, triangles_, indexBuffer_;

@@ -8,6 +8,28 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
+
+/// The animations that the options let play: those that `--animation` names, the first one without it. Throws
+/// `candela::Error` (badInput) that lists the scene's animations where none has the name or number.
+std::vector<std::uint32_t> selectedAnimations(const candela::Scene& scene, const SceneOptions& options);
+
+/// Lets the selected animations of the scene play, and no other. Returns a note on those that the default
+/// leaves out. Throws as `selectedAnimations`.
+std::optional<std::string> selectAnimations(candela::Scene& scene, const SceneOptions& options);
+
+/// Lets the animations of these indices play, and no other.
+void playOnly(candela::Scene& scene, const std::vector<std::uint32_t>& animations);
+
+/// An animation as lists and messages show it: 0 "Walk".
+std::string animationLabel(const candela::Scene& scene, std::uint32_t index);
+
+/// The last key of the animations that play, in seconds; 0 without any.
+double lastKeyTime(const candela::Scene& scene);
+
+/// The time at which the scene is posed `seconds` after its start: the same where animations hold their last
+/// pose, and from 0 to the last key where they repeat.
+double poseTime(const candela::Scene& scene, const SceneOptions& options, double seconds);
 
 /// The box that the automatic camera frames: `candela::framingBounds`, or the box around the point and spot
 /// lights of a scene that shows nothing; may be empty.
@@ -38,8 +60,10 @@ class CameraSelection {
     candela::CameraView at(double time) const;
 
   private:
+    void useLensOptions(candela::CameraView& view) const;
+
     const candela::Scene& scene_;
-    std::optional<float> verticalFov_;
+    std::optional<float> verticalFov_, orthographicHeight_;
     std::optional<candela::CameraView> fixed_;
     std::uint32_t camera_ = 0;
 };

@@ -1,0 +1,216 @@
+#include "scene_selection.h"
+
+#include <candela/error.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace {
+
+constexpr std::size_t maxListed = 20;
+
+std::vector<std::uint32_t> allOf(const candela::Scene& scene) {
+    std::vector<std::uint32_t> all(scene.animations.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+}
+
+std::string listed(const candela::Scene& scene, std::uint32_t first) {
+    std::string text;
+    for (std::uint32_t i = first; i < scene.animations.size(); ++i) {
+        if (i - first == maxListed)
+            return text + " and " + std::to_string(scene.animations.size() - i) + " more";
+        text += (text.empty() ? "" : ", ") + animationLabel(scene, i);
+    }
+    return text;
+}
+
+/// By name first: a scene may call its animations "1" and "2".
+std::optional<std::uint32_t> findAnimation(const candela::Scene& scene, const std::string& text) {
+    for (std::uint32_t i = 0; i < scene.animations.size(); ++i)
+        if (!text.empty() && scene.animations[i].name == text) return i;
+    std::uint32_t index = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, index);
+    if (error != std::errc{} || stop != end || index >= scene.animations.size()) return std::nullopt;
+    return index;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> selectedAnimations(const candela::Scene& scene, const SceneOptions& options) {
+    if (options.animation == "all") return allOf(scene);
+    if (options.animation == "none") return {};
+    if (!options.animation) return scene.animations.empty() ? allOf(scene) : std::vector<std::uint32_t>{0};
+    if (const auto found = findAnimation(scene, *options.animation)) return {*found};
+    throw candela::Error(
+        candela::ErrorKind::badInput, options.scene,
+        "no animation \"" + *options.animation + "\"; " +
+            (scene.animations.empty() ? "the scene has none" : "there are " + listed(scene, 0)));
+}
+
+void playOnly(candela::Scene& scene, const std::vector<std::uint32_t>& animations) {
+    for (candela::Animation& animation : scene.animations) animation.plays = false;
+    for (const std::uint32_t index : animations) scene.animations[index].plays = true;
+}
+
+std::optional<std::string> selectAnimations(candela::Scene& scene, const SceneOptions& options) {
+    playOnly(scene, selectedAnimations(scene, options));
+    if (options.animation || scene.animations.size() < 2) return std::nullopt;
+    return "of the animations only " + animationLabel(scene, 0) +
+           " plays; --animation selects others: " + listed(scene, 1);
+}
+
+std::string animationLabel(const candela::Scene& scene, std::uint32_t index) {
+    const std::string& name = scene.animations[index].name;
+    return std::to_string(index) + (name.empty() ? "" : " \"" + name + "\"");
+}
+
+double lastKeyTime(const candela::Scene& scene) {
+    float last = 0.0f;
+    for (const candela::Animation& animation : scene.animations) {
+        if (!animation.plays) continue;
+        for (const candela::AnimationChannel& channel : animation.channels)
+            last = std::max(last, channel.times.back());
+    }
+    return last;
+}
+
+double poseTime(const candela::Scene& scene, const SceneOptions& options, double seconds) {
+    const double last = options.repeatAnimations ? lastKeyTime(scene) : 0.0;
+    if (last <= 0.0) return seconds;
+    const double time = std::fmod(seconds, last);
+    return time < 0.0 ? time + last : time;
+}
+
+namespace {
+
+constexpr float defaultFov = 0.785398f;  // 45 degrees
+
+/// The near plane of --eye, as a share of the distance to --target: what is looked at from close by may be a
+/// small part of the scene.
+constexpr float nearShareOfDistance = 0.01f;
+
+std::uint32_t numberOf(const candela::Scene& scene, std::uint32_t index) {
+    return scene.cameras[index].number.value_or(index);
+}
+
+const std::string& nodeNameOf(const candela::Scene& scene, std::uint32_t index) {
+    static const std::string none;
+    const auto& node = scene.cameras[index].node;
+    return node ? scene.nodes[*node].name : none;
+}
+
+template <typename Matches>
+std::optional<std::uint32_t> firstCamera(const candela::Scene& scene, const Matches& matches) {
+    for (std::uint32_t i = 0; i < scene.cameras.size(); ++i)
+        if (matches(i)) return i;
+    return std::nullopt;
+}
+
+std::string listCameras(const candela::Scene& scene) {
+    if (scene.cameras.empty()) return "the scene has none";
+    std::string text = "there are";
+    for (std::uint32_t i = 0; i < scene.cameras.size(); ++i)
+        text += (i == 0 ? " " : ", ") + cameraLabel(scene, i);
+    return text;
+}
+
+candela::CameraView eyeView(const candela::Scene& scene, const EyeOptions& options, float fov,
+                            const candela::Bounds& box) {
+    const glm::vec3 eye(options.eye - scene.origin), target(options.target - scene.origin);
+    candela::CameraView view = candela::lookAt(eye, target, fov);
+    view.nearPlane =
+        std::min(candela::defaultNearPlane(box), nearShareOfDistance * glm::distance(eye, target));
+    return view;
+}
+
+candela::CameraView frameView(const SceneOptions& options, const candela::Bounds& box) {
+    const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
+    return options.verticalFov ? candela::frameBounds(box, aspect, *options.verticalFov)
+                               : candela::frameBounds(box, aspect);
+}
+
+}  // namespace
+
+candela::Bounds framedBox(const candela::Scene& scene) {
+    candela::Bounds box = candela::framingBounds(scene);
+    if (!box.empty()) return box;
+    for (const candela::WorldLight& light : candela::worldLights(scene, candela::worldTransforms(scene))) {
+        if (light.type == candela::LightType::directional) continue;
+        box.min = glm::min(box.min, light.position);
+        box.max = glm::max(box.max, light.position);
+    }
+    return box;
+}
+
+std::optional<std::uint32_t> findCamera(const candela::Scene& scene, const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    if (const auto found = firstCamera(scene, [&](std::uint32_t i) { return nodeNameOf(scene, i) == text; }))
+        return found;
+    if (const auto found = firstCamera(scene, [&](std::uint32_t i) { return scene.cameras[i].name == text; }))
+        return found;
+    std::uint32_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc{} || stop != end) return std::nullopt;
+    return firstCamera(scene, [&](std::uint32_t i) { return numberOf(scene, i) == number; });
+}
+
+std::string cameraText(const candela::Scene& scene, std::uint32_t index) {
+    const std::string number = std::to_string(numberOf(scene, index));
+    for (const std::string& text : {number, nodeNameOf(scene, index), scene.cameras[index].name})
+        if (!text.empty() && findCamera(scene, text) == index) return text;
+    return number;
+}
+
+std::string cameraLabel(const candela::Scene& scene, std::uint32_t index) {
+    const std::string& name = scene.cameras[index].name;
+    const std::string& node = nodeNameOf(scene, index);
+    std::string label = std::to_string(numberOf(scene, index));
+    if (!name.empty()) label += " \"" + name + "\"";
+    if (!node.empty() && node != name) label += " of node \"" + node + "\"";
+    return label;
+}
+
+CameraSelection::CameraSelection(const candela::Scene& scene, const SceneOptions& options,
+                                 const std::function<candela::Bounds()>& box)
+    : scene_(scene), verticalFov_(options.verticalFov), orthographicHeight_(options.orthographicHeight) {
+    if (options.camera) {
+        const std::optional<std::uint32_t> found = findCamera(scene, *options.camera);
+        if (!found)
+            throw candela::Error(candela::ErrorKind::badInput, options.scene,
+                                 "no camera \"" + *options.camera + "\"; " + listCameras(scene));
+        camera_ = *found;
+    }
+    if (options.eye) {
+        fixed_ = eyeView(scene, *options.eye, options.verticalFov.value_or(defaultFov), box());
+    } else if (scene.cameras.empty()) {
+        fixed_ = frameView(options, box());
+    }
+    if (fixed_) useLensOptions(*fixed_);
+}
+
+/// --fov takes the place of an orthographic lens, and --ortho that of a perspective one.
+void CameraSelection::useLensOptions(candela::CameraView& view) const {
+    if (verticalFov_) {
+        view.verticalFov = *verticalFov_;
+        view.orthographicHeight.reset();
+        view.nearPlane = view.nearPlane > 0.0f ? view.nearPlane : candela::CameraView().nearPlane;
+    }
+    if (!orthographicHeight_) return;
+    view.orthographicHeight = orthographicHeight_;
+    if (fixed_) view.nearPlane = 0.0f;
+}
+
+candela::CameraView CameraSelection::at(double time) const {
+    if (fixed_) return *fixed_;
+    candela::CameraView view = candela::cameraView(scene_, camera_, candela::worldTransforms(scene_, time));
+    useLensOptions(view);
+    return view;
+}
