@@ -234,11 +234,7 @@ int componentCount(const tinygltf::Accessor& accessor) {
 
 void requireAccessor(const Document& document, int accessor, const std::string& element) {
     const auto index = static_cast<std::size_t>(accessor);
-    const std::string name = elementName("accessor", index, document.model.accessors.at(index).name);
-    const auto fault = document.faults.find(name);
-    if (fault == document.faults.end()) return;
-    // The fault may be about a part of the accessor: "accessor 7, sparse".
-    throw Failure{element, fault->second.element + ": " + fault->second.reason};
+    requireUsable(document, elementName("accessor", index, document.model.accessors.at(index).name), element);
 }
 
 void checkAccessor(const Document& document, int accessor, int components, Encodings allowed,

@@ -264,13 +264,10 @@ void loadBuffers(Document& document, const Container& container, Storage& storag
 Bytes viewBytes(const Document& document, std::size_t bufferView, const std::string& element) {
     const BufferView& view = document.bufferViews.at(bufferView);
     const std::string viewName = elementName("bufferView", bufferView, view.name);
+    requireUsable(document, viewName, element);
     const std::string bufferName =
         elementName("buffer", view.buffer, document.bufferSources.at(view.buffer).name);
-    for (const std::string& name : {viewName, bufferName}) {
-        const auto fault = document.faults.find(name);
-        if (fault != document.faults.end())
-            throw Failure{element, fault->second.element + ": " + fault->second.reason};
-    }
+    requireUsable(document, bufferName, element);
     // What lies behind the buffer's byteLength is read where it is there.
     const Bytes& buffer = document.buffers.at(view.buffer);
     if (view.byteOffset > buffer.size || view.byteLength > buffer.size - view.byteOffset) {

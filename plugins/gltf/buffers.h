@@ -17,8 +17,8 @@ struct Container {
     std::optional<Bytes> binary;  ///< The BIN chunk of a .glb file.
 };
 
-/// Splits a .glb, which its first bytes distinguish from a .gltf, into its chunks. What a .glb has against section
-/// 4.4 of the glTF 2.0 specification is noted; throws `Failure` when there is no whole JSON chunk.
+/// Splits a .glb, which its first bytes distinguish from a .gltf, into its chunks. What a .glb has against
+/// section 4.4 of the glTF 2.0 specification is noted; throws `Failure` when there is no whole JSON chunk.
 Container openContainer(const Bytes& file, const Host& host);
 
 /// Whether `uri` holds the data itself ("data:...").

@@ -64,6 +64,19 @@ void fillChannelNodes(Json& document) {
     });
 }
 
+/// A camera has the object of its type, or it has a fault.
+void refuseIncompleteCameras(Json& document, Faults& faults) {
+    std::size_t index = 0;
+    forEachObject(document, "cameras", [&](Json& camera) {
+        const std::string element = elementName("camera", index++, camera.value("name", std::string()));
+        const std::string type = camera["type"].get<std::string>();
+        if (camera.contains(type)) return;
+        faults.emplace(element, Failure{element, "\"" + type + "\" is missing"});
+        camera["type"] = "orthographic";
+        camera["orthographic"] = {{"xmag", 1.0}, {"ymag", 1.0}, {"zfar", 1.0}, {"znear", 0.0}};
+    });
+}
+
 /// The values that tinygltf asks for where the importer has defaults of its own.
 void fillDefaults(Json& document, const Host& host) {
     forEachObject(document, "cameras", [](Json& camera) {
@@ -218,6 +231,7 @@ Document readDocument(const Bytes& text, const Host& host) {
     document.faults.merge(conformity.faults);
     document.lostGeometry = std::move(conformity.lostGeometry);
     fillChannelNodes(json);
+    refuseIncompleteCameras(json, document.faults);
     fillDefaults(json, host);
     removeAmbiguousTransforms(json, host);
     moveIndices(json);
@@ -239,6 +253,13 @@ void loseGeometry(Document& document, const Failure& failure, const Host& host) 
 void requireUsable(const Document& document, const std::string& element) {
     const auto fault = document.faults.find(element);
     if (fault != document.faults.end()) throw fault->second;
+}
+
+void requireUsable(const Document& document, const std::string& element, const std::string& user) {
+    const auto fault = document.faults.find(element);
+    if (fault == document.faults.end()) return;
+    // The fault may be about a part of the element: "accessor 7, sparse".
+    throw Failure{user, fault->second.element + ": " + fault->second.reason};
 }
 
 }  // namespace candela_plugins::gltf

@@ -64,4 +64,7 @@ void loseGeometry(Document& document, const Failure& failure, const Host& host);
 /// Throws the fault of an element of the document, if it has one.
 void requireUsable(const Document& document, const std::string& element);
 
+/// The same for an element that another one, `user`, reads: the `Failure` is of that one.
+void requireUsable(const Document& document, const std::string& element, const std::string& user);
+
 }  // namespace candela_plugins::gltf

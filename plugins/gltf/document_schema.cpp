@@ -23,6 +23,17 @@ Property numbers(const char* name, std::size_t length, double min = -FLT_MAX, do
     return {.name = name, .kind = Kind::numbers, .min = min, .max = max, .length = length};
 }
 
+/// Of a node. Larger numbers are no places: the host takes coordinates up to 1e9 in the world.
+Property placement(const char* name, std::size_t length) {
+    constexpr double max = 1e10;
+    return {.name = name,
+            .kind = Kind::numbers,
+            .min = -max,
+            .max = max,
+            .minBound = Bound::excluded,
+            .length = length};
+}
+
 Property integer(const char* name, double min = 0.0, double max = INT_MAX) {
     return {.name = name, .kind = Kind::integer, .min = min, .max = max};
 }
@@ -186,9 +197,9 @@ const ObjectSchema nodeExtensions{"", {object("KHR_lights_punctual", nodeLight)}
 const ObjectSchema node{
     "node",
     {text("name"), index("camera", Target::cameras), geometry(index("mesh", Target::meshes)),
-     indices("children", Target::nodes), numbers("matrix", 16), numbers("translation", 3),
-     numbers("rotation", 4), numbers("scale", 3), index("skin", Target::skins), numbers("weights", anyNumber),
-     object("extensions", nodeExtensions)}};
+     indices("children", Target::nodes), placement("matrix", 16), placement("translation", 3),
+     numbers("rotation", 4), placement("scale", 3), index("skin", Target::skins),
+     numbers("weights", anyNumber), object("extensions", nodeExtensions)}};
 const ObjectSchema scene{"scene", {text("name"), geometry(indices("nodes", Target::nodes))}};
 
 const ObjectSchema perspective{"perspective",

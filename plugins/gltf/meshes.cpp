@@ -160,15 +160,17 @@ class Part {
 
     /// `positions` are those of the vertices that are added next.
     void noteBrokenVertices(std::vector<float>& positions, const std::string& element) {
+        constexpr float maxCoordinate = 1e9f;  // the host's
         bool broken = false;
         for (std::size_t i = 0; i < positions.size(); ++i) {
-            if (std::isfinite(positions[i])) continue;
+            if (std::abs(positions[i]) <= maxCoordinate) continue;
             positions[i] = 0.0f;
             brokenVertices_.insert(vertexCount_ + static_cast<std::uint32_t>(i / 3));
             broken = true;
         }
         if (!broken) return;
-        host_.note(CANDELA_NOTE_MISSING, element, "triangles with a vertex that is not finite: left out");
+        host_.note(CANDELA_NOTE_MISSING, element,
+                   "triangles with a vertex that is not finite or beyond 1e9: left out");
     }
 
     static void append(std::vector<float>&& from, std::vector<float>& to) {
@@ -202,7 +204,8 @@ class Part {
         }
         if (!triangles.empty()) return triangles;
         requireCornersBelow(range.count, readCorners(document, primitive, range.count, element), element);
-        throw Failure{element + ", attribute POSITION", "no triangle has finite vertices"};
+        throw Failure{element + ", attribute POSITION",
+                      "no triangle has vertices that are finite and within 1e9"};
     }
 
     template <typename IsUsable>

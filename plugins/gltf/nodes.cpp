@@ -128,6 +128,8 @@ std::vector<DrawnNode> drawnNodes(const Document& document, const Host& host) {
     if (model.scenes.empty()) return allNodes(model, host);
     const std::size_t scene = model.defaultScene < 0 ? 0 : static_cast<std::size_t>(model.defaultScene);
     noteFurtherScenes(scene, model.scenes.size(), host);
+    // Where the scene has lost its list, all is drawn.
+    if (model.scenes[scene].nodes.empty() && document.lostGeometry) return allNodes(model, host);
     Hierarchy hierarchy(model, host);
     for (const int root : model.scenes[scene].nodes) {
         hierarchy.addRoot(root, elementName("scene", scene, model.scenes[scene].name));

@@ -196,7 +196,7 @@ class Checker {
         const bool below = excluded ? number <= property.min : number < property.min;
         if (!below && number <= property.max) return number;
         const double bound = below ? property.min : property.max;
-        if (!isSet(bound) || (below && excluded)) {
+        if (!isSet(bound) || excluded) {
             fail(place, "is " + shown(number) + ", expected " + rangeText(property));
         }
         host_.note(CANDELA_NOTE_REPAIRED, place.text(),

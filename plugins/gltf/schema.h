@@ -16,7 +16,7 @@
 namespace candela_plugins::gltf {
 
 enum class Kind {
-    number,    ///< Within `min` and `max`; clamped to a bound that is set and included.
+    number,    ///< Within `min` and `max`; clamped to a bound that is set, unless `minBound` is excluded.
     numbers,   ///< An array of exactly `length` such numbers.
     integer,   ///< Within `min` and `max`.
     flag,      ///< true or false.

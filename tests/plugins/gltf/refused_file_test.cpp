@@ -96,7 +96,12 @@ std::vector<Case> refusedDocuments() {
              file.addMeshNode(R"("attributes":{"POSITION":0})");
              return file.text();
          }(),
-         {"mesh 0, primitive 0, attribute POSITION", "no triangle has finite vertices"}},
+         {"mesh 0, primitive 0, attribute POSITION", "no triangle has vertices that are finite"}},
+        {"noBuffers",
+         document(R"("bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"type":"VEC3",
+             "componentType":5126,"count":3}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+             "nodes":[{"mesh":0}])"),
+         {"mesh 0, primitive 0, attribute POSITION", "bufferView 0, buffer", "buffer 0 does not exist"}},
         {"noUri", withBuffer(R"("byteLength":40)"), {"buffer 0", "has no URI"}},
         {"badBase64",
          withBuffer(R"("byteLength":40,"uri":"data:;base64,A*AA")"),

@@ -53,6 +53,24 @@ TEST(Tolerance, aCycleIsCutWhereItCloses) {
     }
 }
 
+TEST(Tolerance, placesThatAreNoneAreLeftOut) {
+    const candela::Scene scene = loadNodes({R"({"translation":[1e30,0,0],"scale":[2,2,2]})",
+                                            R"({"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,1e20,0,0,1]})"})
+                                     .scene;
+    const auto& transform = std::get<candela::Transform>(scene.nodes.at(0).transform);
+    EXPECT_EQ(transform.translation, glm::vec3(0));
+    EXPECT_EQ(transform.scale, glm::vec3(2));
+    EXPECT_EQ(candela::worldTransforms(scene).at(1), glm::mat4(1));
+}
+
+TEST(Tolerance, aSceneThatIsNoneLeavesAllNodes) {
+    GltfFile file = triangleFile();
+    file.add("scenes", "7");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_EQ(candela::triangleCount(imported.scene), 1u);
+    EXPECT_TRUE(hasNote(imported, "scene 0: is not an object"));
+}
+
 TEST(Tolerance, rotationsAreBroughtToUnitLength) {
     const candela::Scene scene =
         loadNodes({R"({"rotation":[0,0,2,0]})", R"({"rotation":[0,0,0,0]})", R"({"rotation":["x",0,0,1]})"})
@@ -134,13 +152,13 @@ TEST(Tolerance, directionsThatAreNotFiniteAreReplaced) {
 
 TEST(Tolerance, trianglesWithBrokenVerticesAreLeftOut) {
     GltfFile file;
-    file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0, nan, 0, 0});
-    file.addData<std::uint16_t>("SCALAR", {0, 1, 2, 0, 1, 3, 2, 1, 0, 9, 1, 2});
+    file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0, nan, 0, 0, 0, 1e30f, 0});
+    file.addData<std::uint16_t>("SCALAR", {0, 1, 2, 0, 1, 3, 2, 1, 0, 9, 1, 2, 0, 1, 4});
     file.addMeshNode(R"("attributes":{"POSITION":0},"indices":1)");
     const candela::ImportedScene imported = load(file);
     EXPECT_EQ(candela::triangleCount(imported.scene), 2u);
-    EXPECT_TRUE(
-        hasNote(imported, "mesh 0, primitive 0: triangles with a vertex that is not finite: left out"));
+    EXPECT_TRUE(hasNote(
+        imported, "mesh 0, primitive 0: triangles with a vertex that is not finite or beyond 1e9: left out"));
     EXPECT_TRUE(
         hasNote(imported, "mesh 0, primitive 0: triangles with a vertex that does not exist: left out"));
 }
