@@ -1,6 +1,7 @@
 #include "bench_options.h"
 
 #include "common/parse.h"
+#include "crowd_bench.h"
 
 #include <candela/version.h>
 
@@ -58,10 +59,10 @@ void checkTogether(const BenchOptions& options) {
     if (options.scene.empty()) throw UsageError("--scene \"\": expected a name or a file");
     const bool measuresLights = !options.lights.empty() || options.compares || options.plot || options.view ||
                                 options.baseline == Baseline::with;
-    if (options.scene == cageScene && measuresLights)
+    if ((options.scene == cageScene || isCrowd(options.scene)) && measuresLights)
         throw UsageError(
-            "--scene cages measures no lights: leave --lights, --technique all, --plot, --view and "
-            "--baseline out");
+            "--scene " + options.scene +
+            " measures no lights: leave --lights, --technique all, --plot, --view and --baseline out");
     if (options.baseline == Baseline::with && options.brdf != candela::BrdfModel::course)
         throw UsageError("--baseline draws with the model course only: leave --brdf out");
 }
@@ -70,7 +71,8 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
     app.add_option("--scene", options.scene,
                    "plaza, cloud, rooms, outside (the plaza's lights, all behind the camera),\n"
                    "hidden (the plaza and as many lights again that reach no visible surface),\n"
-                   "cages (moving and refining a subdivision cage, against OpenSubdiv), or a\n"
+                   "cages (moving and refining a subdivision cage, against OpenSubdiv),\n"
+                   "crowd:N (moving N skinned characters, against copies of their vertices), or a\n"
                    "file. Default: plaza")
         ->type_name("NAME|FILE");
     app.add_option_function<std::string>(
@@ -122,8 +124,9 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
         ->type_name("N|software");
     app.add_option_function<std::string>(
            "--subdivision-evaluator",
-           [&](const std::string& text) { options.subdivisionEvaluator = parseSubdivisionEvaluator(text); },
-           "What evaluates the cage of --scene cages: auto (by device), cpu or compute.\nDefault: auto")
+           [&](const std::string& text) { options.vertexEvaluator = parseVertexEvaluator(text); },
+           "What moves the vertices of --scene cages and crowd:N: auto (by device), cpu or\ncompute. "
+           "Default: auto")
         ->type_name("WORD");
     app.add_option_function<std::string>(
            "--threads", [&](const std::string& text) { options.threads = parseThreads(text); },

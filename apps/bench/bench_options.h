@@ -32,7 +32,7 @@ struct BenchOptions {
     std::optional<std::filesystem::path> plot;
     std::vector<std::filesystem::path> pluginFolders;
     candela::DeviceOptions device;
-    candela::SubdivisionEvaluator subdivisionEvaluator = candela::SubdivisionEvaluator::automatic;
+    candela::VertexEvaluator vertexEvaluator = candela::VertexEvaluator::automatic;
     unsigned threads = 0;  ///< As `candela::setThreadCount` takes it.
     bool quiet = false;
 };

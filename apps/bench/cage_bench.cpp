@@ -104,7 +104,7 @@ candela::Scene makeCageScene() {
     scene.cages.push_back(makeBenchCage());
     candela::Node node;
     node.name = "ellipsoid";
-    node.cage = candela::CageInstance{};
+    node.cage = 0;
     scene.nodes.push_back(node);
     return scene;
 }
@@ -116,7 +116,7 @@ constexpr int maxRefinements = 5;
 class CandelaMove {
   public:
     CandelaMove(const candela::Context& context, const candela::Subdivider& subdivider,
-                candela::SubdivisionEvaluator evaluator)
+                candela::VertexEvaluator evaluator)
         : scene_(makeCageScene()),
           gpuScene_(context, scene_, optionsOf(subdivider, evaluator)),
           renderer_(context) {
@@ -138,11 +138,11 @@ class CandelaMove {
 
   private:
     static candela::GpuSceneOptions optionsOf(const candela::Subdivider& subdivider,
-                                              candela::SubdivisionEvaluator evaluator) {
+                                              candela::VertexEvaluator evaluator) {
         candela::GpuSceneOptions options;
         options.subdivider = subdivider;
         options.subdivision.level = benchLevel;
-        options.subdivisionEvaluator = evaluator;
+        options.vertexEvaluator = evaluator;
         return options;
     }
 
@@ -220,7 +220,7 @@ CageResult measureCages(const candela::PluginRegistry& plugins, const candela::C
     OmpMove baseline(refined);
     baseline.move(cage.positions);
     checkAgreement(refined, baseline, cage.positions);
-    CandelaMove own(context, *subdivider, options.subdivisionEvaluator);
+    CandelaMove own(context, *subdivider, options.vertexEvaluator);
     measureMoves(own, baseline, cage, options, result);
     result.evaluator = own.evaluator();
     measureRefinement(*subdivider, cage, options, result);

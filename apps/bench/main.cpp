@@ -6,6 +6,7 @@
 #include "cage_bench.h"
 #include "common/output_file.h"
 #include "common/program.h"
+#include "crowd_bench.h"
 #include "measure.h"
 #include "programs.h"
 #include "results.h"
@@ -139,6 +140,13 @@ void runCageBench(const BenchOptions& options, const candela::PluginRegistry& pl
     if (!options.quiet) std::cout << context.renderer() << "\n" << cageResultTable(result);
 }
 
+void runCrowdBench(const BenchOptions& options, const candela::PluginRegistry& plugins,
+                   const candela::Context& context) {
+    const CrowdResult result = measureCrowd(plugins, context, options);
+    writeText(options.json, crowdResultJson(context.renderer(), setupJson(options), result));
+    if (!options.quiet) std::cout << context.renderer() << "\n" << crowdResultTable(result);
+}
+
 /// Throws before anything is measured where the config has no such view.
 void checkView(const BenchOptions& options) {
     candela::DisplayOptions display;
@@ -153,6 +161,7 @@ void runBench(const BenchOptions& options) {
     const candela::PluginRegistry plugins(options.pluginFolders);
     const candela::Context context = candela::Context::createHeadless(options.device);
     if (options.scene == cageScene) return runCageBench(options, plugins, context);
+    if (isCrowd(options.scene)) return runCrowdBench(options, plugins, context);
     Bench bench(options, context);
     std::vector<std::optional<std::uint64_t>> counts(options.lights.begin(), options.lights.end());
     if (counts.empty()) counts.emplace_back();

@@ -104,10 +104,10 @@ unsigned parseThreads(const std::string& text) {
     return static_cast<unsigned>(parseInteger("--threads", text, 0, candela::maxThreadCount));
 }
 
-candela::SubdivisionEvaluator parseSubdivisionEvaluator(const std::string& text) {
-    using enum candela::SubdivisionEvaluator;
+candela::VertexEvaluator parseVertexEvaluator(const std::string& text) {
+    using enum candela::VertexEvaluator;
     return parseWord("--subdivision-evaluator", text, std::array{automatic, cpu, compute},
-                     [](candela::SubdivisionEvaluator evaluator) { return candela::toString(evaluator); });
+                     [](candela::VertexEvaluator evaluator) { return candela::toString(evaluator); });
 }
 
 candela::TileBackend parseTileBackend(const std::string& text) {

@@ -44,7 +44,7 @@ candela::DeviceOptions parseDevice(const std::string& text);
 /// A number of threads, 0 (as many as the process may use) to `candela::maxThreadCount`.
 unsigned parseThreads(const std::string& text);
 
-candela::SubdivisionEvaluator parseSubdivisionEvaluator(const std::string& text);
+candela::VertexEvaluator parseVertexEvaluator(const std::string& text);
 candela::TileBackend parseTileBackend(const std::string& text);
 candela::Technique parseTechnique(const std::string& text);
 candela::BrdfModel parseBrdf(const std::string& text);

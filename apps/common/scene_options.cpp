@@ -74,7 +74,7 @@ constexpr const char* subdivisionEdge = "Target length in pixels of the edges of
 constexpr const char* subdivisionMaxLevel =
     "The highest level that --subdivision-edge selects, 1 to 8. Default: 5";
 
-constexpr const char* subdivisionEvaluator =
+constexpr const char* vertexEvaluator =
     "What evaluates refined cages: auto (by device), cpu or compute (a shader).\n"
     "Default: auto";
 constexpr const char* threads =
@@ -297,10 +297,8 @@ void SceneOptionReader::declareSubdivision(CLI::App& app) {
         ->group("Subdivision");
     app.add_option_function<std::string>(
            "--subdivision-evaluator",
-           [this](const std::string& text) {
-               options_.subdivisionEvaluator = parseSubdivisionEvaluator(text);
-           },
-           help::subdivisionEvaluator)
+           [this](const std::string& text) { options_.vertexEvaluator = parseVertexEvaluator(text); },
+           help::vertexEvaluator)
         ->type_name("WORD")
         ->group("Subdivision");
 }

@@ -66,7 +66,7 @@ struct SceneOptions {
     candela::TileBackend tileBackend = candela::TileBackend::automatic;
     float rangeLoss = candela::GpuSceneOptions{}.rangeLoss;
     candela::SubdivisionSettings subdivision;
-    candela::SubdivisionEvaluator subdivisionEvaluator = candela::SubdivisionEvaluator::automatic;
+    candela::VertexEvaluator vertexEvaluator = candela::VertexEvaluator::automatic;
     DebugViewOptions debug;
 
     std::optional<std::string> ocio;

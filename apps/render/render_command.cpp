@@ -249,7 +249,7 @@ void renderFrames(const Options& options) {
     upload.rangeLoss = options.rangeLoss;
     upload.subdivider = plugins.subdivider();
     upload.subdivision = options.subdivision;
-    upload.subdivisionEvaluator = options.subdivisionEvaluator;
+    upload.vertexEvaluator = options.vertexEvaluator;
     candela::GpuScene gpuScene =
         uploading(options.scene, [&] { return candela::GpuScene(context, scene, upload); });
     noteLights(session, gpuScene.lightReport());
@@ -277,7 +277,7 @@ void renderFrames(const Options& options) {
         stats.tileBackend = candela::toString(*backend);
     stats.brdf = options.brdf;
     stats.threads = candela::threadCount();
-    stats.subdivisionEvaluator = gpuScene.cageReport().evaluator;
+    stats.vertexEvaluator = gpuScene.cageReport().evaluator;
     stats.triangles = gpuScene.triangleCount() + gpuScene.cageReport().triangles;
     stats.materials = gpuScene.materialCount();
     stats.lights = gpuScene.lightReport().lights;

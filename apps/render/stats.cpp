@@ -63,7 +63,7 @@ std::string statsJson(const Stats& stats) {
           {"lights_dropped", stats.pairs.lightsDropped}}},
         {"threads", stats.threads},
         {"tile_backend", stats.tileBackend},
-        {"subdivision_evaluator", stats.subdivisionEvaluator},
+        {"subdivision_evaluator", stats.vertexEvaluator},
     };
     constexpr int indent = 2;
     return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -17,7 +17,7 @@ struct Stats {
     std::uint64_t triangles = 0, materials = 0, lights = 0;
     unsigned threads = 0;              ///< That parallel work used.
     std::string tileBackend;           ///< "cpu" or "compute"; empty where another technique ran.
-    std::string subdivisionEvaluator;  ///< "cpu" or "compute"; empty without refined cages.
+    std::string vertexEvaluator;       ///< "cpu" or "compute"; empty without refined cages.
     std::vector<FrameTiming> timings;  ///< One or more.
     candela::PairCounts pairs;         ///< Of the last frame.
 };

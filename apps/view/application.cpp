@@ -214,7 +214,7 @@ candela::GpuSceneOptions Application::uploadOptions(const candela::ColorConfig& 
     upload.rangeLoss = model_.options.rangeLoss;
     upload.subdivider = plugins_.subdivider();
     upload.subdivision = model_.options.subdivision;
-    upload.subdivisionEvaluator = model_.options.subdivisionEvaluator;
+    upload.vertexEvaluator = model_.options.vertexEvaluator;
     return upload;
 }
 

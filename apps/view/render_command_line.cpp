@@ -122,8 +122,8 @@ std::string renderCommandLine(const SceneOptions& options) {
         command.option("--range-loss", numberText(options.rangeLoss));
     if (!options.debug.isDefault()) command.option("--show", debugViewText(options.debug));
     addSubdivision(command, options.subdivision);
-    if (options.subdivisionEvaluator != candela::SubdivisionEvaluator::automatic)
-        command.option("--subdivision-evaluator", candela::toString(options.subdivisionEvaluator));
+    if (options.vertexEvaluator != candela::VertexEvaluator::automatic)
+        command.option("--subdivision-evaluator", candela::toString(options.vertexEvaluator));
     if (options.ocio) command.option("--ocio", *options.ocio);
     command.optionUnlessEmpty("--display", options.display.display);
     command.optionUnlessEmpty("--view", options.display.view);

@@ -12,7 +12,7 @@ enum class Interpolation { linear, step, cubicSpline };
 /// The values of one property of one node over time.
 struct AnimationChannel {
     /// Index into `Scene::nodes`. Its transform is a `Transform`, not a matrix. For morph weights the node
-    /// has a cage.
+    /// shows a mesh or a cage with morph targets.
     std::uint32_t node = 0;
     AnimationPath path = AnimationPath::translation;
     Interpolation interpolation = Interpolation::linear;  ///< Linear is spherical for rotations.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <candela/deformation.h>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -52,11 +54,6 @@ struct Crease {
 struct Corner {
     std::uint32_t vertex = 0;
     float sharpness = infiniteSharpness;
-};
-
-/// Moves every vertex of a cage by its weight times `offsets`.
-struct MorphTarget {
-    std::vector<glm::vec3> offsets;  ///< Metres, one per vertex.
 };
 
 /// The control polyhedron of a subdivision surface. A corner of a face is one of its vertices; arrays "a

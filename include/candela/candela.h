@@ -9,6 +9,7 @@
 #include <candela/color.h>
 #include <candela/context.h>
 #include <candela/default_lights.h>
+#include <candela/deformation.h>
 #include <candela/error.h>
 #include <candela/exposure.h>
 #include <candela/frame_data.h>
@@ -27,7 +28,6 @@
 #include <candela/refined_cage.h>
 #include <candela/renderer.h>
 #include <candela/scene.h>
-#include <candela/skin.h>
 #include <candela/subdivider.h>
 #include <candela/threads.h>
 #include <candela/version.h>

@@ -28,15 +28,15 @@ struct SubdivisionSettings {
     std::uint64_t maxVertices = 2'000'000;
 };
 
-/// What computes the vertices of refined cages.
-enum class SubdivisionEvaluator {
+/// What computes the vertices of refined cages and of deformed meshes.
+enum class VertexEvaluator {
     automatic,  ///< `cpu` on a software rasteriser, `compute` on a GPU.
     cpu,        ///< The threads of the CPU (see candela/threads.h).
-    compute,    ///< A compute shader; the CPU for cages whose tables do not fit the device's storage blocks.
+    compute,    ///< A compute shader; the CPU for what does not fit the device's storage blocks.
 };
 
 /// The evaluator's name on the command line: "auto", "cpu", "compute".
-CANDELA_API const char* toString(SubdivisionEvaluator evaluator);
+CANDELA_API const char* toString(VertexEvaluator evaluator);
 
 struct GpuSceneOptions {
     /// From linear Rec.709, in which scenes give colours, to the working space
@@ -50,7 +50,7 @@ struct GpuSceneOptions {
     /// Refines the cages (`PluginRegistry::subdivider`); none: their polygons are drawn.
     std::optional<Subdivider> subdivider;
     SubdivisionSettings subdivision;
-    SubdivisionEvaluator subdivisionEvaluator = SubdivisionEvaluator::automatic;
+    VertexEvaluator vertexEvaluator = VertexEvaluator::automatic;
 };
 
 /// The lights of a `GpuScene` as of the last frame, upload or `setLights`.
@@ -73,6 +73,14 @@ struct CageReport {
     std::uint64_t lodClamped = 0;  ///< Nodes whose cage has a lower level than `edgePixels` requests, because
                                    ///< of `maxLevel` or `maxVertices`.
     std::string evaluator;         ///< What has computed the vertices: "cpu" or "compute"; empty before.
+};
+
+/// The meshes of a `GpuScene` that skins or morph targets move.
+struct DeformationReport {
+    std::uint64_t meshes = 0;    ///< Nodes that show such a mesh.
+    std::uint64_t vertices = 0;  ///< Of all of these together.
+    std::string
+        evaluator;  ///< What has deformed them last: "cpu" or "compute"; empty before the first frame.
 };
 
 /// A `Scene` on the device. The scene given to the constructor is not kept; what edits need of it is copied.
@@ -121,6 +129,7 @@ class CANDELA_API GpuScene {
 
     const LightReport& lightReport() const;
     CageReport cageReport() const;
+    DeformationReport deformationReport() const;
     /// Triangles of the meshes, times the nodes that show them; hidden ones included.
     std::uint64_t triangleCount() const;
     std::uint32_t materialCount() const;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <candela/deformation.h>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -18,7 +20,8 @@ struct Submesh {
 };
 
 /// Indexed triangles, counter-clockwise from the front. `positions` and `normals` have one element per
-/// vertex; every other vertex array has as many or is empty.
+/// vertex; every other vertex array has as many or is empty. Joints that mirror a vertex turn its triangles:
+/// where most joints of a skin do, clockwise is the front.
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;  ///< Metres.
@@ -28,6 +31,11 @@ struct Mesh {
     std::vector<glm::vec4> colors;  ///< Linear Rec.709 and alpha: multiplies the base colour.
     std::vector<std::uint32_t> indices;
     std::vector<Submesh> submeshes;  ///< Empty: all indices are one submesh with the default material.
+
+    std::uint32_t influenceCount = 0;   ///< Joints per vertex; 0: no skin moves it.
+    std::vector<std::uint32_t> joints;  ///< `influenceCount` per vertex: indices into `Skin::joints`.
+    std::vector<float> jointWeights;    ///< `influenceCount` per vertex, 0 or more, of sum 1 for each vertex.
+    std::vector<MorphTarget> morphTargets;
 };
 
 }  // namespace candela

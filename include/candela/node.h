@@ -19,13 +19,6 @@ struct Transform {
     glm::vec3 scale{1.0f};
 };
 
-/// An instance of a cage at a node. A skinned cage is placed by its joints, not by its node.
-struct CageInstance {
-    std::uint32_t cage = 0;             ///< Index into `Scene::cages`.
-    std::optional<std::uint32_t> skin;  ///< Index into `Scene::skins`.
-    std::vector<float> morphWeights;    ///< One per morph target of the cage; empty: all 0.
-};
-
 /// A node of the hierarchy. Parents precede their children in `Scene::nodes`.
 struct Node {
     std::string name;
@@ -33,7 +26,13 @@ struct Node {
     std::variant<Transform, glm::mat4> transform =
         Transform{};                    ///< Local; an affine matrix where the file gives one.
     std::optional<std::uint32_t> mesh;  ///< Index into `Scene::meshes`.
-    std::optional<CageInstance> cage;
+    std::optional<std::uint32_t> cage;  ///< Index into `Scene::cages`.
+    /// Index into `Scene::skins`: moves the node's mesh and cage, where these have joints. What a skin moves
+    /// is placed by the joints, not by the node.
+    std::optional<std::uint32_t> skin;
+    /// One per morph target of the node's mesh or cage (where both have targets, they have as many); empty:
+    /// all 0.
+    std::vector<float> morphWeights;
     /// Metres, added to the local translation in double precision: what a float can not hold of it.
     glm::dvec3 translationRemainder{0.0};
 };

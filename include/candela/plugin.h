@@ -133,6 +133,15 @@ typedef struct candela_mesh {
     /* since 1.1: polygons, which the host cuts into triangles; they may be concave, but not have holes */
     uint32_t face_count;
     const uint32_t* face_sizes; /* corners of each face, 3 or more; NULL: all faces are triangles */
+    /* since 1.3: what deforms the mesh */
+    uint32_t influence_count; /* joints of each vertex; 0: no skin deforms the mesh */
+    const uint32_t* joints;   /* influence_count for each vertex: indices into the skin's joints */
+    const float*
+        joint_weights; /* influence_count for each vertex, 0 or more; the host divides by their sum */
+    uint32_t morph_target_count;
+    const float* morph_offsets;  /* target after target, 3 a vertex, metres */
+    const float* morph_normals;  /* the same for normals; NULL: no target changes them */
+    const float* morph_tangents; /* the same for the direction of tangents; NULL: no target changes them */
 } candela_mesh;
 
 /* ---- Subdivision cages (since 1.1) */
@@ -206,7 +215,7 @@ typedef struct candela_cage {
     const float* morph_offsets; /* target after target, 3 a vertex, metres */
 } candela_cage;
 
-/* The joints that the influences of a cage refer to. */
+/* The joints that the influences of meshes and cages refer to. */
 typedef struct candela_skin {
     uint32_t struct_size;
     const char* name;
@@ -224,6 +233,16 @@ typedef struct candela_cage_instance {
     uint32_t morph_weight_count; /* the cage's morph_target_count, or 0: all weights are 0 */
     const float* morph_weights;
 } candela_cage_instance;
+
+/* What deforms the mesh of a node (since 1.3). A mesh with a skin is placed by its joints and not by its
+ * node. */
+typedef struct candela_deformation {
+    uint32_t struct_size;
+    int32_t node; /* index of an added node that shows a mesh; one deformation a node at most */
+    int32_t skin; /* index of an added skin, -1 for none */
+    uint32_t morph_weight_count; /* the mesh's morph_target_count, or 0: all weights are 0 */
+    const float* morph_weights;
+} candela_deformation;
 
 typedef struct candela_camera {
     uint32_t struct_size;
@@ -281,7 +300,7 @@ typedef enum candela_animation_path {
     CANDELA_ANIMATE_TRANSLATION = 0, /* 3 numbers a key */
     CANDELA_ANIMATE_ROTATION = 1,    /* 4 numbers a key: quaternion x, y, z, w */
     CANDELA_ANIMATE_SCALE = 2,       /* 3 numbers a key */
-    /* since 1.1: a number for each morph target of the node's cage */
+    /* since 1.1: a number for each morph target of the node's cage; since 1.3 also of its mesh */
     CANDELA_ANIMATE_MORPH_WEIGHTS = 3
 } candela_animation_path;
 
@@ -375,6 +394,7 @@ typedef struct candela_host {
      * differs in the case of ASCII letters is read, and noted. */
     candela_status (*read_optional_file)(void* self, const char* path, candela_bytes* out,
                                          const char** reason);
+    candela_status (*add_deformation)(void* self, const candela_deformation* deformation);
 } candela_host;
 
 /* ---- The subdivider (since 1.1) */

@@ -3,13 +3,13 @@
 #include <candela/animation.h>
 #include <candela/cage.h>
 #include <candela/camera.h>
+#include <candela/deformation.h>
 #include <candela/export.h>
 #include <candela/image.h>
 #include <candela/light.h>
 #include <candela/material.h>
 #include <candela/mesh.h>
 #include <candela/node.h>
-#include <candela/skin.h>
 
 #include <glm/mat4x4.hpp>
 
@@ -58,23 +58,28 @@ CANDELA_API std::vector<glm::mat4> worldTransforms(const Scene& scene, double ti
 /// `validate`.
 CANDELA_API std::vector<WorldLight> worldLights(const Scene& scene, const std::vector<glm::mat4>& world);
 
-/// The points of a cage instance at one time.
-struct PosedCage {
-    std::vector<glm::vec3> points;    ///< Metres, one per vertex of the cage.
-    glm::mat4 worldFromPoints{1.0f};  ///< The node's world matrix; the identity for a skinned cage.
+/// The points of a mesh or a cage at one time.
+struct PosedPoints {
+    std::vector<glm::vec3> points;  ///< Metres, one per vertex.
+    glm::mat4 worldFromPoints{
+        1.0f};  ///< The node's world matrix; the identity where a skin moves the points.
 };
 
-/// The cage that node `node` shows, moved by its morph targets and then by its skin (glTF 2.0, 3.7.2.2 and
-/// 3.7.3.3). `world` comes from `worldTransforms` of the same `time`. Throws `Error` (badInput) when there is
-/// no such node, it shows no cage, `world` does not have one matrix per node, `time` is not finite, or cage,
-/// skin, morph weights and animation do not fit each other.
-CANDELA_API PosedCage poseCage(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
-                               double time = 0.0);
+/// The positions of the mesh that node `node` shows, moved by its morph targets and then by its skin
+/// (glTF 2.0, 3.7.2.2 and 3.7.3.3). `world` comes from `worldTransforms` of the same `time`. Throws `Error`
+/// (badInput) when there is no such node, it shows no mesh, `world` does not have one matrix per node, `time`
+/// is not finite, or mesh, skin, morph weights and animation do not fit each other.
+CANDELA_API PosedPoints poseMesh(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
+                                 double time = 0.0);
+
+/// The same for the points of the cage that node `node` shows.
+CANDELA_API PosedPoints poseCage(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
+                                 double time = 0.0);
 
 /// The world-space box around the triangles and cage faces that node `node` itself shows at `time`; `world`
 /// comes from `worldTransforms` of that time. A limit surface lies within the box of its cage. Vertices that
 /// no face uses do not count. Empty for a node that shows nothing, as one whose matrix flattens everything to
-/// a line or a point. Throws `Error` (badInput) as `poseCage`.
+/// a line or a point. Throws `Error` (badInput) as `poseMesh` and `poseCage`.
 CANDELA_API Bounds nodeBounds(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
                               double time = 0.0);
 
@@ -128,13 +133,13 @@ CANDELA_API void scatterLights(Scene& scene, const LightScatter& scatter);
 ///  - a mesh has the texture coordinates that its materials' textures read (glTF 2.0, 5.30.2), and so has a
 ///    cage, whose only set is 0;
 ///  - the origin is finite and at most 1e9 m along each axis;
-///  - as the nodes stand at time 0, their world matrices are finite, and meshes, posed cages, lights and
+///  - as the nodes stand at time 0, their world matrices are finite, and posed meshes and cages, lights and
 ///    cameras stand within 1e9 m of the world's origin along each axis (matrices may be singular);
 ///  - emission, and a light's intensity times its colour, are at most 1e20;
 ///  - the values of animations, and morph weights, are at most 1e9;
 ///  - no face of a cage names a vertex twice, each crease of a cage is an edge of one of its faces, and faces
 ///    of a Loop cage are triangles; what else a subdivider may reject, `Subdivider::refine` tells;
-///  - a skin moves only a cage with joints, and has every joint that the cage names.
+///  - the skin of a node moves a mesh or a cage with joints, and has every joint that these name.
 /// Every imported scene has passed this.
 CANDELA_API void validate(const Scene& scene);
 

@@ -26,6 +26,9 @@ Animation animationFrom(const candela_animation& source, const AbiReader& elemen
 /// Adds an instance of a cage to its node.
 void addCageInstance(const candela_cage_instance& source, Scene& scene);
 
+/// Gives a node that shows a mesh its skin and its morph weights.
+void addDeformation(const candela_deformation& source, Scene& scene);
+
 /// Adds the attributes that a plugin may leave out: flat normals, and tangents for meshes with a normal
 /// texture. Appends a note for each attribute that cannot be generated.
 void addMissingAttributes(Scene& scene, NoteList& notes);

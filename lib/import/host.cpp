@@ -93,6 +93,17 @@ candela_status ImportHost::addCageInstance(const candela_cage_instance* instance
     return done ? CANDELA_OK : CANDELA_FAILED;
 }
 
+candela_status ImportHost::addDeformation(const candela_deformation* deformation) noexcept {
+    const bool done = guarded("a deformation", [&] {
+        const AbiReader call("add_deformation", std::nullopt, nullptr);
+        if (!deformation) call.refuse("the struct is NULL");
+        const auto copy = copyOf(deformation);
+        if (!copy) call.refuse("struct_size " + sizeFault(deformation));
+        candela::addDeformation(*copy, scene_);
+    });
+    return done ? CANDELA_OK : CANDELA_FAILED;
+}
+
 candela_bytes ImportHost::fileBytes(const char* path) {
     if (!files_)
         throw Error(
@@ -237,6 +248,10 @@ struct ImportHost::Functions {
         return from(self).addCageInstance(instance);
     }
 
+    static candela_status addDeformation(void* self, const candela_deformation* deformation) {
+        return from(self).addDeformation(deformation);
+    }
+
     static void parallelFor(void* self, std::uint32_t count, candela_parallel_body body, void* context) {
         runParallelLoop(*from(self).pool_, count, body, context);
     }
@@ -263,6 +278,7 @@ struct ImportHost::Functions {
         host.parallel_for = parallelFor;
         host.add_note = addNote;
         host.read_optional_file = readOptionalFile;
+        host.add_deformation = addDeformation;
         return host;
     }
 };

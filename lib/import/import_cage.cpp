@@ -1,4 +1,5 @@
 #include "import/abi_import.h"
+#include "import/import_deformation.h"
 
 #include <candela/error.h>
 
@@ -9,44 +10,6 @@
 
 namespace candela {
 namespace {
-
-void normalizeWeights(std::span<float> weights, std::size_t vertex, const AbiReader& element) {
-    double sum = 0.0;
-    for (const float weight : weights) {
-        if (weight < 0.0f)
-            element.refuse(
-                joined("vertex ", vertex, " has the joint weight ", weight, ", but 0 or more was expected"));
-        sum += double{weight};
-    }
-    if (!(sum > 0.0)) element.refuse(joined("vertex ", vertex, " has joint weights that are all 0"));
-    for (float& weight : weights) weight = static_cast<float>(double{weight} / sum);
-}
-
-// The joints and weights of all vertices; the weights of each vertex are normalised.
-void takeInfluences(const candela_cage& source, const AbiReader& element, Cage& cage) {
-    const std::size_t each = source.influence_count, vertices = cage.positions.size();
-    element.counts("joints", source.joints, each * vertices, cage.joints);
-    element.numbers("joint_weight", source.joint_weights, each * vertices, cage.jointWeights);
-    cage.influenceCount = source.influence_count;
-    if (each == 0) return;
-    for (std::size_t vertex = 0; vertex < vertices; ++vertex)
-        normalizeWeights(std::span(cage.jointWeights).subspan(vertex * each, each), vertex, element);
-}
-
-void takeMorphTargets(const candela_cage& source, const AbiReader& element, Cage& cage) {
-    const std::size_t count = source.morph_target_count, vertices = cage.positions.size();
-    if (count == 0) return;
-    if (vertices == 0)
-        element.refuse(joined("morph_target_count is ", count, ", but there are no vertices to move"));
-    if (!source.morph_offsets)
-        element.refuse(joined("morph_offsets is NULL, but morph_target_count is ", count));
-    for (std::size_t target = 0; target < count; ++target) {
-        const std::string member = joined("morph target ", target, ": offset");
-        cage.morphTargets.emplace_back();
-        element.numbers(member.c_str(), source.morph_offsets + target * vertices * 3, vertices,
-                        cage.morphTargets.back().offsets);
-    }
-}
 
 void takeRules(const candela_cage& source, const AbiReader& element, Cage& cage) {
     constexpr std::array schemes{SubdivisionScheme::catmullClark, SubdivisionScheme::loop,
@@ -184,8 +147,10 @@ Cage cageFrom(const candela_cage& source, const AbiReader& element, const Scene&
     takeCorners(source, element, cage);
     takeHoles(source, element, cage);
     takeMaterials(source, element, scene, cage);
-    takeInfluences(source, element, cage);
-    takeMorphTargets(source, element, cage);
+    takeInfluences({source.influence_count, source.joints, source.joint_weights}, element,
+                   cage.positions.size(), cage);
+    takeMorphTargets({source.morph_target_count, source.morph_offsets}, element, cage.positions.size(),
+                     cage.morphTargets);
     return cage;
 }
 
@@ -193,15 +158,6 @@ namespace {
 
 AbiReader cageElement(const Scene& scene, std::uint32_t index) {
     return {"cage", index, scene.cages[index].name.c_str()};
-}
-
-void takeMorphWeights(const candela_cage_instance& source, const AbiReader& node, const Cage& cage,
-                      const std::string& cageLabel, CageInstance& instance) {
-    if (source.morph_weight_count == 0) return;
-    if (source.morph_weight_count != cage.morphTargets.size())
-        node.refuse(joined("morph_weight_count is ", source.morph_weight_count, ", but ", cageLabel, " has ",
-                           cage.morphTargets.size(), " morph targets"));
-    node.numbers("morph_weight", source.morph_weights, source.morph_weight_count, instance.morphWeights);
 }
 
 }  // namespace
@@ -212,42 +168,15 @@ void addCageInstance(const candela_cage_instance& source, Scene& scene) {
     if (!index) call.refuse("node is -1, but a node was expected");
     Node& node = scene.nodes[*index];
     const AbiReader element("node", *index, node.name.c_str());
-    const auto cageIndex = element.reference("cage", source.cage, scene.cages.size());
-    if (!cageIndex) element.refuse("cage is -1, but a cage was expected");
+    const auto cage = element.reference("cage", source.cage, scene.cages.size());
+    if (!cage) element.refuse("cage is -1, but a cage was expected");
     if (node.cage)
-        element.refuse(joined("it has an instance of ", cageElement(scene, node.cage->cage).label(),
+        element.refuse(joined("it has an instance of ", cageElement(scene, *node.cage).label(),
                               " already, and can not have another"));
-    const Cage& cage = scene.cages[*cageIndex];
-    const std::string cageLabel = cageElement(scene, *cageIndex).label();
-    CageInstance instance;
-    instance.cage = *cageIndex;
-    instance.skin = element.reference("skin", source.skin, scene.skins.size());
-    takeMorphWeights(source, element, cage, cageLabel, instance);
-    node.cage = std::move(instance);
-}
-
-Skin skinFrom(const candela_skin& source, const AbiReader& element, const Scene& scene) {
-    Skin skin;
-    skin.name = element.name();
-    const std::uint32_t count = source.joint_count;
-    if (count == 0) element.refuse("joint_count is 0, but 1 or more was expected");
-    if (!source.joints) element.refuse(joined("joints is NULL, but joint_count is ", count));
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const std::string member = joined("joint ", i);
-        const auto node = element.reference(member.c_str(), source.joints[i], scene.nodes.size());
-        if (!node) element.refuse(member + " is -1, but a node was expected");
-        skin.joints.push_back(*node);
-    }
-    if (!source.inverse_bind_matrices) {
-        skin.inverseBindMatrices.assign(count, glm::mat4(1.0f));
-        return skin;
-    }
-    element.numbers("inverse_bind_matrix", source.inverse_bind_matrices, count, skin.inverseBindMatrices);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        glm::mat4& matrix = skin.inverseBindMatrices[i];
-        matrix = element.affine(joined("inverse_bind_matrix ", i), matrix);
-    }
-    return skin;
+    takeDeformation({source.skin, source.morph_weight_count, source.morph_weights},
+                    {cageElement(scene, *cage).label(), scene.cages[*cage].morphTargets.size()}, element,
+                    scene, node);
+    node.cage = cage;
 }
 
 }  // namespace candela

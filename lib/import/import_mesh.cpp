@@ -1,6 +1,7 @@
 #include "import/abi_import.h"
 
 #include "import/abi_reader.h"
+#include "import/import_deformation.h"
 #include "scene/geometry/axes.h"
 #include "scene/geometry/normals.h"
 #include "scene/geometry/tangents.h"
@@ -218,6 +219,11 @@ Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene&
     if (source.face_sizes) polygons.emplace(source, element);
     takeIndices(source, element, mesh);
     takeSubmeshes(source, element, scene, polygons, mesh);
+    takeInfluences({source.influence_count, source.joints, source.joint_weights}, element,
+                   source.vertex_count, mesh);
+    takeMorphTargets(
+        {source.morph_target_count, source.morph_offsets, source.morph_normals, source.morph_tangents},
+        element, source.vertex_count, mesh.morphTargets);
     if (polygons) polygons->triangulateFaces(mesh);
     if (repairNormals(mesh) > 0)
         notes.add(NoteKind::repaired, element.label(),

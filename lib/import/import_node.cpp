@@ -1,5 +1,7 @@
 #include "import/abi_import.h"
 
+#include "scene/model/deformation.h"
+
 #include <glm/gtc/constants.hpp>
 
 #include <array>
@@ -142,10 +144,6 @@ std::uint32_t animatedNode(const AbiReader& element, const std::string& member, 
     return *node;
 }
 
-std::size_t morphTargetCount(const Scene& scene, const Node& node) {
-    return node.cage ? scene.cages[node.cage->cage].morphTargets.size() : 0;
-}
-
 // The numbers of a key's value. Refuses a node without what the path animates.
 std::size_t numbersOf(const AnimationChannel& channel, const std::string& member, const AbiReader& element,
                       const Scene& scene) {
@@ -153,7 +151,8 @@ std::size_t numbersOf(const AnimationChannel& channel, const std::string& member
     if (channel.path == AnimationPath::morphWeights) {
         const std::size_t targets = morphTargetCount(scene, node);
         if (targets == 0)
-            element.refuse(joined(member, " is ", channel.node, ", which has no cage with morph targets"));
+            element.refuse(
+                joined(member, " is ", channel.node, ", which has no mesh and no cage with morph targets"));
         return targets;
     }
     if (!std::holds_alternative<Transform>(node.transform))

@@ -6,6 +6,7 @@
 #include <candela/plugin.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -14,18 +15,29 @@
 
 namespace candela {
 
-/// The size of a struct of plugin.h in the first version that had it. A struct that has gained members since
-/// then specialises this with its first size.
+/// The sizes that a struct of plugin.h had in the versions before the present one, the first one first. A
+/// struct that has gained members specialises this.
 template <class T>
-inline constexpr std::size_t firstSizeOf = sizeof(T);
+inline constexpr std::array<std::size_t, 0> pastSizesOf{};
 template <>
-inline constexpr std::size_t firstSizeOf<candela_mesh> = offsetof(candela_mesh, face_count);
+inline constexpr std::array pastSizesOf<candela_mesh>{offsetof(candela_mesh, face_count),
+                                                      offsetof(candela_mesh, influence_count)};
 template <>
-inline constexpr std::size_t firstSizeOf<candela_camera> = offsetof(candela_camera, number);
+inline constexpr std::array pastSizesOf<candela_camera>{offsetof(candela_camera, number)};
 template <>
-inline constexpr std::size_t firstSizeOf<candela_node> = offsetof(candela_node, translation_remainder);
+inline constexpr std::array pastSizesOf<candela_node>{offsetof(candela_node, translation_remainder)};
 template <>
-inline constexpr std::size_t firstSizeOf<candela_plugin> = offsetof(candela_plugin, subdivider);
+inline constexpr std::array pastSizesOf<candela_plugin>{offsetof(candela_plugin, subdivider)};
+
+/// The size of a struct of plugin.h in the first version that had it.
+template <class T>
+constexpr std::size_t firstSizeOf() {
+    if constexpr (pastSizesOf<T>.empty()) {
+        return sizeof(T);
+    } else {
+        return pastSizesOf<T>.front();
+    }
+}
 
 /// The first version that had a struct of plugin.h.
 template <class T>
@@ -36,6 +48,8 @@ template <>
 inline constexpr const char* firstVersionOf<candela_skin> = "1.1";
 template <>
 inline constexpr const char* firstVersionOf<candela_cage_instance> = "1.1";
+template <>
+inline constexpr const char* firstVersionOf<candela_deformation> = "1.3";
 template <>
 inline constexpr const char* firstVersionOf<candela_refined_cage> = "1.1";
 template <>
@@ -56,7 +70,8 @@ std::uint32_t structSizeOf(const T* source) {
 template <class T>
 std::optional<T> copyOf(const T* source) {
     const std::uint32_t size = structSizeOf(source);
-    if (size < sizeof(T) && size != firstSizeOf<T>) return std::nullopt;
+    if (size < sizeof(T) && std::ranges::find(pastSizesOf<T>, size) == pastSizesOf<T>.end())
+        return std::nullopt;
     T copy{};
     std::memcpy(static_cast<void*>(&copy), source, std::min<std::size_t>(size, sizeof(T)));
     return copy;
@@ -65,7 +80,7 @@ std::optional<T> copyOf(const T* source) {
 /// Why `copyOf` refuses a `struct_size`: "is 8, but version 1.0 has ...".
 template <class T>
 std::string sizeFault(const T* source) {
-    return joined("is ", structSizeOf(source), ", but version ", firstVersionOf<T>, " has ", firstSizeOf<T>,
+    return joined("is ", structSizeOf(source), ", but version ", firstVersionOf<T>, " has ", firstSizeOf<T>(),
                   " bytes");
 }
 

@@ -1,6 +1,7 @@
 #include "base/error_context.h"
 #include "import/abi_import.h"
 #include "scene/model/animation.h"
+#include "scene/model/deformation.h"
 
 #include <glm/geometric.hpp>
 
@@ -88,14 +89,16 @@ std::vector<Place> placesOf(const Scene& scene) {
     };
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
-        if (node.mesh) add(meshes[*node.mesh], world[i]);
-        if (!node.cage) continue;
-        if (!node.cage->skin) {
-            add(cages[node.cage->cage], world[i]);
-            continue;
-        }
-        // A skinned cage is placed by its joints.
-        for (const std::uint32_t joint : scene.skins[*node.cage->skin].joints) add(Place{}, world[joint]);
+        // What a skin moves is placed by the joints.
+        bool skinned = false;
+        const auto addShape = [&](const auto& shape, const std::optional<Place>& place) {
+            if (!isSkinned(node, shape)) return add(place, world[i]);
+            skinned = true;
+        };
+        if (node.mesh) addShape(scene.meshes[*node.mesh], meshes[*node.mesh]);
+        if (node.cage) addShape(scene.cages[*node.cage], cages[*node.cage]);
+        if (!skinned) continue;
+        for (const std::uint32_t joint : scene.skins[*node.skin].joints) add(Place{}, world[joint]);
     }
     return places;
 }

@@ -206,6 +206,10 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
         const gl::PassTimer::Scope pass(timer, "cages");
         scene.updateCages(view, settings.width, settings.height);
     }
+    if (scene.hasDeformations()) {
+        const gl::PassTimer::Scope pass(timer, "deform");
+        scene.updateDeformations(frame->frustum);
+    }
     if (settings.debugView == DebugView::none) {
         drawLit(scene);
     } else {

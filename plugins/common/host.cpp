@@ -86,6 +86,14 @@ void Host::add(const candela_cage_instance& instance) const {
     if (host_.add_cage_instance(host_.self, &instance) != CANDELA_OK) throw HostRefused{};
 }
 
+void Host::add(const candela_deformation& deformation) const {
+    if (host_.add_deformation(host_.self, &deformation) != CANDELA_OK) throw HostRefused{};
+}
+
+bool Host::takesDeformations() const {
+    return host_.struct_size >= offsetof(candela_host, add_deformation) + sizeof host_.add_deformation;
+}
+
 bool Host::takesCages() const {
     return host_.struct_size >= offsetof(candela_host, add_cage_instance) + sizeof host_.add_cage_instance;
 }

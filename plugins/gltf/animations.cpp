@@ -42,18 +42,18 @@ std::vector<float> readValues(const Document& document, int accessor, candela_an
 
 class AnimationReader {
   public:
-    AnimationReader(const Document& document, const std::vector<std::int32_t>& nodes, const AddedCages& cages,
-                    const tinygltf::Animation& source, std::string element)
-        : document_(document), nodes_(nodes), cages_(cages), source_(source), element_(std::move(element)) {}
+    AnimationReader(const Document& document, const std::vector<std::int32_t>& nodes,
+                    const MorphedNodes& morphed, const tinygltf::Animation& source, std::string element)
+        : document_(document),
+          nodes_(nodes),
+          morphed_(morphed),
+          source_(source),
+          element_(std::move(element)) {}
 
     void add(const Host& host) {
         if (host.leavesOut([&] { requireUsable(document_, element_); })) return;
         for (std::size_t i = 0; i < source_.channels.size(); ++i) {
             host.leavesOut([&] { readChannel(i, host); });
-        }
-        if (weights_ > 0) {
-            host.note(CANDELA_NOTE_MISSING, element_,
-                      "morph weights are not applied: drawn in the bind pose");
         }
         if (channels_.empty()) return;
         candela_animation animation{};
@@ -72,19 +72,24 @@ class AnimationReader {
         requireUsable(document_, element);
         if (source.target_path.empty()) return;  // It has no node.
         const auto node = static_cast<std::size_t>(source.target_node);
-        const bool isWeights = source.target_path == "weights";
-        if (isWeights && !cageOf(document_, node, cages_)) {
-            ++weights_;
-            return;
-        }
         if (nodes_.at(node) < 0) return;
         candela_animation_channel channel{};
         channel.node = nodes_[node];
         channel.path = pathOf(source.target_path, element);
-        const std::size_t perKey = isWeights ? morphTargetsOf(node, element) : 1;
-        if (!isWeights) refuseMatrix(node, element);
-        readKeys(samplerOf(source, element), element, perKey, host, channel);
-        channels_.push_back(channel);
+        if (channel.path != CANDELA_ANIMATE_MORPH_WEIGHTS) {
+            refuseMatrix(node, element);
+            readKeys(samplerOf(source, element), element, 1, host, channel);
+            channels_.push_back(channel);
+            return;
+        }
+        const auto morphed = morphed_.find(node);
+        if (morphed == morphed_.end())
+            throw Failure{element, nodeName(node) + " has no mesh with morph targets"};
+        for (const MorphedNode& shown : morphed->second) {
+            channel.node = shown.node;
+            readKeys(samplerOf(source, element), element, shown.targets, host, channel);
+            channels_.push_back(channel);
+        }
     }
 
     std::string nodeName(std::size_t node) const {
@@ -94,12 +99,6 @@ class AnimationReader {
     void refuseMatrix(std::size_t node, const std::string& element) const {
         if (document_.model.nodes[node].matrix.empty()) return;
         throw Failure{element, nodeName(node) + " has a matrix and cannot be animated"};
-    }
-
-    std::size_t morphTargetsOf(std::size_t node, const std::string& element) const {
-        const std::size_t targets = cageOf(document_, node, cages_)->morphTargetCount;
-        if (targets == 0) throw Failure{element, nodeName(node) + " has a cage without morph targets"};
-        return targets;
     }
 
     const tinygltf::AnimationSampler& samplerOf(const tinygltf::AnimationChannel& channel,
@@ -130,21 +129,20 @@ class AnimationReader {
 
     const Document& document_;
     const std::vector<std::int32_t>& nodes_;
-    const AddedCages& cages_;
+    const MorphedNodes& morphed_;
     const tinygltf::Animation& source_;
     std::string element_;
     std::vector<candela_animation_channel> channels_;
     std::vector<AnimationKeys> keys_;
-    std::size_t weights_ = 0;
 };
 
 }  // namespace
 
-void addAnimations(const Document& document, const std::vector<std::int32_t>& nodes, const AddedCages& cages,
-                   const Host& host) {
+void addAnimations(const Document& document, const std::vector<std::int32_t>& nodes,
+                   const MorphedNodes& morphed, const Host& host) {
     for (std::size_t i = 0; i < document.model.animations.size(); ++i) {
         const tinygltf::Animation& source = document.model.animations[i];
-        AnimationReader(document, nodes, cages, source, elementName("animation", i, source.name)).add(host);
+        AnimationReader(document, nodes, morphed, source, elementName("animation", i, source.name)).add(host);
     }
 }
 

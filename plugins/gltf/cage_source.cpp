@@ -110,7 +110,8 @@ VertexKey vertexKey(const tinygltf::Primitive& primitive) {
 
 class SourceReader {
   public:
-    SourceReader(const Document& document, const Layout& layout) : document_(document), layout_(layout) {
+    SourceReader(const Document& document, const Layout& layout, const Host& host)
+        : document_(document), layout_(layout), host_(host) {
         source_.vertices.influenceCount = layout.influenceSets * jointsPerSet;
         source_.vertices.morphOffsets.resize(layout.morphTargets);
     }
@@ -148,12 +149,14 @@ class SourceReader {
                readAttribute(document_, positions, "POSITION", positionForm, count, part.element));
         if (layout_.uvs) append(all.uvs, uvsOf(part, count));
         const Influences influences =
-            readInfluences(document_, part.primitive, layout_.influenceSets, count, part.element);
+            readInfluences(document_, part.primitive, layout_.influenceSets, {count}, part.element, host_);
         append(all.joints, influences.joints);
         append(all.jointWeights, influences.weights);
         for (std::size_t target = 0; target < layout_.morphTargets; ++target) {
-            append(all.morphOffsets[target],
-                   readMorphOffsets(document_, part.primitive, target, count, part.element));
+            std::vector<float> offsets =
+                readMorphOffsets(document_, part.primitive, target, "POSITION", count, part.element);
+            offsets.resize(3 * count);
+            append(all.morphOffsets[target], offsets);
         }
         const VertexRange range{all.count, static_cast<std::uint32_t>(count)};
         all.count += range.count;
@@ -188,6 +191,7 @@ class SourceReader {
 
     const Document& document_;
     Layout layout_;
+    const Host& host_;
     CageSource source_;
     std::map<VertexKey, VertexRange> ranges_;
 };
@@ -215,7 +219,7 @@ CageSource readCageSource(const Document& document, std::size_t mesh, const std:
     const std::vector<Part> parts = partsOf(document, source, element, host);
     const Layout layout{uvAttribute(parts, uvSets, element, host), commonInfluenceSets(parts),
                         commonMorphTargets(parts)};
-    SourceReader reader(document, layout);
+    SourceReader reader(document, layout, host);
     for (const Part& part : parts) {
         if (accessorOf(part.primitive, "COLOR_0") >= 0) {
             host.note(CANDELA_NOTE_MISSING, part.element,

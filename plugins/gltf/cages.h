@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "../common/host.h"
+#include "deformation.h"
 #include "document.h"
 #include "materials.h"
 #include "nodes.h"
@@ -29,17 +30,10 @@ const AddedCage* cageOf(const Document& document, std::size_t node, const AddedC
 AddedCages addCages(Document& document, const std::vector<bool>& used, const AddedMaterials& materials,
                     const Host& host, double from, double to);
 
-/// Adds the skins of cages, and returns the host's index of each skin of the file, -1 for the
-/// others, and for broken ones, with a note. `nodes` are the host's indices of the file's nodes.
-std::vector<std::int32_t> addSkins(const Document& document, const std::vector<DrawnNode>& drawn,
-                                   const std::vector<std::int32_t>& nodes, const AddedCages& cages,
-                                   const Host& host);
-
-/// Adds the cage instances of the nodes, with their skins and morph weights. `skins` are
-/// the host's indices of the file's skins. Where node, skin and cage do not fit together, the skin or the
-/// weights are left out, with a note.
+/// Adds the cage instances of the nodes, with their skins and morph weights. Where node, skin and cage do not
+/// fit together, the skin or the weights are left out, with a note.
 void addCageInstances(const Document& document, const std::vector<DrawnNode>& drawn,
-                      const std::vector<std::int32_t>& nodes, const AddedCages& cages,
-                      const std::vector<std::int32_t>& skins, const Host& host);
+                      const std::vector<std::int32_t>& nodes, const AddedCages& cages, Skins& skins,
+                      const Host& host);
 
 }  // namespace candela_plugins::gltf

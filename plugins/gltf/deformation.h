@@ -1,7 +1,10 @@
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <vector>
 
+#include "../common/host.h"
 #include "document.h"
 
 namespace candela_plugins::gltf {
@@ -18,17 +21,44 @@ struct Influences {
     std::vector<float> weights;         ///< As many; none below 0, and not all 0.
 };
 
-/// Reads `sets` pairs. Throws `Failure` for `element`, also when weights are negative or all 0.
-Influences readInfluences(const Document& document, const tinygltf::Primitive& primitive, std::uint32_t sets,
-                          std::size_t vertices, const std::string& element);
+/// How many vertices a primitive and how many joints its skin has.
+struct InfluenceLimits {
+    std::size_t vertices = 0;
+    std::size_t joints = std::numeric_limits<std::size_t>::max();
+};
 
-/// The position offsets of a morph target of a primitive, 3 numbers a vertex; zeros where the target has
-/// none. Throws `Failure` for `element`, the primitive.
+/// Reads `sets` pairs. Weights below 0 are taken as 0, joints beyond the limit are left out, and a vertex
+/// without a weight follows the first joint; notes say so. Throws `Failure` for `element`.
+Influences readInfluences(const Document& document, const tinygltf::Primitive& primitive, std::uint32_t sets,
+                          const InfluenceLimits& limits, const std::string& element, const Host& host);
+
+/// The offsets of `attribute` ("POSITION") of a morph target of a primitive, 3 numbers a vertex; empty where
+/// the target has none. Throws `Failure` for `element`, the primitive.
 std::vector<float> readMorphOffsets(const Document& document, const tinygltf::Primitive& primitive,
-                                    std::size_t target, std::size_t vertices, const std::string& element);
+                                    std::size_t target, const char* attribute, std::size_t vertices,
+                                    const std::string& element);
 
 /// The morph weights of the mesh of a node: those of the node, else those of the mesh, else zeros. Throws
 /// `Failure` that names node or mesh when their number is not `targets`.
 std::vector<float> morphWeights(const Document& document, std::size_t node, std::uint32_t targets);
+
+/// The skins of the host, which are added when a node first needs them.
+class Skins {
+  public:
+    /// `nodes` are the host's indices of the file's nodes.
+    Skins(const Document& document, const std::vector<std::int32_t>& nodes, const Host& host);
+
+    /// The host's index of a skin of the file; -1, with a note, where a joint is not part of the scene that
+    /// is drawn, or the skin cannot be read.
+    std::int32_t find(std::size_t skin);
+
+  private:
+    std::int32_t add(std::size_t skin) const;
+
+    const Document& document_;
+    const std::vector<std::int32_t>& nodes_;
+    const Host& host_;
+    std::vector<std::optional<std::int32_t>> indices_;
+};
 
 }  // namespace candela_plugins::gltf

@@ -23,34 +23,6 @@ void forEachObject(Json& parent, const char* member, const Use& use) {
     }
 }
 
-std::string counted(std::size_t count, const char* noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-/// Skins and morph targets deform cages only.
-void noteDeformations(const Document& document, const Host& host) {
-    std::size_t skinned = 0, morphed = 0;
-    for (const tinygltf::Node& node : document.model.nodes) {
-        const bool showsCage = node.mesh >= 0 && document.cages.contains(static_cast<std::size_t>(node.mesh));
-        skinned += node.skin >= 0 && !showsCage;
-    }
-    for (std::size_t i = 0; i < document.model.meshes.size(); ++i) {
-        const auto& primitives = document.model.meshes[i].primitives;
-        const bool hasTargets =
-            std::any_of(primitives.begin(), primitives.end(),
-                        [](const tinygltf::Primitive& primitive) { return !primitive.targets.empty(); });
-        morphed += hasTargets && !document.cages.contains(i);
-    }
-    if (skinned > 0) {
-        host.note(CANDELA_NOTE_MISSING, "",
-                  "skins are not applied: " + counted(skinned, "node") + " drawn in the bind pose");
-    }
-    if (morphed > 0) {
-        host.note(CANDELA_NOTE_MISSING, "",
-                  "morph targets are not applied: " + counted(morphed, "mesh") + " drawn in the bind pose");
-    }
-}
-
 /// glTF allows channels without a node, which extensions give a meaning; tinygltf refuses them.
 void fillChannelNodes(Json& document) {
     forEachObject(document, "animations", [](Json& animation) {
@@ -241,7 +213,6 @@ Document readDocument(const Bytes& text, const Host& host) {
     document.skins = takeSkins(json);
     loadModel(document.model, json);
     repairEncodings(document, host);
-    noteDeformations(document, host);
     return document;
 }
 

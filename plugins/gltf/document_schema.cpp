@@ -166,7 +166,8 @@ const ObjectSchema attributes{"attribute",
                                {.name = "COLOR_0"}},
                               {"JOINTS_", "WEIGHTS_"},
                               "POSITION"};
-const ObjectSchema targetAttributes{"attribute", {{.name = "POSITION"}}};
+const ObjectSchema targetAttributes{"attribute",
+                                    {{.name = "POSITION"}, {.name = "NORMAL"}, {.name = "TANGENT"}}};
 const ObjectSchema ngonEncoding{"FB_ngon_encoding", {}};
 const ObjectSchema primitiveExtensions{"", {object("FB_ngon_encoding", ngonEncoding)}};
 const ObjectSchema primitive{.noun = "primitive",

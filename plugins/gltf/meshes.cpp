@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
+#include "deformers.h"
 #include "primitives.h"
 
 namespace candela_plugins::gltf {
@@ -75,6 +77,14 @@ bool replaceNotFinite(std::vector<float>& numbers, float replacement) {
     return replaced;
 }
 
+/// The accessors of a primitive: those of its streams, then those of what deforms it.
+struct VertexKey {
+    Accessors streams;
+    std::vector<int> deformers;
+
+    auto operator<=>(const VertexKey&) const = default;
+};
+
 /// The vertices that primitives with the same accessors share.
 struct VertexRange {
     std::uint32_t first = 0, count = 0;
@@ -85,12 +95,13 @@ using Streams = std::array<std::vector<float>, streamCount>;
 /// Primitives of one mesh that have the same attributes, as one mesh of the host.
 class Part {
   public:
-    explicit Part(const Host& host) : host_(host) {}
+    Part(const Deformers& deformers, const Host& host)
+        : host_(host), influenceSets_(deformers.influenceSets), targets_(deformers.targets.size()) {}
 
     /// Throws `Failure` and adds nothing when the primitive cannot be drawn. `material` is the host's.
     void add(const Document& document, const tinygltf::Primitive& primitive, std::int32_t material,
-             const Accessors& accessors, const std::string& element) {
-        const VertexRange range = rangeOf(document, accessors, element);
+             const VertexKey& key, const Deformers& deformers, const std::string& element) {
+        const VertexRange range = rangeOf(document, key, deformers, element);
         const std::vector<std::uint32_t> triangles = trianglesOf(document, primitive, range, element);
         const std::size_t first = indices_.size();
         if (first + triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
@@ -103,7 +114,7 @@ class Part {
 
     bool isEmpty() const { return submeshes_.empty(); }
 
-    std::int32_t add(const std::string& name) const {
+    AddedMesh add(const std::string& name) const {
         candela_mesh mesh{};
         mesh.struct_size = sizeof mesh;
         mesh.name = name.c_str();
@@ -118,7 +129,17 @@ class Part {
         mesh.indices = indices_.data();
         mesh.submesh_count = static_cast<std::uint32_t>(submeshes_.size());
         mesh.submeshes = submeshes_.data();
-        return host_.add(mesh);
+        mesh.influence_count = influenceSets_ * jointsPerSet;
+        mesh.joints = influences_.joints.data();
+        mesh.joint_weights = influences_.weights.data();
+        const std::vector<float> offsets = morphOffsets();
+        const std::vector<float> normals = morphVectors(&Deformers::Target::normals, normal);
+        const std::vector<float> tangents = morphVectors(&Deformers::Target::tangents, tangent);
+        mesh.morph_target_count = targets_.count();
+        mesh.morph_offsets = offsets.data();
+        mesh.morph_normals = normals.empty() ? nullptr : normals.data();
+        mesh.morph_tangents = tangents.empty() ? nullptr : tangents.data();
+        return {host_.add(mesh), influenceSets_ > 0, targets_.count()};
     }
 
   private:
@@ -126,8 +147,21 @@ class Part {
         return streams_[stream].empty() ? nullptr : streams_[stream].data();
     }
 
-    VertexRange rangeOf(const Document& document, const Accessors& accessors, const std::string& element) {
-        const auto known = ranges_.find(accessors);
+    std::vector<float> morphOffsets() const {
+        std::vector<float> offsets = targets_.joined(&Deformers::Target::positions, vertexCount_);
+        offsets.resize(std::size_t(targets_.count()) * vertexCount_ * 3);
+        return offsets;
+    }
+
+    /// Empty where the mesh has nothing of `stream` that could change.
+    std::vector<float> morphVectors(std::vector<float> Deformers::Target::*kind, std::size_t stream) const {
+        return streams_[stream].empty() ? std::vector<float>() : targets_.joined(kind, vertexCount_);
+    }
+
+    VertexRange rangeOf(const Document& document, const VertexKey& key, const Deformers& deformers,
+                        const std::string& element) {
+        const Accessors& accessors = key.streams;
+        const auto known = ranges_.find(key);
         if (known != ranges_.end()) return known->second;
         const std::size_t count = elementCount(document, accessors[position]);
         if (count > std::numeric_limits<std::uint32_t>::max() - vertexCount_) {
@@ -135,9 +169,15 @@ class Part {
         }
         Streams read = readStreams(document, accessors, count, element);
         for (std::size_t s = 0; s < streamCount; ++s) append(std::move(read[s]), streams_[s]);
+        const auto appendAll = [](auto& all, const auto& more) {
+            all.insert(all.end(), more.begin(), more.end());
+        };
+        appendAll(influences_.joints, deformers.influences.joints);
+        appendAll(influences_.weights, deformers.influences.weights);
+        targets_.add(deformers.targets, vertexCount_, count);
         const VertexRange range{vertexCount_, static_cast<std::uint32_t>(count)};
         vertexCount_ += range.count;
-        ranges_.emplace(accessors, range);
+        ranges_.emplace(key, range);
         return range;
     }
 
@@ -225,14 +265,25 @@ class Part {
     std::set<std::uint32_t> brokenVertices_;  ///< Of all vertices: those that are not finite.
     std::vector<std::uint32_t> indices_;
     std::vector<candela_submesh> submeshes_;
-    std::map<Accessors, VertexRange> ranges_;
+    std::map<VertexKey, VertexRange> ranges_;
+    std::uint32_t influenceSets_;
+    Influences influences_;
+    MorphTargets targets_;
 };
 
-using Presence = std::array<bool, streamCount>;
+/// Which vertex arrays a primitive has.
+struct Presence {
+    std::array<bool, streamCount> streams;
+    std::uint32_t influenceSets;
+    std::size_t morphTargets;
 
-Presence presenceOf(const Accessors& accessors) {
-    Presence presence;
-    std::transform(accessors.begin(), accessors.end(), presence.begin(), [](int a) { return a != absent; });
+    auto operator<=>(const Presence&) const = default;
+};
+
+Presence presenceOf(const Accessors& accessors, const Deformers& deformers) {
+    Presence presence{{}, deformers.influenceSets, deformers.targets.size()};
+    std::transform(accessors.begin(), accessors.end(), presence.streams.begin(),
+                   [](int a) { return a != absent; });
     return presence;
 }
 
@@ -241,21 +292,22 @@ class MeshImporter {
     MeshImporter(Document& document, const AddedMaterials& materials, const Host& host)
         : document_(document), materials_(materials), host_(host) {}
 
-    std::vector<std::int32_t> add(std::size_t index) {
+    std::vector<AddedMesh> add(std::size_t index) {
         const tinygltf::Mesh& mesh = document_.model.meshes[index];
         const std::string element = elementName("mesh", index, mesh.name);
         parts_.clear();
         partOf_.clear();
+        deformers_.emplace(document_, index, host_);
         losingGeometry([&] { requireUsable(document_, element); });
         for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
             const std::string where = element + ", primitive " + std::to_string(i);
             losingGeometry([&] { add(mesh.primitives[i], where); });
         }
-        std::vector<std::int32_t> indices;
+        std::vector<AddedMesh> added;
         for (const Part& part : parts_) {
-            if (!part.isEmpty()) indices.push_back(part.add(mesh.name));
+            if (!part.isEmpty()) added.push_back(part.add(mesh.name));
         }
-        return indices;
+        return added;
     }
 
     void noteUndrawn() const {
@@ -278,11 +330,13 @@ class MeshImporter {
         if (!isDrawn(primitive, element)) return;
         const Accessors accessors = usableAccessors(primitive, element);
         noteMissingUvs(accessors, primitive, element);
-        const auto [entry, isNew] = partOf_.try_emplace(presenceOf(accessors), parts_.size());
-        if (isNew) parts_.emplace_back(host_);
+        const VertexKey key{accessors, deformerAccessors(primitive)};
+        const Deformers& deformers = deformers_->read(primitive, element);
+        const auto [entry, isNew] = partOf_.try_emplace(presenceOf(accessors, deformers), parts_.size());
+        if (isNew) parts_.emplace_back(deformers, host_);
         const std::int32_t material =
             primitive.material < 0 ? materials_.defaultMaterial : primitive.material;
-        parts_[entry->second].add(document_, primitive, material, accessors, element);
+        parts_[entry->second].add(document_, primitive, material, key, deformers, element);
     }
 
     /// Attributes other than the position that cannot be read are left out.
@@ -339,7 +393,8 @@ class MeshImporter {
     Document& document_;
     const AddedMaterials& materials_;
     const Host& host_;
-    std::vector<Part> parts_;  ///< Of the mesh that is being added.
+    std::vector<Part> parts_;                  ///< Of the mesh that is being added.
+    std::optional<DeformerReader> deformers_;  ///< For it.
     std::map<Presence, std::size_t> partOf_;
     std::size_t points_ = 0, lines_ = 0;
 };

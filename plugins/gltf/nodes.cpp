@@ -199,9 +199,11 @@ void repairMatrix(const std::string& element, const Host& host, std::array<float
 
 }  // namespace
 
-std::vector<std::int32_t> addNodes(const Document& document, const std::vector<DrawnNode>& drawn,
-                                   const MeshParts& meshes, const Host& host) {
-    std::vector<std::int32_t> indices(document.model.nodes.size(), -1);
+AddedNodes addNodes(const Document& document, const std::vector<DrawnNode>& drawn, const MeshParts& meshes,
+                    const Host& host) {
+    const std::size_t count = document.model.nodes.size();
+    AddedNodes added{std::vector<std::int32_t>(count, -1), std::vector<std::vector<std::int32_t>>(count)};
+    std::vector<std::int32_t>& indices = added.indices;
     for (const DrawnNode& placed : drawn) {
         const auto index = static_cast<std::size_t>(placed.node);
         const tinygltf::Node& source = document.model.nodes[index];
@@ -221,17 +223,18 @@ std::vector<std::int32_t> addNodes(const Document& document, const std::vector<D
             node.matrix = matrix.data();
             setRemainder({source.matrix.begin() + 12, source.matrix.begin() + 15}, node);
         }
-        static const std::vector<std::int32_t> nothing;
+        static const std::vector<AddedMesh> nothing;
         const auto& parts = source.mesh < 0 ? nothing : meshes.at(static_cast<std::size_t>(source.mesh));
-        if (!parts.empty()) node.mesh = parts.front();
+        if (!parts.empty()) node.mesh = parts.front().index;
         indices[index] = host.add(node);
+        added.parts[index].push_back(indices[index]);
         for (std::size_t part = 1; part < parts.size(); ++part) {
             candela_node child = identityNode(source.name, indices[index]);
-            child.mesh = parts[part];
-            host.add(child);
+            child.mesh = parts[part].index;
+            added.parts[index].push_back(host.add(child));
         }
     }
-    return indices;
+    return added;
 }
 
 namespace {

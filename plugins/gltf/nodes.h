@@ -19,10 +19,16 @@ struct DrawnNode {
 /// noted. Notes further scenes.
 std::vector<DrawnNode> drawnNodes(const Document& document, const Host& host);
 
-/// Adds the drawn nodes, and a child for each further part of a node's mesh. Returns the host's index of
-/// each node of the file, -1 for those that are not drawn.
-std::vector<std::int32_t> addNodes(const Document& document, const std::vector<DrawnNode>& drawn,
-                                   const MeshParts& meshes, const Host& host);
+/// The host's nodes.
+struct AddedNodes {
+    std::vector<std::int32_t> indices;  ///< Of each node of the file, -1 for those that are not drawn.
+    /// For each node of the file the nodes that show the parts of its mesh, in the order of `MeshParts`.
+    std::vector<std::vector<std::int32_t>> parts;
+};
+
+/// Adds the drawn nodes, and a child for each further part of a node's mesh.
+AddedNodes addNodes(const Document& document, const std::vector<DrawnNode>& drawn, const MeshParts& meshes,
+                    const Host& host);
 
 /// Adds a camera for each drawn node that has one, and notes broken ones. `nodes` are the host's indices of
 /// the file's nodes.

@@ -10,6 +10,7 @@
 #include "cages.h"
 #include "document.h"
 #include "materials.h"
+#include "mesh_deformations.h"
 #include "meshes.h"
 #include "nodes.h"
 
@@ -54,12 +55,13 @@ void importFile(const std::string& name, const Host& host) {
     requireGeometry(document, meshes, cages);
     host.progress(cagesAdded);
 
-    const std::vector<std::int32_t> nodes = addNodes(document, drawn, meshes, host);
-    addCameras(document, drawn, nodes, host);
-    addLights(document, drawn, nodes, host);
-    const std::vector<std::int32_t> skins = addSkins(document, drawn, nodes, cages, host);
-    addCageInstances(document, drawn, nodes, cages, skins, host);
-    addAnimations(document, nodes, cages, host);
+    const AddedNodes nodes = addNodes(document, drawn, meshes, host);
+    addCameras(document, drawn, nodes.indices, host);
+    addLights(document, drawn, nodes.indices, host);
+    Skins skins(document, nodes.indices, host);
+    addCageInstances(document, drawn, nodes.indices, cages, skins, host);
+    addMeshDeformations(document, drawn, nodes, meshes, skins, host);
+    addAnimations(document, nodes.indices, morphedNodes(document, drawn, nodes, meshes, cages), host);
     host.progress(1.0);
 }
 

@@ -17,7 +17,8 @@ struct ProceduralScene {
 
 constexpr std::array proceduralScenes{
     ProceduralScene{"plaza", makePlaza}, ProceduralScene{"cloud", makeCloud},
-    ProceduralScene{"rooms", makeRooms}, ProceduralScene{"sculpture", makeSculpture}};
+    ProceduralScene{"rooms", makeRooms}, ProceduralScene{"sculpture", makeSculpture},
+    ProceduralScene{"crowd", makeCrowd}};
 
 constexpr auto schemes = [] {
     std::array<const char*, proceduralScenes.size() + 1> names{};
@@ -48,16 +49,18 @@ candela_status importScene(const candela_host* host, const candela_request* requ
 
 constexpr candela_importer importer{sizeof(candela_importer), nullptr, schemes.data(), importScene};
 
-constexpr candela_plugin plugin{sizeof(candela_plugin),
-                                CANDELA_PLUGIN_MAJOR,
-                                CANDELA_PLUGIN_MINOR,
-                                "plaza",
-                                "0.1.0",
-                                "procedural scenes under N point lights: plaza:N a square with 256 spheres, "
-                                "cloud:N a sphere of small lights, "
-                                "rooms:N a floor of 256 rooms, sculpture:N the square with a subdivided ring",
-                                &importer,
-                                nullptr};
+constexpr candela_plugin plugin{
+    sizeof(candela_plugin),
+    CANDELA_PLUGIN_MAJOR,
+    CANDELA_PLUGIN_MINOR,
+    "plaza",
+    "0.1.0",
+    "procedural scenes under N point lights: plaza:N a square with 256 spheres, "
+    "cloud:N a sphere of small lights, "
+    "rooms:N a floor of 256 rooms, sculpture:N the square with a subdivided ring, "
+    "and crowd:N with N walking characters",
+    &importer,
+    nullptr};
 
 }  // namespace
 }  // namespace candela_plugins::plaza

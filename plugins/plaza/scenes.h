@@ -16,6 +16,9 @@ void makePlaza(const Host& host, const std::string& arguments);
 /// outside of it that they light. Another N moves every light.
 void makeCloud(const Host& host, const std::string& arguments);
 
+/// "crowd:N": N walking characters of 10,000 vertices and 60 joints each, every one with a mesh of its own.
+void makeCrowd(const Host& host, const std::string& arguments);
+
 /// "rooms:N": 16 × 16 furnished rooms with doorways on 100 m × 100 m, N lights spread over them, and a camera
 /// in one of the rooms.
 void makeRooms(const Host& host, const std::string& arguments);

@@ -43,6 +43,14 @@ const int LIMIT_POINTS_STORAGE = 2;
 const int LIMIT_SURFACE_STORAGE = 3;
 const int LIMIT_UVS_STORAGE = 4;
 const int LIMIT_TANGENTS_STORAGE = 5;
+const int DEFORM_REST_STORAGE = 0;
+const int DEFORM_BLOCKS_STORAGE = 1;
+const int DEFORM_INFLUENCES_STORAGE = 2;
+const int DEFORM_ROWS_STORAGE = 3;
+const int DEFORM_ENTRIES_STORAGE = 4;
+const int DEFORM_POSES_STORAGE = 5;
+const int DEFORM_SURFACE_STORAGE = 6;
+const int DEFORM_TANGENTS_STORAGE = 7;
 const int RADIANCE_IMAGE = 0;
 
 // Uniform locations.
@@ -55,6 +63,8 @@ const int EXPOSURE_LOCATION = 0;          // display: factor before the transfor
 const int ORIGIN_LOCATION = 1;            // display: lower left corner of the picture in the target
 const int LIMIT_RANGE_LOCATION = 0;       // cage_limit: first and end of a dispatch's vertices, number of points, number of vertices
 const int LIMIT_TANGENTS_LOCATION = 1;    // cage_limit: are tangents needed?
+const int DEFORM_POSE_LOCATION = 0;       // deform: number of vertices; first joint and morph weight in the poses; has it tangents?
+const int DEFORM_SCALE_LOCATION = 1;      // deform: scale of directions
 const int HEAT_STOPS_LOCATION = 0;        // debug_view: the colours between which the heat map blends
 const int LINE_COLOR_LOCATION = 0;        // overlays: the colour of a line, code values
 const int LINE_INSTANCE_LOCATION = 1;     // overlays: the instance on which lines of a cage lie
@@ -72,6 +82,8 @@ const int UV0_ATTRIBUTE = 4;
 const int UV1_ATTRIBUTE = 5;
 const int COLOR_ATTRIBUTE = 6;
 const int LIGHT_ATTRIBUTE = 1;  // uint an instance of a light volume: light
+
+const uint DEFORM_NONE = 0xffffffffu;
 
 // The maximum number of lights that a loop of tile_shade iterates over: llvmpipe silently ends the loops of an invocation after 65,535
 // iterations.

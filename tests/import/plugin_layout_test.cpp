@@ -66,7 +66,14 @@ static_assert(offsetof(candela_mesh, submesh_count) == 88);
 static_assert(offsetof(candela_mesh, submeshes) == 96);
 static_assert(offsetof(candela_mesh, face_count) == 104);
 static_assert(offsetof(candela_mesh, face_sizes) == 112);
-static_assert(sizeof(candela_mesh) == 120);
+static_assert(offsetof(candela_mesh, influence_count) == 120);
+static_assert(offsetof(candela_mesh, joints) == 128);
+static_assert(offsetof(candela_mesh, joint_weights) == 136);
+static_assert(offsetof(candela_mesh, morph_target_count) == 144);
+static_assert(offsetof(candela_mesh, morph_offsets) == 152);
+static_assert(offsetof(candela_mesh, morph_normals) == 160);
+static_assert(offsetof(candela_mesh, morph_tangents) == 168);
+static_assert(sizeof(candela_mesh) == 176);
 
 static_assert(offsetof(candela_cage, struct_size) == 0);
 static_assert(offsetof(candela_cage, name) == 8);
@@ -114,6 +121,13 @@ static_assert(offsetof(candela_cage_instance, skin) == 12);
 static_assert(offsetof(candela_cage_instance, morph_weight_count) == 16);
 static_assert(offsetof(candela_cage_instance, morph_weights) == 24);
 static_assert(sizeof(candela_cage_instance) == 32);
+
+static_assert(offsetof(candela_deformation, struct_size) == 0);
+static_assert(offsetof(candela_deformation, node) == 4);
+static_assert(offsetof(candela_deformation, skin) == 8);
+static_assert(offsetof(candela_deformation, morph_weight_count) == 12);
+static_assert(offsetof(candela_deformation, morph_weights) == 16);
+static_assert(sizeof(candela_deformation) == 24);
 
 static_assert(offsetof(candela_camera, struct_size) == 0);
 static_assert(offsetof(candela_camera, name) == 8);
@@ -189,7 +203,8 @@ static_assert(offsetof(candela_host, worker_count) == 128);
 static_assert(offsetof(candela_host, parallel_for) == 136);
 static_assert(offsetof(candela_host, add_note) == 144);
 static_assert(offsetof(candela_host, read_optional_file) == 152);
-static_assert(sizeof(candela_host) == 160);
+static_assert(offsetof(candela_host, add_deformation) == 160);
+static_assert(sizeof(candela_host) == 168);
 
 static_assert(offsetof(candela_stencil_table, stencil_count) == 0);
 static_assert(offsetof(candela_stencil_table, offsets) == 8);

@@ -57,15 +57,17 @@ inline Scene sampleCageScene() {
 
     scene.nodes.resize(5);
     scene.nodes[0].name = "body";
-    scene.nodes[0].cage = CageInstance{0, 0, {0.5f, 0.0f}};
+    scene.nodes[0].cage = 0;
+    scene.nodes[0].skin = 0;
+    scene.nodes[0].morphWeights = {0.5f, 0.0f};
     scene.nodes[1].name = "hip";
     scene.nodes[2].name = "knee";
     scene.nodes[2].parent = 1;
     scene.nodes[3].name = "statue";
     scene.nodes[3].transform = glm::translate(glm::mat4(1.0f), glm::vec3(10.0f, 0.0f, 0.0f));
-    scene.nodes[3].cage = CageInstance{0, {}, {}};
+    scene.nodes[3].cage = 0;
     scene.nodes[4].name = "camp";
-    scene.nodes[4].cage = CageInstance{1, {}, {}};
+    scene.nodes[4].cage = 1;
 
     AnimationChannel rotation{
         2, AnimationPath::rotation, Interpolation::linear, {0, 1}, {0, 0, 0, 1, 0, 0, 1, 0}};

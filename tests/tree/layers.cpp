@@ -37,7 +37,7 @@ const std::map<std::string, std::string> layerOfHeader = {
     {"default_lights.h", "scene"}, {"exposure.h", "render"},
     {"material.h", "scene"},       {"mesh.h", "scene"},
     {"node.h", "scene"},           {"refined_cage.h", "scene"},
-    {"scene.h", "scene"},          {"skin.h", "scene"},
+    {"scene.h", "scene"},          {"deformation.h", "scene"},
     {"import.h", "import"},        {"plugin_registry.h", "import"},
     {"subdivider.h", "import"},    {"color.h", "color"},
     {"threads.h", "base"},         {"context.h", "gl"},

@@ -142,7 +142,7 @@ TEST(RenderCommandLine, PreservesEnumerationsAndLists) {
     options.debug.overlays = {.wireframe = true, .cage = true};
     options.subdivision.level = 3;
     options.subdivision.maxLevel = 7;
-    options.subdivisionEvaluator = candela::SubdivisionEvaluator::compute;
+    options.vertexEvaluator = candela::VertexEvaluator::compute;
     options.threads = 3;
     options.tileBackend = candela::TileBackend::cpu;
     options.rangeLoss = 0.25f;
@@ -160,7 +160,7 @@ TEST(RenderCommandLine, PreservesEnumerationsAndLists) {
     EXPECT_TRUE(read.debug.overlays.cage);
     EXPECT_EQ(read.subdivision.level, 3u);
     EXPECT_EQ(read.subdivision.maxLevel, 7u);
-    EXPECT_EQ(read.subdivisionEvaluator, candela::SubdivisionEvaluator::compute);
+    EXPECT_EQ(read.vertexEvaluator, candela::VertexEvaluator::compute);
     EXPECT_EQ(read.threads, 3u);
     EXPECT_EQ(read.tileBackend, candela::TileBackend::cpu);
     EXPECT_EQ(read.rangeLoss, 0.25f);

@@ -94,7 +94,7 @@ TEST(SceneFacts, ListEachMaterialOfANodeOnce) {
     scene.cages[0].faceMaterials = {1, std::nullopt, 4};
     scene.nodes.resize(2);
     scene.nodes[0].mesh = 0;
-    scene.nodes[0].cage = candela::CageInstance{};
+    scene.nodes[0].cage = 0;
     EXPECT_EQ(materialsOfNode(scene, 0), (std::vector<std::uint32_t>{3, 1, 4}));
     EXPECT_TRUE(materialsOfNode(scene, 1).empty());
 }

@@ -74,7 +74,7 @@ std::vector<std::uint32_t> materialsOfNode(const candela::Scene& scene, std::uin
         for (const candela::Submesh& submesh : scene.meshes[*shown.mesh].submeshes)
             list.add(submesh.material);
     if (shown.cage)
-        for (const auto& material : scene.cages[shown.cage->cage].faceMaterials) list.add(material);
+        for (const auto& material : scene.cages[*shown.cage].faceMaterials) list.add(material);
     return list.take();
 }
 

@@ -60,10 +60,11 @@ void OverlayPass::begin(const GBufferTargets& targets) {
 void OverlayPass::drawMeshEdges(const Inputs& inputs) const {
     glUseProgram(meshEdges_.name());
     setColor(wireframeColor);
-    glBindVertexArray(inputs.scene.vertexArray.name());
     inputs.draws.bind();
     for (const DrawBatch& batch : inputs.draws.batches()) {
-        if (batch.key.geometry == 0) DrawSelection::draw(batch);
+        if (batch.key.geometry.kind == DrawGeometry::Kind::cage) continue;
+        glBindVertexArray(inputs.scene.vertexArrayOf(batch));
+        DrawSelection::draw(batch);
     }
 }
 

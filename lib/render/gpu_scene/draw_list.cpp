@@ -74,8 +74,8 @@ void DrawSelection::draw(const DrawBatch& batch) {
         static_cast<GLsizei>(batch.commandCount), 0);
 }
 
-void DrawList::addMesh(std::uint32_t instance, const Mesh& mesh, const MeshPlace& place,
-                       std::span<const Material> materials, GpuImages& images) {
+void DrawList::addMesh(std::uint32_t instance, const DrawGeometry& geometry, const Mesh& mesh,
+                       const MeshPlace& place, std::span<const Material> materials, GpuImages& images) {
     const Submesh whole = wholeOf(mesh);
     for (const Submesh& submesh : submeshesOf(mesh, whole)) {
         if (submesh.indexCount == 0) continue;
@@ -83,19 +83,20 @@ void DrawList::addMesh(std::uint32_t instance, const Mesh& mesh, const MeshPlace
         draw.command = {submesh.indexCount, 1, place.firstIndex + submesh.firstIndex, place.baseVertex, 0};
         draw.instance = instance;
         draw.material = submesh.material.value_or(static_cast<std::uint32_t>(materials.size()));
+        draw.geometry = geometry;
         draw.hasColors = colorsOf(mesh) == Colors::perVertex;
         add(draw, materials, images);
     }
 }
 
-void DrawList::addCage(std::uint32_t instance, std::uint32_t geometry, std::span<const std::uint32_t> parts,
+void DrawList::addCage(std::uint32_t instance, std::uint32_t surface, std::span<const std::uint32_t> parts,
                        std::span<const Material> materials, GpuImages& images) {
     for (std::uint32_t part = 0; part < parts.size(); ++part) {
         Draw draw;
         draw.instance = instance;
         draw.material = parts[part];
         draw.part = part;
-        draw.geometry = geometry;
+        draw.geometry = {DrawGeometry::Kind::cage, surface};
         add(draw, materials, images);
     }
 }
@@ -164,7 +165,8 @@ void DrawList::setMaterial(std::uint32_t index, const Material& material, GpuIma
         mark(draws_[drawsOfMaterial_[i]]);
 }
 
-void DrawList::setGeometry(std::uint32_t instance, std::uint32_t geometry) {
+void DrawList::setSurface(std::uint32_t instance, std::uint32_t surface) {
+    const DrawGeometry geometry{DrawGeometry::Kind::cage, surface};
     for (Draw& draw : drawsOf(instance)) {
         if (draw.geometry == geometry) continue;
         draw.geometry = geometry;

@@ -16,6 +16,19 @@
 
 namespace candela {
 
+/// Which vertices a draw reads.
+struct DrawGeometry {
+    enum class Kind {
+        meshes,        ///< Those of all meshes that are not deformed.
+        deformedMesh,  ///< `index` counts the meshes of `GpuDeformations`.
+        cage,          ///< `index` counts the limit surfaces of `GpuCages`.
+    };
+    Kind kind = Kind::meshes;
+    std::uint32_t index = 0;
+
+    auto operator<=>(const DrawGeometry&) const = default;
+};
+
 /// The OpenGL state that a draw needs. Draws with equal keys are issued together.
 struct PipelineKey {
     enum class Program { plain, textured };
@@ -25,8 +38,8 @@ struct PipelineKey {
     bool doubleSided = false;
     bool mirrored = false;  ///< The instance's matrix reverses the winding.
     std::array<SampledTexture, 4>
-        textures{};              ///< Base colour, metallic-roughness, normal, emission; unset for plain.
-    std::uint32_t geometry = 0;  ///< 0: the meshes; 1 + i: limit surface i of the cages.
+        textures{};  ///< Base colour, metallic-roughness, normal, emission; unset for plain.
+    DrawGeometry geometry;
 
     auto operator<=>(const PipelineKey&) const = default;
 };
@@ -78,13 +91,13 @@ class DrawSelection {
 /// pipeline key. The record of a draw stays at its place for good: only the grouping changes.
 class DrawList {
   public:
-    /// Adds all submeshes of a mesh. `materials` are those of the scene. Instances are added in ascending
-    /// order.
-    void addMesh(std::uint32_t instance, const Mesh& mesh, const MeshPlace& place,
-                 std::span<const Material> materials, GpuImages& images);
-    /// Adds a cage whose part i has material `parts[i]` (the number of materials: none), of `geometry` as
-    /// `PipelineKey` counts it. Nothing of it is drawn before `setRanges`.
-    void addCage(std::uint32_t instance, std::uint32_t geometry, std::span<const std::uint32_t> parts,
+    /// Adds all submeshes of a mesh. `place` is where its indices and vertices are within `geometry`.
+    /// `materials` are those of the scene. Instances are added in ascending order.
+    void addMesh(std::uint32_t instance, const DrawGeometry& geometry, const Mesh& mesh,
+                 const MeshPlace& place, std::span<const Material> materials, GpuImages& images);
+    /// Adds a cage that shows a limit surface and whose part i has material `parts[i]` (the number of
+    /// materials: none). Nothing of it is drawn before `setRanges`.
+    void addCage(std::uint32_t instance, std::uint32_t surface, std::span<const std::uint32_t> parts,
                  std::span<const Material> materials, GpuImages& images);
     /// Uploads the records. To be called once, after all instances have been added.
     void finish(std::size_t instanceCount);
@@ -93,9 +106,9 @@ class DrawList {
     /// Brings the draws of material `index` to its new pipeline state. Throws `Error` (limit) when a texture
     /// does not fit the device; nothing is changed then.
     void setMaterial(std::uint32_t index, const Material& material, GpuImages& images);
-    /// Lets a cage's instance show another geometry of equal parts. Nothing of it is drawn before
+    /// Lets a cage's instance show another limit surface of equal parts. Nothing of it is drawn before
     /// `setRanges`.
-    void setGeometry(std::uint32_t instance, std::uint32_t geometry);
+    void setSurface(std::uint32_t instance, std::uint32_t surface);
     /// Sets the indices of the parts of a cage's instance.
     void setRanges(std::uint32_t instance, std::span<const IndexRange> ranges);
 
@@ -119,7 +132,7 @@ class DrawList {
     struct Draw {
         DrawCommand command;
         std::uint32_t instance, material, part = 0;
-        std::uint32_t geometry = 0;
+        DrawGeometry geometry;
         bool hasColors = false;  ///< The mesh has vertex colours.
         bool mirrored = false;
         bool pending = false;  ///< Waits for `group`.

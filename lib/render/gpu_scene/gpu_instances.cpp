@@ -86,7 +86,8 @@ GpuInstances::GpuInstances(const Scene& scene)
     records_.resize(instances_.size());
 }
 
-void GpuInstances::place(std::uint32_t index, const glm::mat4& worldFromLocal, const BoundingSphere& local) {
+void GpuInstances::place(std::uint32_t index, const glm::mat4& worldFromLocal, const BoundingSphere& local,
+                         std::optional<Winding> winding) {
     spheres_[index] = worldSphere(worldFromLocal, local);
     const std::span<glm::vec4> record = records_.edit(index);
     const glm::mat4 rows = glm::transpose(worldFromLocal);
@@ -97,7 +98,7 @@ void GpuInstances::place(std::uint32_t index, const glm::mat4& worldFromLocal, c
         record[static_cast<std::size_t>(row)] = rows[row];
         record[static_cast<std::size_t>(3 + row)] = glm::vec4(normalRows[row], handedness);
     }
-    windings_[index] = normals.mirrored ? Winding::reversed : Winding::kept;
+    windings_[index] = winding.value_or(normals.mirrored ? Winding::reversed : Winding::kept);
 }
 
 Bounds GpuInstances::bounds() const {

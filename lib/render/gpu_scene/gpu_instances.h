@@ -47,8 +47,10 @@ class GpuInstances {
     std::optional<std::uint32_t> meshOf(std::uint32_t node) const { return indexOf(meshOfNode_[node]); }
     std::optional<std::uint32_t> cageOf(std::uint32_t node) const { return indexOf(cageOfNode_[node]); }
 
-    /// Writes the record of an instance.
-    void place(std::uint32_t index, const glm::mat4& worldFromLocal, const BoundingSphere& local);
+    /// Writes the record of an instance. `winding` is that of the matrix unless given: the vertices of a
+    /// skinned mesh may be mirrored themselves.
+    void place(std::uint32_t index, const glm::mat4& worldFromLocal, const BoundingSphere& local,
+               std::optional<Winding> winding = {});
     /// As of the last `place`.
     Winding winding(std::uint32_t index) const { return windings_[index]; }
     /// A world-space box that holds all instances, hidden ones included.

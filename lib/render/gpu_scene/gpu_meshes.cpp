@@ -114,9 +114,25 @@ void GpuMeshes::uploadDetail(std::span<const Mesh> meshes) {
 
 void GpuMeshes::describe(const gl::VertexArray& vertexArray, const gl::Buffer& draws,
                          const DefaultDetail& defaultDetail) const {
+    describe(vertexArray, surface_, 0, draws, defaultDetail);
+}
+
+void GpuMeshes::describeDeformed(const gl::VertexArray& vertexArray, std::uint32_t mesh,
+                                 const DeformedStreams& deformed, const gl::Buffer& draws,
+                                 const DefaultDetail& defaultDetail) const {
+    describe(vertexArray, deformed.surface, static_cast<std::size_t>(places_[mesh].baseVertex), draws,
+             defaultDetail);
+    if (deformed.tangents == nullptr) return;
+    glVertexArrayVertexBuffer(vertexArray.name(), 3, deformed.tangents->name(), 0, sizeof(glm::vec4));
+    feedFloats(vertexArray, layout::TANGENT_ATTRIBUTE, 4, 3, 0);
+}
+
+void GpuMeshes::describe(const gl::VertexArray& vertexArray, const gl::Buffer& surface,
+                         std::size_t firstDetail, const gl::Buffer& draws,
+                         const DefaultDetail& defaultDetail) const {
     const GLuint name = vertexArray.name();
     glVertexArrayElementBuffer(name, indices_.name());
-    glVertexArrayVertexBuffer(name, 0, surface_.name(), 0, sizeof(SurfaceVertex));
+    glVertexArrayVertexBuffer(name, 0, surface.name(), 0, sizeof(SurfaceVertex));
     feedFloats(vertexArray, layout::POSITION_ATTRIBUTE, 3, 0, offsetof(SurfaceVertex, position));
     feedFloats(vertexArray, layout::NORMAL_ATTRIBUTE, 3, 0, offsetof(SurfaceVertex, normal));
     feedDraws(vertexArray, 1, draws);
@@ -124,7 +140,9 @@ void GpuMeshes::describe(const gl::VertexArray& vertexArray, const gl::Buffer& d
         defaultDetail.describe(vertexArray, 2);
         return;
     }
-    glVertexArrayVertexBuffer(name, 2, details_.name(), 0, sizeof(DetailVertex));
+    glVertexArrayVertexBuffer(name, 2, details_.name(),
+                              static_cast<GLintptr>(firstDetail * sizeof(DetailVertex)),
+                              sizeof(DetailVertex));
     feedFloats(vertexArray, layout::TANGENT_ATTRIBUTE, 4, 2, offsetof(DetailVertex, tangent));
     feedFloats(vertexArray, layout::UV0_ATTRIBUTE, 2, 2, offsetof(DetailVertex, uv0));
     feedFloats(vertexArray, layout::UV1_ATTRIBUTE, 2, 2, offsetof(DetailVertex, uv1));

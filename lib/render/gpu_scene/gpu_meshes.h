@@ -44,6 +44,13 @@ struct MeshPlace {
     BoundingSphere sphere;
 };
 
+/// The vertices of a deformed mesh, which replace those of the mesh: position and normal of each,
+/// interleaved, and its tangent; nullptr where no draw reads tangents.
+struct DeformedStreams {
+    const gl::Buffer& surface;
+    const gl::Buffer* tangents;
+};
+
 /// All meshes of a scene in one set of vertex and index buffers.
 class GpuMeshes {
   public:
@@ -59,7 +66,14 @@ class GpuMeshes {
     void describe(const gl::VertexArray& vertexArray, const gl::Buffer& draws,
                   const DefaultDetail& defaultDetail) const;
 
+    /// The same for the deformed vertices of mesh `mesh`, whose draws have the base vertex 0.
+    void describeDeformed(const gl::VertexArray& vertexArray, std::uint32_t mesh,
+                          const DeformedStreams& deformed, const gl::Buffer& draws,
+                          const DefaultDetail& defaultDetail) const;
+
   private:
+    void describe(const gl::VertexArray& vertexArray, const gl::Buffer& surface, std::size_t firstDetail,
+                  const gl::Buffer& draws, const DefaultDetail& defaultDetail) const;
     void place(std::span<const Mesh> meshes);
     void uploadSurface(std::span<const Mesh> meshes);
     void uploadDetail(std::span<const Mesh> meshes);

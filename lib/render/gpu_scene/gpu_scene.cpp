@@ -77,6 +77,10 @@ CageReport GpuScene::cageReport() const {
     return state().cages.report();
 }
 
+DeformationReport GpuScene::deformationReport() const {
+    return state().deformations.report();
+}
+
 std::uint64_t GpuScene::triangleCount() const {
     return state().triangles;
 }

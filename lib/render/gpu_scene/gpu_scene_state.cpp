@@ -17,7 +17,7 @@ namespace candela {
 
 namespace {
 
-/// What edits change or need: all but meshes and pixels.
+/// What edits change or need: all but vertices and pixels.
 Scene editableParts(const Scene& scene) {
     Scene parts;
     parts.nodes = scene.nodes;
@@ -27,6 +27,11 @@ Scene editableParts(const Scene& scene) {
     parts.cages = scene.cages;
     parts.skins = scene.skins;
     parts.materials = scene.materials;
+    // Animations of morph weights have as many values as their mesh has targets.
+    for (const Mesh& mesh : scene.meshes) {
+        parts.meshes.emplace_back().name = mesh.name;
+        parts.meshes.back().morphTargets.resize(mesh.morphTargets.size());
+    }
     for (const Image& image : scene.images)
         parts.images.push_back({image.name, image.width, image.height, image.format, {}});
     return parts;
@@ -81,10 +86,12 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
       materials(scene, options.workingFromRec709),
       lights(options.workingFromRec709),
       cages(context, sceneState, options),
+      deformations(context, scene, sceneState, detailOf(scene), options.vertexEvaluator),
       instances(sceneState) {
     addDraws(scene);
     images.releaseSources();
     meshes.describe(vertexArray, draws.records(), defaultDetail_);
+    deformations.describe(meshes, draws.records(), defaultDetail_);
     update();
     lights.set(worldLights(sceneState, transforms.world()), rangeRule());
     listNodeLights();
@@ -93,14 +100,24 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
 void GpuScene::State::addDraws(const Scene& scene) {
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
         if (const std::optional<std::uint32_t> mesh = instances[i].mesh) {
-            draws.addMesh(i, scene.meshes[*mesh], meshes.places()[*mesh], scene.materials, images);
+            addMeshDraws(i, *mesh, scene);
             continue;
         }
         const std::uint32_t surface = cages.instances()[instances[i].cageInstance].surface;
-        draws.addCage(i, 1 + surface, cages.surface(surface).tables().materials().materials, scene.materials,
+        draws.addCage(i, surface, cages.surface(surface).tables().materials().materials, scene.materials,
                       images);
     }
     draws.finish(instances.size());
+}
+
+void GpuScene::State::addMeshDraws(std::uint32_t instance, std::uint32_t mesh, const Scene& scene) {
+    DrawGeometry geometry;
+    MeshPlace place = meshes.places()[mesh];
+    if (const std::optional<std::uint32_t> deformed = deformations.ofNode(instances[instance].node)) {
+        geometry = {DrawGeometry::Kind::deformedMesh, *deformed};
+        place.baseVertex = 0;
+    }
+    draws.addMesh(instance, geometry, scene.meshes[mesh], place, scene.materials, images);
 }
 
 RangeRule GpuScene::State::rangeRule() const {
@@ -139,6 +156,7 @@ void GpuScene::State::playAnimations(std::span<const std::uint32_t> animations) 
     for (Animation& animation : sceneState.animations) animation.plays = false;
     for (const std::uint32_t index : animations) sceneState.animations[index].plays = true;
     transforms.resetAnimated();
+    deformations.selectAnimations();
     timeChanged_ = true;
 }
 
@@ -151,7 +169,7 @@ void GpuScene::State::setCagePoints(std::uint32_t node, std::span<const glm::vec
     const ErrorContext context = nodeContext(sceneState, node);
     const std::optional<std::uint32_t> instance = instances.cageOf(node);
     if (!instance) context.refuse("shows no cage whose points could be moved");
-    const std::size_t count = sceneState.cages[sceneState.nodes[node].cage->cage].positions.size();
+    const std::size_t count = sceneState.cages[*sceneState.nodes[node].cage].positions.size();
     if (points.size() != count) {
         context.refuse("its cage has " + std::to_string(count) + " points, but " +
                        std::to_string(points.size()) + " are given");
@@ -162,7 +180,7 @@ void GpuScene::State::setCagePoints(std::uint32_t node, std::span<const glm::vec
     }
     const std::uint32_t cageInstance = instances[*instance].cageInstance;
     cages.setPoints(cageInstance, points);
-    draws.setGeometry(*instance, 1 + cages.instances()[cageInstance].surface);
+    draws.setSurface(*instance, cages.instances()[cageInstance].surface);
 }
 
 void GpuScene::State::setMaterial(std::uint32_t index, const Material& material) {
@@ -190,13 +208,20 @@ void GpuScene::State::setVisibility(std::uint32_t node, Visibility visibility) {
 
 void GpuScene::State::update() {
     lastUpdate = {};
-    if (timeChanged_) cages.markAnimated();
+    if (timeChanged_) {
+        cages.markAnimated();
+        deformations.markAnimated();
+    }
     timeChanged_ = false;
     const std::span<const std::uint32_t> moved = transforms.update();
     for (const std::uint32_t node : moved) moveNode(node);
     const std::span<const std::uint32_t> posed = cages.pose(transforms.world(), transforms.time());
     for (const std::uint32_t cageInstance : posed) placeCage(cageInstance);
-    const bool changed = !moved.empty() || !posed.empty() || materialsChanged_ || lights.rangelessMoved();
+    const std::span<const std::uint32_t> deformed = deformations.pose(transforms.world(), transforms.time());
+    for (const std::uint32_t index : deformed) placeDeformed(index);
+    lastUpdate.deformations = deformed.size();
+    const bool changed =
+        !moved.empty() || !posed.empty() || !deformed.empty() || materialsChanged_ || lights.rangelessMoved();
     if (lights.hasRangeless() && changed) lights.assignRanges(rangeRule());
     materialsChanged_ = false;
     lastUpdate.nodes = moved.size();
@@ -208,9 +233,11 @@ void GpuScene::State::update() {
 }
 
 void GpuScene::State::moveNode(std::uint32_t node) {
-    if (const std::optional<std::uint32_t> mesh = instances.meshOf(node))
+    const std::optional<std::uint32_t> mesh = instances.meshOf(node);
+    if (mesh && !deformations.ofNode(node))
         place(*mesh, transforms.world()[node], meshes.places()[*instances[*mesh].mesh].sphere);
     cages.markNode(node);
+    deformations.markNode(node);
     if (!lightsFollowNodes_ || nodeLights_.empty()) return;
     for (const std::uint32_t light : nodeLights_[node])
         lights.move(light, worldLight(sceneState.lights[light], transforms.world()));
@@ -221,10 +248,15 @@ void GpuScene::State::placeCage(std::uint32_t cageInstance) {
     place(*instances.cageOf(cage.node), cage.worldFromPoints, cages.surface(cage.surface).sphere());
 }
 
+void GpuScene::State::placeDeformed(std::uint32_t index) {
+    const GpuDeformations::Placement& deformed = deformations.placement(index);
+    place(*instances.meshOf(deformed.node), deformed.worldFromLocal, deformed.sphere, deformed.winding);
+}
+
 void GpuScene::State::place(std::uint32_t instance, const glm::mat4& worldFromLocal,
-                            const BoundingSphere& sphere) {
+                            const BoundingSphere& sphere, std::optional<Winding> winding) {
     const Winding last = instances.winding(instance);
-    instances.place(instance, worldFromLocal, sphere);
+    instances.place(instance, worldFromLocal, sphere, winding);
     if (instances.winding(instance) != last) draws.setWinding(instance, instances.winding(instance));
 }
 
@@ -236,6 +268,16 @@ void GpuScene::State::updateCages(const CameraView& view, int width, int height)
             draws.setRanges(*instances.cageOf(node), cages.surface(surface).ranges());
         }
     }
+}
+
+void GpuScene::State::updateDeformations(const Frustum& frustum) {
+    stale_.clear();
+    for (std::uint32_t i = 0; i < deformations.size(); ++i) {
+        const std::uint32_t instance = *instances.meshOf(deformations.placement(i).node);
+        if (deformations.isStale(i) && instances.isVisible(instance, frustum)) stale_.push_back(i);
+    }
+    lastUpdate.deformed = stale_.size();
+    if (!stale_.empty()) deformations.deform(stale_);
 }
 
 void GpuScene::State::cull(const Frustum& frustum, DrawSelection& selection) const {
@@ -250,8 +292,15 @@ void GpuScene::State::cull(const Frustum& frustum, DrawSelection& selection) con
 }
 
 GLuint GpuScene::State::vertexArrayOf(const DrawBatch& batch) const {
-    const std::uint32_t geometry = batch.key.geometry;
-    return geometry == 0 ? vertexArray.name() : cages.surface(geometry - 1).vertexArray();
+    const auto [kind, index] = batch.key.geometry;
+    switch (kind) {
+        case DrawGeometry::Kind::deformedMesh:
+            return deformations.vertexArray(index);
+        case DrawGeometry::Kind::cage:
+            return cages.surface(index).vertexArray();
+        default:
+            return vertexArray.name();
+    }
 }
 
 std::optional<std::uint32_t> GpuScene::State::levelOf(std::uint32_t instance) const {

@@ -2,6 +2,7 @@
 
 #include "gl/buffer.h"
 #include "gl/context_binding.h"
+#include "render/deformation/gpu_deformations.h"
 #include "render/frustum.h"
 #include "render/gpu_scene/draw_list.h"
 #include "render/gpu_scene/gpu_images.h"
@@ -38,6 +39,10 @@ struct GpuScene::State {
     /// points. To be called after `update` and before `cull`; does nothing in a scene without cages.
     void updateCages(const CameraView& view, int width, int height);
     bool hasCages() const { return !cages.empty(); }
+    /// Deforms the meshes in view whose vertices are not up to date. To be called after `update` and before
+    /// `cull`; does nothing in a scene without deformed meshes.
+    void updateDeformations(const Frustum& frustum);
+    bool hasDeformations() const { return !deformations.empty(); }
     /// Selects the draws whose bounding spheres the frustum meets. To be called after `update`.
     void cull(const Frustum& frustum, DrawSelection& selection) const;
 
@@ -51,15 +56,17 @@ struct GpuScene::State {
     /// How many elements of each kind an update has recomputed.
     struct UpdateCounts {
         std::size_t nodes = 0, instances = 0, lights = 0, materials = 0;
-        std::size_t cages = 0;  ///< Instances of cages posed.
-        std::size_t draws = 0;  ///< Regrouped.
+        std::size_t cages = 0;         ///< Instances of cages posed.
+        std::size_t deformations = 0;  ///< Deformed meshes posed.
+        std::size_t deformed = 0;      ///< Meshes whose vertices were computed, by `updateDeformations`.
+        std::size_t draws = 0;         ///< Regrouped.
     };
     UpdateCounts lastUpdate;
 
     std::shared_ptr<const gl::ContextBinding> binding;
     GpuSceneOptions options;
-    /// What edits need of the scene: materials as they are now; images without pixels; no meshes. The nodes'
-    /// transforms as they are now are in `transforms`.
+    /// What edits need of the scene: materials as they are now; images without pixels; meshes without
+    /// vertices. The nodes' transforms as they are now are in `transforms`.
     Scene sceneState;
     std::uint64_t triangles = 0;
 
@@ -69,6 +76,7 @@ struct GpuScene::State {
     GpuMaterials materials;
     GpuLights lights;
     GpuCages cages;
+    GpuDeformations deformations;
     GpuInstances instances;
     DrawList draws;
     gl::VertexArray vertexArray{"meshes"};
@@ -76,12 +84,16 @@ struct GpuScene::State {
   private:
     void addDraws(const Scene& scene);
     RangeRule rangeRule() const;
+    void addMeshDraws(std::uint32_t instance, std::uint32_t mesh, const Scene& scene);
     void listNodeLights();
     void moveNode(std::uint32_t node);
-    void place(std::uint32_t instance, const glm::mat4& worldFromLocal, const BoundingSphere& sphere);
+    void place(std::uint32_t instance, const glm::mat4& worldFromLocal, const BoundingSphere& sphere,
+               std::optional<Winding> winding = {});
     void placeCage(std::uint32_t cageInstance);
+    void placeDeformed(std::uint32_t index);
 
     DefaultDetail defaultDetail_;
+    std::vector<std::uint32_t> stale_;  ///< Of the `updateDeformations` in progress.
     bool timeChanged_ = false;
     bool materialsChanged_ = false;
     bool lightsFollowNodes_ = false;                      ///< Until `setLights`.

@@ -1,9 +1,13 @@
 #include "render/gpu_scene/node_transforms.h"
 
+#include "base/thread_pool.h"
 #include "scene/model/animation.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <utility>
+#include <variant>
 
 namespace candela {
 
@@ -70,6 +74,7 @@ void NodeTransforms::setLocal(std::uint32_t node, const glm::mat4& local) {
             });
         }
         animated_[node] = false;
+        playingListed_ = false;
     }
     local_[node] = local;
     if (isFar(scene_)) exactLocal_[node] = glm::dmat4(local);
@@ -89,6 +94,7 @@ void NodeTransforms::setTime(double seconds) {
 
 void NodeTransforms::resetAnimated() {
     timeChanged_ = true;
+    playingListed_ = false;
     for (std::uint32_t i = 0; i < local_.size(); ++i) {
         if (!animated_[i]) continue;
         rest(i);
@@ -102,9 +108,36 @@ void NodeTransforms::mark(std::uint32_t node) {
     marked_.push_back(node);
 }
 
+void NodeTransforms::listPlaying() {
+    std::map<std::uint32_t, std::vector<const AnimationChannel*>> channels;
+    for (const Animation& animation : scene_.animations) {
+        if (!animation.plays) continue;
+        for (const AnimationChannel& channel : animation.channels)
+            if (isTransform(channel)) channels[channel.node].push_back(&channel);
+    }
+    playing_.clear();
+    for (auto& [node, ofNode] : channels) playing_.push_back({{node, {}, {}}, std::move(ofNode)});
+    playingListed_ = true;
+}
+
 void NodeTransforms::pose() {
     timeChanged_ = false;
-    for (const PosedNode& posed : poseAnimatedNodes(scene_, time_)) {
+    if (!playingListed_) listPlaying();
+    constexpr std::size_t blockSize = 128;
+    ThreadPool::shared()->run((playing_.size() + blockSize - 1) / blockSize,
+                              [&](std::size_t block, unsigned) {
+                                  const std::size_t end = std::min((block + 1) * blockSize, playing_.size());
+                                  for (std::size_t i = block * blockSize; i < end; ++i) {
+                                      PosedNode& pose = playing_[i].pose;
+                                      const Node& node = scene_.nodes[pose.node];
+                                      pose.transform = std::get<Transform>(node.transform);
+                                      pose.translation = exactTranslation(node);
+                                      for (const AnimationChannel* channel : playing_[i].channels)
+                                          applyChannel(*channel, time_, pose);
+                                  }
+                              });
+    for (const Playing& playing : playing_) {
+        const PosedNode& posed = playing.pose;
         const glm::mat4 local = localMatrix(posed.transform);
         bool moved = local != local_[posed.node];
         local_[posed.node] = local;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scene/model/animation.h"
+
 #include <candela/scene.h>
 
 #include <glm/mat4x4.hpp>
@@ -35,6 +37,7 @@ class NodeTransforms {
   private:
     void listChildren();
     void listAnimated();
+    void listPlaying();
     void pose();
     void mark(std::uint32_t node);
     void updateAll();
@@ -51,6 +54,13 @@ class NodeTransforms {
     std::vector<std::uint32_t> parents_;
     std::vector<std::uint32_t> firstChild_, children_;  ///< Children of node i from firstChild_[i] on.
     std::vector<bool> animated_;                        ///< In translation, rotation or scale.
+    /// A node that playing animations move.
+    struct Playing {
+        PosedNode pose;                                 ///< As of the last `pose`.
+        std::vector<const AnimationChannel*> channels;  ///< Of the scene; the later ones apply.
+    };
+    std::vector<Playing> playing_;  ///< In ascending order of nodes.
+    bool playingListed_ = false;
     std::vector<glm::mat4> local_, world_;
     std::vector<glm::dmat4> exactLocal_, exactWorld_;  ///< Of a scene far from its file's origin; else empty.
     std::vector<std::uint8_t> isMarked_;

@@ -144,25 +144,25 @@ void CpuEvaluator::writeTangents(const EvaluationRequest& request, std::span<con
     });
 }
 
-const char* toString(SubdivisionEvaluator evaluator) {
+const char* toString(VertexEvaluator evaluator) {
     switch (evaluator) {
-        case SubdivisionEvaluator::cpu:
+        case VertexEvaluator::cpu:
             return "cpu";
-        case SubdivisionEvaluator::compute:
+        case VertexEvaluator::compute:
             return "compute";
         default:
             return "auto";
     }
 }
 
-EvaluatorBackend::EvaluatorBackend(const Context& context, SubdivisionEvaluator evaluator)
+EvaluatorBackend::EvaluatorBackend(const Context& context, VertexEvaluator evaluator)
     : evaluator_(evaluator) {
-    if (evaluator_ == SubdivisionEvaluator::automatic)
-        evaluator_ = context.isSoftware() ? SubdivisionEvaluator::cpu : SubdivisionEvaluator::compute;
+    if (evaluator_ == VertexEvaluator::automatic)
+        evaluator_ = context.isSoftware() ? VertexEvaluator::cpu : VertexEvaluator::compute;
 }
 
 bool EvaluatorBackend::usesCompute(const EvaluationRequest& request) {
-    if (evaluator_ != SubdivisionEvaluator::compute) return false;
+    if (evaluator_ != VertexEvaluator::compute) return false;
     if (!compute_) compute_.emplace();
     return compute_->supports(request);
 }
@@ -170,10 +170,10 @@ bool EvaluatorBackend::usesCompute(const EvaluationRequest& request) {
 void EvaluatorBackend::evaluate(const EvaluationRequest& request) {
     if (usesCompute(request)) {
         compute_->evaluate(request);
-        lastUsed_ = SubdivisionEvaluator::compute;
+        lastUsed_ = VertexEvaluator::compute;
     } else {
         cpu_.evaluate(request);
-        lastUsed_ = SubdivisionEvaluator::cpu;
+        lastUsed_ = VertexEvaluator::cpu;
     }
 }
 

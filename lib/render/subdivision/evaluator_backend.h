@@ -75,17 +75,17 @@ class CpuEvaluator {
 /// evaluates.
 class EvaluatorBackend {
   public:
-    EvaluatorBackend(const Context& context, SubdivisionEvaluator evaluator);
+    EvaluatorBackend(const Context& context, VertexEvaluator evaluator);
 
     void evaluate(const EvaluationRequest& request);
     /// What the last evaluation has used; `automatic` before the first.
-    SubdivisionEvaluator lastUsed() const { return lastUsed_; }
+    VertexEvaluator lastUsed() const { return lastUsed_; }
 
   private:
     bool usesCompute(const EvaluationRequest& request);
 
-    SubdivisionEvaluator evaluator_;
-    SubdivisionEvaluator lastUsed_ = SubdivisionEvaluator::automatic;
+    VertexEvaluator evaluator_;
+    VertexEvaluator lastUsed_ = VertexEvaluator::automatic;
     std::optional<ComputeEvaluator> compute_;  ///< Created when it is first used.
     CpuEvaluator cpu_;
 };

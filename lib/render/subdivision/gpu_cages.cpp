@@ -1,5 +1,7 @@
 #include "render/subdivision/gpu_cages.h"
 
+#include "scene/model/deformation.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +20,7 @@ GpuCages::GpuCages(const Context& context, const Scene& scene, const GpuSceneOpt
     : scene_(scene),
       settings_(options.subdivision),
       subdivided_(options.subdivider.has_value()),
-      evaluator_(context, options.subdivisionEvaluator) {
+      evaluator_(context, options.vertexEvaluator) {
     checkSettings(settings_);
     const auto noMaterial = static_cast<std::uint32_t>(scene.materials.size());
     tables_.reserve(scene.cages.size());
@@ -39,13 +41,13 @@ GpuCages::GpuCages(const Context& context, const Scene& scene, const GpuSceneOpt
 void GpuCages::addInstances() {
     std::vector<std::optional<std::uint32_t>> undeformed(scene_.cages.size());
     for (std::uint32_t i = 0; i < scene_.nodes.size(); ++i) {
-        const std::optional<CageInstance>& shown = scene_.nodes[i].cage;
-        if (!shown) continue;
-        Instance instance{.node = i, .cage = shown->cage};
-        instance.isDeformed = shown->skin.has_value() || !scene_.cages[shown->cage].morphTargets.empty();
-        std::optional<std::uint32_t>& shared = undeformed[shown->cage];
-        if (!instance.isDeformed && !shared) shared = addSurface(shown->cage);
-        instance.surface = instance.isDeformed ? addSurface(shown->cage) : *shared;
+        const std::optional<std::uint32_t> cage = scene_.nodes[i].cage;
+        if (!cage) continue;
+        Instance instance{.node = i, .cage = *cage};
+        instance.isDeformed = candela::isDeformed(scene_.nodes[i], scene_.cages[*cage]);
+        std::optional<std::uint32_t>& shared = undeformed[*cage];
+        if (!instance.isDeformed && !shared) shared = addSurface(*cage);
+        instance.surface = instance.isDeformed ? addSurface(*cage) : *shared;
         users_[instance.surface].push_back(static_cast<std::uint32_t>(instances_.size()));
         instances_.push_back(instance);
     }
@@ -56,9 +58,9 @@ void GpuCages::listJoints() {
     for (std::uint32_t i = 0; i < instances_.size(); ++i) {
         const std::uint32_t node = instances_[i].node;
         instancesOfNode_[node].push_back(i);
-        const std::optional<std::uint32_t> skin = scene_.nodes[node].cage->skin;
-        if (!skin) continue;
-        for (const std::uint32_t joint : scene_.skins[*skin].joints) instancesOfNode_[joint].push_back(i);
+        if (!isSkinned(scene_.nodes[node], scene_.cages[instances_[i].cage])) continue;
+        for (const std::uint32_t joint : scene_.skins[*scene_.nodes[node].skin].joints)
+            instancesOfNode_[joint].push_back(i);
     }
 }
 
@@ -111,7 +113,7 @@ std::span<const std::uint32_t> GpuCages::pose(const std::vector<glm::mat4>& worl
             instance.worldFromPoints = world[instance.node];
             continue;
         }
-        const PosedCage posed = poseCage(scene_, instance.node, world, time);
+        const PosedPoints posed = poseCage(scene_, instance.node, world, time);
         instance.worldFromPoints = posed.worldFromPoints;
         surfaces_[instance.surface]->setPoints(posed.points);
     }
@@ -240,7 +242,7 @@ CageReport GpuCages::report() const {
         report.maxLevel = std::max(report.maxLevel, *surface->level());
         any = true;
     }
-    if (evaluator_.lastUsed() != SubdivisionEvaluator::automatic)
+    if (evaluator_.lastUsed() != VertexEvaluator::automatic)
         report.evaluator = toString(evaluator_.lastUsed());
     return report;
 }

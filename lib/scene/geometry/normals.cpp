@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <cstddef>
 #include <optional>
 
 namespace candela {
@@ -36,6 +37,44 @@ void copyToCorners(std::vector<Value>& values, const Mesh& mesh, std::size_t ver
     values = std::move(corners);
 }
 
+// The values of `width` elements per vertex.
+template <typename Value>
+void copyRowsToCorners(std::vector<Value>& values, std::size_t width, const Mesh& mesh, std::size_t vertices,
+                       const ErrorContext& element) {
+    element.require(values.size() == vertices * width, "an array of joints does not fit the vertices");
+    std::vector<Value> corners;
+    corners.reserve(mesh.indices.size() * width);
+    for (const std::uint32_t index : mesh.indices) {
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>(index * width);
+        corners.insert(corners.end(), first, first + static_cast<std::ptrdiff_t>(width));
+    }
+    values = std::move(corners);
+}
+
+void copyDeformersToCorners(Mesh& mesh, std::size_t vertices, const ErrorContext& element) {
+    copyRowsToCorners(mesh.joints, mesh.influenceCount, mesh, vertices, element);
+    copyRowsToCorners(mesh.jointWeights, mesh.influenceCount, mesh, vertices, element);
+    for (MorphTarget& target : mesh.morphTargets) {
+        copyToCorners(target.offsets, mesh, vertices, element);
+        target.tangentOffsets.clear();
+    }
+}
+
+// How the flat normal of each corner changes where a target has the weight 1. Positions, normals and offsets
+// have one element per corner.
+std::vector<glm::vec3> flatNormalOffsets(const Mesh& mesh, const MorphTarget& target) {
+    Mesh moved;
+    moved.positions = mesh.positions;
+    moved.indices = mesh.indices;
+    for (std::size_t i = 0; i < moved.positions.size(); ++i) moved.positions[i] += target.offsets[i];
+    std::vector<glm::vec3> offsets(mesh.indices.size(), glm::vec3(0.0f));
+    for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
+        const std::optional<glm::vec3> normal = geometricNormal(moved, corner - corner % 3);
+        if (normal) offsets[corner] = *normal - mesh.normals[corner];
+    }
+    return offsets;
+}
+
 }  // namespace
 
 void generateFlatNormals(Mesh& mesh) {
@@ -50,12 +89,14 @@ void generateFlatNormals(Mesh& mesh) {
     copyToCorners(mesh.uv0, mesh, vertices, element);
     copyToCorners(mesh.uv1, mesh, vertices, element);
     copyToCorners(mesh.colors, mesh, vertices, element);
+    copyDeformersToCorners(mesh, vertices, element);
     copyToCorners(mesh.positions, mesh, vertices, element);
     mesh.normals = std::move(normals);
     mesh.tangents.clear();
     for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
         mesh.indices[corner] = static_cast<std::uint32_t>(corner);
     }
+    for (MorphTarget& target : mesh.morphTargets) target.normalOffsets = flatNormalOffsets(mesh, target);
 }
 
 std::uint32_t replaceZeroNormals(Mesh& mesh) {

@@ -8,7 +8,8 @@ namespace candela {
 
 /// Gives each triangle separate vertices with the triangle's geometric normal; a triangle without area gets
 /// +Y. Other arrays are copied to the new vertices, but tangents are removed: they belong to the old normals
-/// (glTF 2.0, 3.7.2.1). Submeshes stay as they are. Throws `Error` (badInput) when an index is out of range
+/// (glTF 2.0, 3.7.2.1). Morph targets get the offsets that lead to the flat normals of their own shapes.
+/// Submeshes stay as they are. Throws `Error` (badInput) when an index is out of range
 /// or an array has neither no element nor one per vertex; the old normals are not read.
 void generateFlatNormals(Mesh& mesh);
 

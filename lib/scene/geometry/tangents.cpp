@@ -137,6 +137,16 @@ void duplicateVertex(Mesh& mesh, std::vector<std::uint32_t>& groupOfVertex, cons
     duplicate(mesh.uv0, split.vertex);
     duplicate(mesh.uv1, split.vertex);
     duplicate(mesh.colors, split.vertex);
+    for (std::uint32_t i = 0; i < mesh.influenceCount; ++i) {
+        const std::size_t influence = std::size_t{split.vertex} * mesh.influenceCount + i;
+        mesh.joints.push_back(std::uint32_t{mesh.joints[influence]});
+        mesh.jointWeights.push_back(float{mesh.jointWeights[influence]});
+    }
+    for (MorphTarget& target : mesh.morphTargets) {
+        duplicate(target.offsets, split.vertex);
+        duplicate(target.normalOffsets, split.vertex);
+        duplicate(target.tangentOffsets, split.vertex);
+    }
     groupOfVertex.push_back(split.group);
 }
 
@@ -180,6 +190,9 @@ void requireArrays(const Mesh& mesh, std::uint32_t uvSet) {
     for (const std::size_t size : {mesh.uv0.size(), mesh.uv1.size(), mesh.colors.size()}) {
         element.require(size == 0 || size == vertices, "an array has neither no element nor one per vertex");
     }
+    const DeformableVertices shape(mesh);
+    requireInfluences(shape, element);
+    requireMorphTargets(shape, element);
 }
 
 }  // namespace

@@ -99,7 +99,27 @@ glm::dvec4 rotationAt(const AnimationChannel& channel, const Moment& moment) {
     return unitOr(value, unitOr(from, glm::dvec4(0.0, 0.0, 0.0, 1.0)));
 }
 
-void apply(const AnimationChannel& channel, double time, PosedNode& pose) {
+}  // namespace
+
+glm::dvec4 sampleChannel(const AnimationChannel& channel, double time) {
+    assert(channel.path != AnimationPath::morphWeights);
+    const Moment moment = momentAt(channel, time);
+    if (channel.path == AnimationPath::rotation) return rotationAt(channel, moment);
+    return {numberAt(channel, 0, moment), numberAt(channel, 1, moment), numberAt(channel, 2, moment), 0.0};
+}
+
+std::vector<float> sampleMorphWeights(const AnimationChannel& channel, double time) {
+    assert(channel.path == AnimationPath::morphWeights);
+    const Moment moment = momentAt(channel, time);
+    std::vector<float> weights(numbersPerValue(channel));
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        weights[i] = static_cast<float>(numberAt(channel, i, moment));
+    }
+    return weights;
+}
+
+void applyChannel(const AnimationChannel& channel, double time, PosedNode& pose) {
+    if (channel.path == AnimationPath::morphWeights) return;
     const glm::dvec4 value = sampleChannel(channel, time);
     Transform& transform = pose.transform;
     switch (channel.path) {
@@ -120,25 +140,6 @@ void apply(const AnimationChannel& channel, double time, PosedNode& pose) {
     }
 }
 
-}  // namespace
-
-glm::dvec4 sampleChannel(const AnimationChannel& channel, double time) {
-    assert(channel.path != AnimationPath::morphWeights);
-    const Moment moment = momentAt(channel, time);
-    if (channel.path == AnimationPath::rotation) return rotationAt(channel, moment);
-    return {numberAt(channel, 0, moment), numberAt(channel, 1, moment), numberAt(channel, 2, moment), 0.0};
-}
-
-std::vector<float> sampleMorphWeights(const AnimationChannel& channel, double time) {
-    assert(channel.path == AnimationPath::morphWeights);
-    const Moment moment = momentAt(channel, time);
-    std::vector<float> weights(numbersPerValue(channel));
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        weights[i] = static_cast<float>(numberAt(channel, i, moment));
-    }
-    return weights;
-}
-
 std::vector<PosedNode> poseAnimatedNodes(const Scene& scene, double time) {
     std::map<std::uint32_t, PosedNode> poses;
     for (std::size_t a = 0; a < scene.animations.size(); ++a) {
@@ -150,28 +151,13 @@ std::vector<PosedNode> poseAnimatedNodes(const Scene& scene, double time) {
             if (channel.path == AnimationPath::morphWeights) continue;
             const Node& rest = scene.nodes[channel.node];
             const PosedNode still{channel.node, std::get<Transform>(rest.transform), exactTranslation(rest)};
-            apply(channel, time, poses.try_emplace(channel.node, still).first->second);
+            applyChannel(channel, time, poses.try_emplace(channel.node, still).first->second);
         }
     }
     std::vector<PosedNode> nodes;
     nodes.reserve(poses.size());
     for (const auto& [node, pose] : poses) nodes.push_back(pose);
     return nodes;
-}
-
-std::vector<float> morphWeightsAt(const Scene& scene, std::uint32_t node, double time) {
-    const AnimationChannel* last = nullptr;
-    for (std::size_t a = 0; a < scene.animations.size(); ++a) {
-        const Animation& animation = scene.animations[a];
-        if (!animation.plays) continue;
-        for (std::size_t c = 0; c < animation.channels.size(); ++c) {
-            const AnimationChannel& channel = animation.channels[c];
-            if (channel.node != node || channel.path != AnimationPath::morphWeights) continue;
-            requireChannel(channel, c, scene, ErrorContext("animation", a, animation.name));
-            last = &channel;
-        }
-    }
-    return last ? sampleMorphWeights(*last, time) : scene.nodes[node].cage->morphWeights;
 }
 
 }  // namespace candela

@@ -25,6 +25,9 @@ struct PosedNode {
     glm::dvec3 translation{0.0};  ///< That of the transform in double precision.
 };
 
+/// Sets the property that the channel animates to its value at `time`; nothing for morph weights.
+void applyChannel(const AnimationChannel& channel, double time, PosedNode& pose);
+
 /// The nodes whose transforms are animated, at `time`, in ascending order of node; where two animations move
 /// the same property, the later one in the scene applies. Throws `Error` (badInput) when a channel does not
 /// fit its node.
@@ -53,10 +56,5 @@ inline glm::dmat4 exactRootMatrix(const Scene& scene, glm::dmat4 local) {
 
 /// One of `worldLights`. The light has passed `validate`, and `world` has one matrix per node.
 WorldLight worldLight(const Light& light, const std::vector<glm::mat4>& world);
-
-/// The weights at `time` of the morph targets of the cage that `node` shows: those of the last channel that
-/// plays and animates them, else the node's own. May be empty: all 0. Throws `Error` (badInput) when the
-/// channel does not fit the node.
-std::vector<float> morphWeightsAt(const Scene& scene, std::uint32_t node, double time);
 
 }  // namespace candela

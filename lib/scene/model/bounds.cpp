@@ -44,8 +44,7 @@ void enclose(const glm::vec3& point, Bounds& bounds) {
 void requireNode(const Scene& scene, std::uint32_t node) {
     const ErrorContext element("node", node, scene.nodes[node].name);
     element.requireIndex("mesh", scene.nodes[node].mesh, scene.meshes.size());
-    if (scene.nodes[node].cage)
-        element.requireIndex("cage", scene.nodes[node].cage->cage, scene.cages.size());
+    element.requireIndex("cage", scene.nodes[node].cage, scene.cages.size());
 }
 
 Bounds boundsOf(DrawnVertices& drawn, std::uint32_t node, const std::vector<glm::mat4>& world, double time) {
@@ -84,12 +83,13 @@ const UsedVertices& DrawnVertices::ofCage(std::uint32_t index) {
 std::size_t DrawnVertices::count(std::uint32_t node) {
     const Node& element = scene_.nodes[node];
     return (element.mesh ? ofMesh(*element.mesh).count : 0) +
-           (element.cage ? ofCage(element.cage->cage).count : 0);
+           (element.cage ? ofCage(*element.cage).count : 0);
 }
 
 bool DrawnVertices::isDeformed(std::uint32_t node) const {
-    const std::optional<CageInstance>& cage = scene_.nodes[node].cage;
-    return cage && (cage->skin || !scene_.cages[cage->cage].morphTargets.empty());
+    const Node& element = scene_.nodes[node];
+    return (element.mesh && candela::isDeformed(element, scene_.meshes[*element.mesh])) ||
+           (element.cage && candela::isDeformed(element, scene_.cages[*element.cage]));
 }
 
 bool DrawnVertices::spansAPlane(const glm::mat4& matrix) {

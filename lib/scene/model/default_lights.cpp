@@ -49,8 +49,8 @@ std::vector<bool> shownMaterials(const Scene& scene) {
         if (node.mesh && *node.mesh < scene.meshes.size()) {
             for (const Submesh& submesh : scene.meshes[*node.mesh].submeshes) show(submesh.material);
         }
-        if (node.cage && node.cage->cage < scene.cages.size()) {
-            for (const auto& material : scene.cages[node.cage->cage].faceMaterials) show(material);
+        if (node.cage && *node.cage < scene.cages.size()) {
+            for (const auto& material : scene.cages[*node.cage].faceMaterials) show(material);
         }
     }
     return shown;

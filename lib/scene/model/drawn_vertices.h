@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scene/model/deformation.h"
+
 #include <candela/scene.h>
 
 #include <glm/mat4x4.hpp>
@@ -28,18 +30,22 @@ class DrawnVertices {
     template <typename Visit>
     void forEach(std::uint32_t node, const std::vector<glm::mat4>& world, double time, const Visit& visit) {
         const Node& element = scene_.nodes[node];
-        if (element.mesh && spansAPlane(world[node]))
-            visitPoints(scene_.meshes[*element.mesh].positions, ofMesh(*element.mesh), world[node], visit);
-        if (!element.cage) return;
-        const PosedCage posed = poseCage(scene_, node, world, time);
-        if (spansAPlane(posed.worldFromPoints))
-            visitPoints(posed.points, ofCage(element.cage->cage), posed.worldFromPoints, visit);
+        if (element.mesh) {
+            const Mesh& mesh = scene_.meshes[*element.mesh];
+            const UsedVertices& used = ofMesh(*element.mesh);
+            if (candela::isDeformed(element, mesh)) {
+                visitPosed(poseMesh(scene_, node, world, time), used, visit);
+            } else if (spansAPlane(world[node])) {
+                visitPoints(mesh.positions, used, world[node], visit);
+            }
+        }
+        if (element.cage) visitPosed(poseCage(scene_, node, world, time), ofCage(*element.cage), visit);
     }
 
     /// The number of vertices that `forEach` visits at most.
     std::size_t count(std::uint32_t node);
 
-    /// Whether the points of the cage of node `node` move in its own frame.
+    /// Whether the points of the mesh or the cage of node `node` move in its own frame.
     bool isDeformed(std::uint32_t node) const;
 
   private:
@@ -48,6 +54,11 @@ class DrawnVertices {
     /// Whether a matrix leaves surfaces a size: not if it flattens space to a line or a point.
     static bool spansAPlane(const glm::mat4& matrix);
 
+    template <typename Visit>
+    static void visitPosed(const PosedPoints& posed, const UsedVertices& used, const Visit& visit) {
+        if (spansAPlane(posed.worldFromPoints))
+            visitPoints(posed.points, used, posed.worldFromPoints, visit);
+    }
     template <typename Visit>
     static void visitPoints(const std::vector<glm::vec3>& points, const UsedVertices& used,
                             const glm::mat4& worldFromPoints, const Visit& visit) {

@@ -2,6 +2,7 @@
 #include <candela/scene.h>
 
 #include "base/error_context.h"
+#include "scene/model/deformation.h"
 #include "scene/validate/scene_rules.h"
 
 #include <glm/common.hpp>
@@ -82,8 +83,16 @@ class Surfaces {
     explicit Surfaces(const Scene& scene) {
         const std::vector<glm::mat4> world = worldTransforms(scene);
         for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
-            if (scene.nodes[i].mesh) addMesh(scene.meshes[*scene.nodes[i].mesh], world[i]);
-            if (scene.nodes[i].cage) addCage(scene, i, world);
+            const Node& node = scene.nodes[i];
+            if (node.mesh) {
+                const Mesh& mesh = scene.meshes[*node.mesh];
+                if (isDeformed(node, mesh)) {
+                    addPosed(mesh, poseMesh(scene, i, world));
+                } else {
+                    addMesh(mesh, world[i]);
+                }
+            }
+            if (node.cage) addCage(scene, i, world);
         }
     }
 
@@ -130,17 +139,41 @@ class Surfaces {
                             normalMatrix * (mesh.normals[a] + mesh.normals[b] + mesh.normals[c]));
             }
         };
+        forEachRun(mesh, add);
+    }
+
+    /// A mesh that a skin or morph targets move. A triangle keeps the side on which its normals are at rest.
+    void addPosed(const Mesh& mesh, const PosedPoints& posed) {
+        std::vector<glm::vec3> points;
+        points.reserve(posed.points.size());
+        for (const glm::vec3& point : posed.points)
+            points.push_back(transformed(posed.worldFromPoints, point));
+        forEachRun(mesh, [&](std::size_t first, std::size_t count) {
+            for (std::size_t i = first; i + 2 < first + count; i += 3) {
+                const std::uint32_t a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
+                const glm::vec3 rest =
+                    glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+                const float side = glm::dot(rest, mesh.normals[a] + mesh.normals[b] + mesh.normals[c]);
+                const glm::vec3 facing = glm::cross(points[b] - points[a], points[c] - points[a]);
+                addTriangle(points[a], points[b], points[c], side < 0.0f ? -facing : facing);
+            }
+        });
+    }
+
+    /// The runs of indices that a mesh draws.
+    template <typename Add>
+    static void forEachRun(const Mesh& mesh, const Add& add) {
         if (mesh.submeshes.empty()) return add(0, mesh.indices.size());
         for (const Submesh& submesh : mesh.submeshes) add(submesh.firstIndex, submesh.indexCount);
     }
 
     void addCage(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world) {
-        const PosedCage posed = poseCage(scene, node, world);
+        const PosedPoints posed = poseCage(scene, node, world);
         std::vector<glm::vec3> points;
         points.reserve(posed.points.size());
         for (const glm::vec3& point : posed.points)
             points.push_back(transformed(posed.worldFromPoints, point));
-        const Cage& cage = scene.cages[scene.nodes[node].cage->cage];
+        const Cage& cage = scene.cages[*scene.nodes[node].cage];
         std::size_t first = 0;
         for (const std::uint32_t size : cage.faceSizes) {
             for (std::size_t i = 2; i < size; ++i) {

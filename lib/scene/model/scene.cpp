@@ -1,6 +1,7 @@
 #include <candela/scene.h>
 
 #include "scene/model/animation.h"
+#include "scene/model/deformation.h"
 #include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/error_context.h"
+#include "scene/model/deformation.h"
 
 #include <candela/scene.h>
 
@@ -23,7 +24,7 @@ constexpr float maxAnimated = 1e9f;
 constexpr float unitTolerance = 0.01f;
 
 /// How far the sum of a vertex's joint weights may be from 1: the error of four weights of 8 bits each,
-/// 4 × 0.5 / 255, and a little. `poseCage` divides by the sum.
+/// 4 × 0.5 / 255, and a little. What deforms vertices divides by the sum.
 constexpr float weightSumTolerance = 0.01f;
 
 /// Whether the last row is 0, 0, 0, 1.
@@ -36,8 +37,9 @@ bool isUnit(const glm::vec3& direction);
 
 void validateImage(const Image& image, const ErrorContext& element);
 void validateMaterial(const Material& material, const Scene& scene, const ErrorContext& element);
+/// All but which of the skin's joints it names: see `validateDeformations`.
 void validateMesh(const Mesh& mesh, const Scene& scene, const ErrorContext& element);
-/// All but which of the skin's joints it names: see `validateCageInstances`.
+/// All but which of the skin's joints it names: see `validateDeformations`.
 void validateCage(const Cage& cage, const Scene& scene, const ErrorContext& element);
 /// The part of `validateCage` that needs no scene: all but the materials.
 void validateCageSurface(const Cage& cage, const ErrorContext& element);
@@ -47,13 +49,18 @@ void validateCamera(const Camera& camera, const Scene& scene, const ErrorContext
 void validateLight(const Light& light, const Scene& scene, const ErrorContext& element);
 void validateAnimation(const Animation& animation, const Scene& scene, const ErrorContext& element);
 
-/// That the cages of all nodes exist and fit their skins and morph weights. Cages and skins have passed.
-void validateCageInstances(const Scene& scene);
+/// That the meshes and cages of all nodes fit the nodes' skins and morph weights. All of these have passed.
+void validateDeformations(const Scene& scene);
 /// The world positions at time 0. All else has passed.
 void validatePositions(const Scene& scene);
 
 /// That the indices of a mesh are whole triangles and name vertices of the mesh, at most 2^32 - 1 of each.
 void requireTriangles(const Mesh& mesh, const ErrorContext& element);
+
+/// That joints, joint weights and morph targets have as many elements as the vertices require, and that their
+/// numbers are in range.
+void requireInfluences(const DeformableVertices& shape, const ErrorContext& element);
+void requireMorphTargets(const DeformableVertices& shape, const ErrorContext& element);
 
 /// That the positions, texture coordinates, faces and holes of a cage fit together.
 void requireFaces(const Cage& cage, const ErrorContext& element);

@@ -38,6 +38,8 @@ void validateNode(const Node& node, std::size_t index, const Scene& scene, const
     element.requireIndex("mesh", node.mesh, scene.meshes.size());
     element.require(allFinite(node.translationRemainder),
                     "the remainder of its translation must be finite numbers");
+    element.requireIndex("cage", node.cage, scene.cages.size());
+    element.requireIndex("skin", node.skin, scene.skins.size());
     if (const auto* transform = std::get_if<Transform>(&node.transform)) {
         validateTransform(*transform, element);
     } else {
@@ -121,7 +123,7 @@ void validate(const Scene& scene) {
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         validateNode(scene.nodes[i], i, scene, ErrorContext("node", i, scene.nodes[i].name));
     }
-    validateCageInstances(scene);
+    validateDeformations(scene);
     for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
         validateCamera(scene.cameras[i], scene, ErrorContext("camera", i, scene.cameras[i].name));
     }

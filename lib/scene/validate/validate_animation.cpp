@@ -3,28 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-// Validation of skins, morph weights and animations.
-
 namespace candela {
 
 namespace {
-
-// How many joints a skin must have for the cage.
-std::size_t jointsNeededBy(const Cage& cage) {
-    const auto max = std::max_element(cage.joints.begin(), cage.joints.end());
-    return max == cage.joints.end() ? 0 : std::size_t{*max} + 1;
-}
-
-void validateMorphWeights(const CageInstance& instance, const Cage& cage, const ErrorContext& element) {
-    if (instance.morphWeights.empty()) return;
-    if (instance.morphWeights.size() != cage.morphTargets.size()) {
-        element.refuse("has " + std::to_string(instance.morphWeights.size()) +
-                       " morph weights, but its cage has " + std::to_string(cage.morphTargets.size()) +
-                       " morph targets");
-    }
-    element.requireEach("morph weight", instance.morphWeights, "must be a finite number of at most 1e9",
-                        [](float weight) { return std::abs(weight) <= maxAnimated; });
-}
 
 // One channel of an animation, as errors name it.
 class ChannelContext {
@@ -51,15 +32,14 @@ void validateTimes(const AnimationChannel& channel, const ChannelContext& elemen
 std::size_t numbersOf(const AnimationChannel& channel, const Scene& scene) {
     if (channel.path == AnimationPath::rotation) return 4;
     if (channel.path != AnimationPath::morphWeights) return 3;
-    return scene.cages[scene.nodes[channel.node].cage->cage].morphTargets.size();
+    return morphTargetCount(scene, scene.nodes[channel.node]);
 }
 
 void requireAnimatedNode(const AnimationChannel& channel, const Scene& scene, const ChannelContext& element) {
     const Node& node = scene.nodes[channel.node];
     if (channel.path == AnimationPath::morphWeights) {
-        const bool hasCage = node.cage && node.cage->cage < scene.cages.size();
-        element.require(hasCage && !scene.cages[node.cage->cage].morphTargets.empty(),
-                        "its node has no cage with morph targets");
+        element.require(morphTargetCount(scene, node) > 0,
+                        "its node has no mesh and no cage with morph targets");
         return;
     }
     element.require(std::holds_alternative<Transform>(node.transform),
@@ -81,38 +61,6 @@ void validateValues(const AnimationChannel& channel, const ChannelContext& eleme
 }
 
 }  // namespace
-
-void validateSkin(const Skin& skin, const Scene& scene, const ErrorContext& element) {
-    element.require(!skin.joints.empty(), "it must have at least one joint");
-    for (const std::uint32_t joint : skin.joints) element.requireIndex("node", joint, scene.nodes.size());
-    element.requireCount("inverse bind matrices", skin.inverseBindMatrices.size(), "joints",
-                         skin.joints.size());
-    element.requireEach("inverse bind matrix", skin.inverseBindMatrices, "must be finite numbers",
-                        [](const glm::mat4& matrix) { return allFinite(matrix); });
-    element.requireEach("inverse bind matrix", skin.inverseBindMatrices,
-                        "must be affine: a last row of 0, 0, 0, 1", isAffine);
-}
-
-void validateCageInstances(const Scene& scene) {
-    std::vector<std::size_t> jointCounts;
-    jointCounts.reserve(scene.cages.size());
-    for (const Cage& cage : scene.cages) jointCounts.push_back(jointsNeededBy(cage));
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        if (!scene.nodes[i].cage) continue;
-        const CageInstance& instance = *scene.nodes[i].cage;
-        const ErrorContext element("node", i, scene.nodes[i].name);
-        element.requireIndex("cage", instance.cage, scene.cages.size());
-        element.requireIndex("skin", instance.skin, scene.skins.size());
-        const Cage& cage = scene.cages[instance.cage];
-        validateMorphWeights(instance, cage, element);
-        if (!instance.skin) continue;
-        element.require(cage.influenceCount > 0, "has a skin, but no joint moves a vertex of its cage");
-        const std::size_t joints = scene.skins[*instance.skin].joints.size();
-        if (jointCounts[instance.cage] <= joints) continue;
-        element.refuse("its cage names joint " + std::to_string(jointCounts[instance.cage] - 1) +
-                       ", but its skin has " + std::to_string(joints));
-    }
-}
 
 void requireChannel(const AnimationChannel& channel, std::size_t index, const Scene& scene,
                     const ErrorContext& animation) {

@@ -157,37 +157,6 @@ void validateMaterials(const Cage& cage, const Scene& scene, const ErrorContext&
     }
 }
 
-void validateInfluences(const Cage& cage, const ErrorContext& element) {
-    const std::size_t each = cage.influenceCount;
-    const std::uint64_t count = std::uint64_t{cage.positions.size()} * each;
-    element.requireCount("joints", cage.joints.size(), "influences", count);
-    element.requireCount("joint weights", cage.jointWeights.size(), "influences", count);
-    if (each == 0) return;
-    for (std::size_t vertex = 0; vertex < cage.positions.size(); ++vertex) {
-        float sum = 0.0f;
-        for (std::size_t i = vertex * each; i < (vertex + 1) * each; ++i) {
-            // False for a NaN; an infinite weight makes an infinite sum.
-            if (!(cage.jointWeights[i] >= 0.0f)) {
-                element.refuse("a joint weight of " + Part{"vertex", vertex}.label() + " is not 0 or more");
-            }
-            sum += cage.jointWeights[i];
-        }
-        if (std::abs(sum - 1.0f) <= weightSumTolerance) continue;
-        element.refuse("the joint weights of " + Part{"vertex", vertex}.label() + " have the sum " +
-                       shortNumber(sum) + ", but 1 was expected");
-    }
-}
-
-void validateMorphTargets(const Cage& cage, const ErrorContext& element) {
-    for (std::size_t i = 0; i < cage.morphTargets.size(); ++i) {
-        const std::vector<glm::vec3>& offsets = cage.morphTargets[i].offsets;
-        const std::string target = Part{"morph target", i}.label();
-        element.requireCount(("offsets in " + target).c_str(), offsets.size(), "vertices",
-                             cage.positions.size());
-        element.requireEachFinite((target + ": offset").c_str(), offsets);
-    }
-}
-
 }  // namespace
 
 void requireFaces(const Cage& cage, const ErrorContext& element) {
@@ -205,8 +174,12 @@ void validateCageSurface(const Cage& cage, const ErrorContext& element) {
     requireFaces(cage, element);
     validateCreases(cage, element);
     validateCorners(cage, element);
-    validateInfluences(cage, element);
-    validateMorphTargets(cage, element);
+    const DeformableVertices shape(cage);
+    requireInfluences(shape, element);
+    requireMorphTargets(shape, element);
+    for (const MorphTarget& target : cage.morphTargets)
+        element.require(target.normalOffsets.empty() && target.tangentOffsets.empty(),
+                        "a morph target has offsets of normals or tangents, which a cage does not have");
 }
 
 void validateCage(const Cage& cage, const Scene& scene, const ErrorContext& element) {

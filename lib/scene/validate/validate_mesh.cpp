@@ -66,6 +66,9 @@ void requireTriangles(const Mesh& mesh, const ErrorContext& element) {
 void validateMesh(const Mesh& mesh, const Scene& scene, const ErrorContext& element) {
     requireTriangles(mesh, element);
     validateArrays(mesh, element);
+    const DeformableVertices shape(mesh);
+    requireInfluences(shape, element);
+    requireMorphTargets(shape, element);
     for (const Submesh& submesh : mesh.submeshes) validateSubmesh(submesh, mesh, scene, element);
 }
 

@@ -1,4 +1,5 @@
 #include "base/error_context.h"
+#include "scene/model/deformation.h"
 #include "scene/validate/scene_rules.h"
 
 #include <glm/common.hpp>
@@ -64,9 +65,16 @@ void validateMeshPositions(const Scene& scene, const std::vector<glm::mat4>& wor
     std::vector<BoxedPoints> meshes;
     meshes.reserve(scene.meshes.size());
     for (const Mesh& mesh : scene.meshes) meshes.emplace_back(mesh.positions);
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const auto stands = [&](std::uint32_t i) {
         const Node& node = scene.nodes[i];
-        if (!node.mesh || meshes[*node.mesh].areNear(world[i])) continue;
+        const Mesh& mesh = scene.meshes[*node.mesh];
+        if (!isDeformed(node, mesh)) return meshes[*node.mesh].areNear(world[i]);
+        const PosedPoints posed = poseMesh(scene, i, world);
+        return areNear(posed.points, posed.worldFromPoints);
+    };
+    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        if (!node.mesh || stands(i)) continue;
         const ErrorContext mesh("mesh", *node.mesh, scene.meshes[*node.mesh].name);
         ErrorContext("node", i, node.name).refuse(mesh.label() + " " + tooFar);
     }
@@ -77,16 +85,15 @@ void validateCagePositions(const Scene& scene, const std::vector<glm::mat4>& wor
     cages.reserve(scene.cages.size());
     for (const Cage& cage : scene.cages) cages.emplace_back(cage.positions);
     const auto stands = [&](std::uint32_t node) {
-        const CageInstance& instance = *scene.nodes[node].cage;
-        const bool moves = instance.skin || !scene.cages[instance.cage].morphTargets.empty();
-        if (!moves) return cages[instance.cage].areNear(world[node]);
-        const PosedCage posed = poseCage(scene, node, world);
+        const Cage& cage = scene.cages[*scene.nodes[node].cage];
+        if (!isDeformed(scene.nodes[node], cage)) return cages[*scene.nodes[node].cage].areNear(world[node]);
+        const PosedPoints posed = poseCage(scene, node, world);
         return areNear(posed.points, posed.worldFromPoints);
     };
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
         if (!node.cage || stands(i)) continue;
-        const ErrorContext cage("cage", node.cage->cage, scene.cages[node.cage->cage].name);
+        const ErrorContext cage("cage", *node.cage, scene.cages[*node.cage].name);
         ErrorContext("node", i, node.name).refuse(cage.label() + " " + tooFar);
     }
 }

@@ -80,11 +80,11 @@ TEST(Animation, interpolationIsLinearByDefault) {
     EXPECT_EQ(channelOf(file).interpolation, candela::Interpolation::linear);
 }
 
-TEST(Animation, weightsAreNoted) {
+TEST(Animation, weightsOfANodeWithoutTargetsAreNoted) {
     const candela::ImportedScene imported =
         load(animatedFile<float>("weights", "SCALAR", {0, 1, 0}, "LINEAR"));
     EXPECT_TRUE(imported.scene.animations.empty());
-    EXPECT_TRUE(hasNote(imported, "animation 0 'walk': morph weights are not applied"));
+    EXPECT_TRUE(hasNote(imported, "animation 0 'walk', channel 0: node 1 has no mesh with morph targets"));
 }
 
 TEST(Animation, channelsWithoutANodeAreIgnored) {

@@ -13,8 +13,8 @@ TEST(CageSettings, aMeshWithSettingsIsACage) {
     ASSERT_EQ(scene.nodes.size(), 1u);
     EXPECT_FALSE(scene.nodes[0].mesh.has_value());
     ASSERT_TRUE(scene.nodes[0].cage.has_value());
-    EXPECT_EQ(scene.nodes[0].cage->cage, 0u);
-    EXPECT_FALSE(scene.nodes[0].cage->skin.has_value());
+    EXPECT_EQ(scene.nodes[0].cage, 0u);
+    EXPECT_FALSE(scene.nodes[0].skin.has_value());
 }
 
 TEST(CageSettings, otherExtrasChangeNothing) {

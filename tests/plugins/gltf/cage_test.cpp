@@ -192,7 +192,7 @@ TEST(Cage, severalNodesMayInstanceIt) {
     const candela::Scene scene = load(file).scene;
     EXPECT_EQ(scene.cages.size(), 1u);
     ASSERT_EQ(scene.nodes.size(), 2u);
-    EXPECT_EQ(scene.nodes[1].cage.value().cage, 0u);
+    EXPECT_EQ(scene.nodes[1].cage, 0u);
 }
 
 TEST(Cage, togetherWithMeshes) {

@@ -201,11 +201,5 @@ TEST(Mesh, missingTextureCoordinatesAreZeroAndNoted) {
     EXPECT_TRUE(hasNote(imported, "mesh 0, primitive 0: no TEXCOORD_1, which material 0 reads"));
 }
 
-TEST(Mesh, morphTargetsAreNotedAndOmitted) {
-    const candela::ImportedScene imported = load(triangleFile(R"("targets":[{"POSITION":0}])"));
-    EXPECT_TRUE(hasNote(imported, "morph targets are not applied: 1 mesh"));
-    EXPECT_EQ(candela::triangleCount(imported.scene), 1u);
-}
-
 }  // namespace
 }  // namespace candela_test

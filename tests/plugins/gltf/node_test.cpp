@@ -74,13 +74,6 @@ TEST(Node, aChainOfTenThousandNodes) {
     EXPECT_EQ(candela::worldTransforms(scene).back()[3].x, static_cast<float>(length));
 }
 
-TEST(Node, skinsAreNoted) {
-    GltfFile file = triangleFile();
-    file.add("nodes", R"({"mesh":0,"skin":0})");
-    file.add("skins", R"({"joints":[0]})");
-    EXPECT_TRUE(hasNote(load(file), "skins are not applied: 1 node drawn in the bind pose"));
-}
-
 TEST(Node, keepsTheDigitsOfItsTranslation) {
     const GltfFile file = fileWithNodes(
         {R"({"translation":[4000000.3,-0.1,2]})", R"({"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,4000000.3,0,0,1]})"});

@@ -61,7 +61,7 @@ TEST(ObjCage, aNodeInstancesTheCage) {
     EXPECT_EQ(scene.nodes[0].name, "thing");
     EXPECT_EQ(scene.cages.at(0).name, "thing");
     ASSERT_TRUE(scene.nodes[0].cage.has_value());
-    EXPECT_EQ(scene.nodes[0].cage->cage, 0u);
+    EXPECT_EQ(scene.nodes[0].cage, 0u);
     EXPECT_FALSE(scene.nodes[0].mesh.has_value());
 }
 

@@ -100,7 +100,7 @@ class MaterialChangeTest : public DrawingTest {
   protected:
     static GpuScene uploadLit(const Scene& scene) {
         GpuSceneOptions options = subdividing(2);
-        options.subdivisionEvaluator = SubdivisionEvaluator::compute;
+        options.vertexEvaluator = VertexEvaluator::compute;
         GpuScene uploaded(context(), scene, options);
         uploaded.setLights({&light, 1});
         return uploaded;

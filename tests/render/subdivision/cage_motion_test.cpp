@@ -50,22 +50,21 @@ class CageMotionTest : public DrawingTest {
     /// Calls `body(evaluator)` for both evaluators.
     template <typename Body>
     static void withBothEvaluators(const Body& body) {
-        for (const SubdivisionEvaluator evaluator :
-             {SubdivisionEvaluator::compute, SubdivisionEvaluator::cpu}) {
+        for (const VertexEvaluator evaluator : {VertexEvaluator::compute, VertexEvaluator::cpu}) {
             SCOPED_TRACE(toString(evaluator));
             body(evaluator);
         }
     }
-    static GpuScene uploadCages(const Scene& scene, SubdivisionEvaluator evaluator) {
+    static GpuScene uploadCages(const Scene& scene, VertexEvaluator evaluator) {
         GpuSceneOptions options = subdividing(level);
-        options.subdivisionEvaluator = evaluator;
+        options.vertexEvaluator = evaluator;
         return GpuScene(context(), scene, options);
     }
     static std::string evaluatorOf(GpuScene& scene) { return scene.cageReport().evaluator; }
 };
 
 TEST_F(CageMotionTest, drawnVerticesAreTheLimitOfTheMovedCage) {
-    withBothEvaluators([](SubdivisionEvaluator evaluator) {
+    withBothEvaluators([](VertexEvaluator evaluator) {
         for (const Cage& cage : {makeCubeCage(1.0f), makeSharpCubeCage(1.0f), makeSheetCage(1.5f, 5)}) {
             GpuScene scene = uploadCages(sceneOfCage(cage, Material{}), evaluator);
             render(scene, front);
@@ -86,7 +85,7 @@ TEST_F(CageMotionTest, allVerticesOfAPointAgreeBitForBit) {
     const RefinedCage refined = subdivider().refine(cage, level);
     // Seven points inside each of the 12 sharp edges have two sides, 8 corners have three.
     ASSERT_EQ(refined.seamPoints.size(), 12u * 7u + 8u * 2u);
-    withBothEvaluators([&](SubdivisionEvaluator evaluator) {
+    withBothEvaluators([&](VertexEvaluator evaluator) {
         GpuScene scene = uploadCages(sceneOfCage(cage, Material{}), evaluator);
         scene.setCagePoints(0, jittered(cage.positions, 0.3f, 3));
         render(scene, front);
@@ -99,7 +98,7 @@ TEST_F(CageMotionTest, allVerticesOfAPointAgreeBitForBit) {
 TEST_F(CageMotionTest, movedCageGivesTheImageOfANewScene) {
     const Cage cage = makeCubeCage(1.0f);
     const WorldLight light = pointLight({2, 3, 5}, 30.0f, glm::vec3(10.0f));
-    withBothEvaluators([&](SubdivisionEvaluator evaluator) {
+    withBothEvaluators([&](VertexEvaluator evaluator) {
         GpuScene moved = uploadCages(sceneOfCage(cage, Material{}), evaluator);
         moved.setLights({&light, 1});
         drawn(moved, front);
@@ -128,8 +127,8 @@ Scene animatedScene() {
     }
     cage.morphTargets.push_back({jittered(std::vector<glm::vec3>(8, glm::vec3(0.0f)), 0.5f, 5)});
     Scene scene = sceneOfCage(cage, Material{}, glm::translate(glm::mat4(1.0f), {5, 0, 0}));
-    scene.nodes[0].cage->skin = 0;
-    scene.nodes[0].cage->morphWeights = {0.2f};
+    scene.nodes[0].skin = 0;
+    scene.nodes[0].morphWeights = {0.2f};
     scene.nodes.resize(3);
     scene.nodes[2].parent = 1;
     scene.skins.push_back({"", {1, 2}, {glm::mat4(1.0f), glm::mat4(1.0f)}});
@@ -146,12 +145,12 @@ Scene animatedScene() {
 TEST_F(CageMotionTest, skinAndMorphTargetsMoveTheSurface) {
     Scene scene = animatedScene();
     scene.nodes[0].transform = Transform{};
-    withBothEvaluators([&](SubdivisionEvaluator evaluator) {
+    withBothEvaluators([&](VertexEvaluator evaluator) {
         GpuScene uploaded = uploadCages(scene, evaluator);
         for (const double time : {0.0, 0.4, 1.0, 0.0}) {
             uploaded.setTime(time);
             render(uploaded, front);
-            const PosedCage posed = poseCage(scene, 0, worldTransforms(scene, time), time);
+            const PosedPoints posed = poseCage(scene, 0, worldTransforms(scene, time), time);
             expectSame(drawnVertices(uploaded), limitOf(scene.cages[0], posed.points));
         }
     });
@@ -159,7 +158,7 @@ TEST_F(CageMotionTest, skinAndMorphTargetsMoveTheSurface) {
 
 TEST_F(CageMotionTest, skinnedCageIsPlacedByItsJoints) {
     const Scene scene = animatedScene();
-    GpuScene uploaded = uploadCages(scene, SubdivisionEvaluator::cpu);
+    GpuScene uploaded = uploadCages(scene, VertexEvaluator::cpu);
     EXPECT_GT(drawn(uploaded, front).rgba[4 * (24 * 64 + 32) + 3], 0.0f) << "its node is 5 m to the side";
 }
 
@@ -168,7 +167,7 @@ TEST_F(CageMotionTest, nodesThatShareACageMoveIndependently) {
     Scene scene = sceneOfCage(cage, Material{}, glm::translate(glm::mat4(1.0f), {-1.5f, 0, 0}));
     scene.nodes.push_back(scene.nodes[0]);
     scene.nodes[1].transform = glm::translate(glm::mat4(1.0f), {1.5f, 0, 0});
-    withBothEvaluators([&](SubdivisionEvaluator evaluator) {
+    withBothEvaluators([&](VertexEvaluator evaluator) {
         GpuScene uploaded = uploadCages(scene, evaluator);
         render(uploaded, front);
         EXPECT_EQ(uploaded.cageReport().cages, 2u);
@@ -189,7 +188,7 @@ TEST_F(CageMotionTest, aovsReadAfterAnEditDoNotDrawSurfacesThatAreNotYetEvaluate
     Scene scene = sceneOfCage(makeCubeCage(1.0f), Material{});
     scene.nodes.push_back(scene.nodes[0]);
     scene.materials[0].emission = glm::vec3(1.0f);
-    GpuScene uploaded = uploadCages(scene, SubdivisionEvaluator::compute);
+    GpuScene uploaded = uploadCages(scene, VertexEvaluator::compute);
     render(uploaded, front);
     uploaded.setCagePoints(1, jittered(makeCubeCage(1.0f).positions, 0.2f, 4));
     EXPECT_EQ(aovs(64).vector("emission", 32, 24), glm::vec3(1.0f)) << "the other node's";
@@ -197,7 +196,7 @@ TEST_F(CageMotionTest, aovsReadAfterAnEditDoNotDrawSurfacesThatAreNotYetEvaluate
 
 TEST_F(CageMotionTest, cageMovedOutOfViewIsEvaluatedWhenItComesIntoView) {
     const Cage cage = makeCubeCage(1.0f);
-    GpuScene scene = uploadCages(sceneOfCage(cage, Material{}), SubdivisionEvaluator::compute);
+    GpuScene scene = uploadCages(sceneOfCage(cage, Material{}), VertexEvaluator::compute);
     const FrameRequest away = frameOf({0, 0, 6}, {0, 0, 12});
     render(scene, away);
     EXPECT_EQ(evaluatorOf(scene), "") << "nothing has been evaluated";
@@ -218,7 +217,7 @@ TEST_F(CageMotionTest, invalidCagePointsAreErrors) {
     Scene scene = sceneOfCage(makeCubeCage(1.0f), Material{});
     scene.nodes[0].name = "box";
     scene.nodes.emplace_back();
-    GpuScene uploaded = uploadCages(scene, SubdivisionEvaluator::cpu);
+    GpuScene uploaded = uploadCages(scene, VertexEvaluator::cpu);
     const auto errorOfEdit = [&](std::uint32_t node, const std::vector<glm::vec3>& points) -> std::string {
         try {
             uploaded.setCagePoints(node, points);

@@ -141,9 +141,9 @@ TEST_F(CagePictureTest, texturesAndNormalMapsAreThoseOfAMesh) {
         const glm::mat4 transform = glm::scale(rotation, {mirror, 1.0f, 1.0f});
         const AovReader expected =
             reader(upload(withImages(sceneOf(makeQuad(0.7f), material, transform))), far);
-        for (const auto evaluator : {SubdivisionEvaluator::compute, SubdivisionEvaluator::cpu}) {
+        for (const auto evaluator : {VertexEvaluator::compute, VertexEvaluator::cpu}) {
             GpuSceneOptions options = subdividing(3);
-            options.subdivisionEvaluator = evaluator;
+            options.vertexEvaluator = evaluator;
             GpuScene cage =
                 uploadCages(withImages(sceneOfCage(makeSheetCage(0.7f, 3), material, transform)), options);
             const AovReader actual = reader(cage, far);

@@ -75,7 +75,7 @@ std::vector<glm::vec3> jittered(const std::vector<glm::vec3>& points, float dist
 std::uint32_t placeCage(Scene& scene, Cage cage, const Material& material, const glm::mat4& transform) {
     cage.faceMaterials.assign(cage.faceSizes.size(), static_cast<std::uint32_t>(scene.materials.size()));
     Node node;
-    node.cage = CageInstance{static_cast<std::uint32_t>(scene.cages.size()), std::nullopt, {}};
+    node.cage = static_cast<std::uint32_t>(scene.cages.size());
     node.transform = transform;
     scene.materials.push_back(material);
     scene.cages.push_back(std::move(cage));

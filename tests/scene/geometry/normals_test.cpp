@@ -46,6 +46,31 @@ TEST(FlatNormals, EachTriangleHasItsOwn) {
     EXPECT_EQ(mesh.submeshes[1].material, 7u);
 }
 
+TEST(FlatNormals, KeepWhatDeformsTheVertices) {
+    Mesh mesh = roof();
+    mesh.influenceCount = 2;
+    for (std::uint32_t vertex = 0; vertex < 4; ++vertex) {
+        mesh.joints.insert(mesh.joints.end(), {vertex, 7});
+        mesh.jointWeights.insert(mesh.jointWeights.end(), {0.75f, 0.25f});
+    }
+    // Turns the first triangle from the plane z = 0 into the plane y = 0.
+    mesh.morphTargets.resize(1);
+    mesh.morphTargets[0].offsets = {{0, 0, 0}, {0, 0, 0}, {0, -1, -1}, {0, 0, 0}};
+    mesh.morphTargets[0].normalOffsets.assign(4, {5, 5, 5});
+    const Mesh before = mesh;
+    generateFlatNormals(mesh);
+    ASSERT_EQ(mesh.joints.size(), 12u);
+    ASSERT_EQ(mesh.jointWeights.size(), 12u);
+    const MorphTarget& target = mesh.morphTargets[0];
+    ASSERT_EQ(target.offsets.size(), 6u);
+    for (std::size_t corner = 0; corner < 6; ++corner) {
+        EXPECT_EQ(mesh.joints[2 * corner], before.indices[corner]);
+        EXPECT_EQ(mesh.jointWeights[2 * corner], 0.75f);
+        EXPECT_EQ(target.offsets[corner], before.morphTargets[0].offsets[before.indices[corner]]);
+    }
+    EXPECT_EQ(target.normalOffsets[0], glm::vec3(0, 1, -1)) << "from the flat normal to that of the target";
+}
+
 TEST(FlatNormals, OfTrianglesWithoutAreaAreUp) {
     Mesh mesh;
     mesh.positions = {{1, 1, 1}, {2, 2, 2}, {3, 3, 3}};

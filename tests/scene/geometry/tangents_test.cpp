@@ -114,6 +114,27 @@ TEST(Tangents, MirroredHalvesSplitAtTheSeam) {
     }
 }
 
+TEST(Tangents, SplitVerticesKeepWhatDeformsThem) {
+    Mesh mesh = mirroredPair();
+    mesh.influenceCount = 1;
+    mesh.morphTargets.resize(1);
+    for (std::uint32_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
+        mesh.joints.push_back(vertex);
+        mesh.jointWeights.push_back(1.0f);
+        mesh.morphTargets[0].offsets.emplace_back(static_cast<float>(vertex));
+    }
+    const Mesh before = mesh;
+    generateTangents(mesh, 0);
+    ASSERT_EQ(mesh.joints.size(), 8u);
+    ASSERT_EQ(mesh.jointWeights.size(), 8u);
+    ASSERT_EQ(mesh.morphTargets[0].offsets.size(), 8u);
+    for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
+        EXPECT_EQ(mesh.joints[mesh.indices[corner]], before.indices[corner]);
+        EXPECT_EQ(mesh.morphTargets[0].offsets[mesh.indices[corner]],
+                  before.morphTargets[0].offsets[before.indices[corner]]);
+    }
+}
+
 // A mesh without shared vertices has the same tangents.
 TEST(Tangents, WeldEqualVertices) {
     Mesh shared = mirroredPair();

@@ -71,7 +71,7 @@ TEST(DrawnBounds, LeaveOutCagePointsOfNoFace) {
     cage.faceSizes = {4};
     cage.faceVertices = {0, 1, 2, 3};
     scene.cages.push_back(cage);
-    scene.nodes.emplace_back().cage = CageInstance{};
+    scene.nodes.emplace_back().cage = 0;
     expectBox(worldBounds(scene, worldTransforms(scene)), glm::vec3(0.0f), {1.0f, 1.0f, 0.0f});
 }
 
@@ -157,7 +157,7 @@ TEST(FramingBounds, HoldMorphTargets) {
     cage.faceVertices = {0, 1, 2, 3};
     cage.morphTargets.push_back({{{0, 0, 0}, {0, 0, 3}, {0, 0, 0}, {0, 0, 0}}});
     scene.cages.push_back(cage);
-    scene.nodes.emplace_back().cage = CageInstance{};
+    scene.nodes.emplace_back().cage = 0;
     scene.animations.push_back(moving(0, AnimationPath::morphWeights, {0.0f, 1.0f, 2.0f}, {0, 1, 0}));
     expectBox(framingBounds(scene), glm::vec3(0.0f), {1.0f, 1.0f, 3.0f});
 }

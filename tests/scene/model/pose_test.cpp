@@ -35,16 +35,17 @@ Scene morphed(std::vector<float> weights) {
     scene.cages.push_back(cage);
     scene.nodes.resize(1);
     scene.nodes[0].transform = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, 7.0f));
-    scene.nodes[0].cage = CageInstance{0, {}, std::move(weights)};
+    scene.nodes[0].cage = 0;
+    scene.nodes[0].morphWeights = std::move(weights);
     return scene;
 }
 
-PosedCage posedAt(const Scene& scene, double time) {
+PosedPoints posedAt(const Scene& scene, double time) {
     validate(scene);
     return poseCage(scene, 0, worldTransforms(scene, time), time);
 }
 
-void expectPoints(const PosedCage& posed, const std::vector<glm::vec3>& points) {
+void expectPoints(const PosedPoints& posed, const std::vector<glm::vec3>& points) {
     ASSERT_EQ(posed.points.size(), points.size());
     for (std::size_t i = 0; i < points.size(); ++i) expectNear(posed.points[i], points[i]);
 }
@@ -61,14 +62,14 @@ Animation weightsOverTime(Interpolation interpolation, std::vector<float> values
 TEST(PoseCage, AtRestIsTheCageAtItsNode) {
     for (const std::vector<float>& weights : {std::vector<float>{}, std::vector<float>{0.0f, 0.0f}}) {
         const Scene scene = morphed(weights);
-        const PosedCage posed = posedAt(scene, 0.0);
+        const PosedPoints posed = posedAt(scene, 0.0);
         EXPECT_EQ(posed.points, scene.cages[0].positions);
         EXPECT_EQ(posed.worldFromPoints, std::get<glm::mat4>(scene.nodes[0].transform));
     }
 }
 
 TEST(PoseCage, AddsMorphTargetsByTheirWeights) {
-    const PosedCage posed = posedAt(morphed({0.5f, -2.0f}), 0.0);
+    const PosedPoints posed = posedAt(morphed({0.5f, -2.0f}), 0.0);
     // 0.5 × (1, 0, 0); -2 × (0, 1, 0); 0.5 × (0, 0, 8) - 2 × (0, 0, 1).
     expectPoints(posed, {{0.5, 0, 0}, {2, -2, 0}, {0, 4, 2}});
     EXPECT_EQ(posed.worldFromPoints[3].z, 7.0f);
@@ -141,7 +142,8 @@ Scene arm() {
     cage.jointWeights = {1.0f, 0.0f, 0.5f, 0.5f, 1.0f, 0.0f};
     scene.cages.push_back(cage);
     scene.nodes.resize(3);
-    scene.nodes[0].cage = CageInstance{0, 0, {}};
+    scene.nodes[0].cage = 0;
+    scene.nodes[0].skin = 0;
     scene.nodes[0].transform = glm::scale(glm::mat4(1.0f), glm::vec3(50.0f));
     scene.nodes[2].parent = 1;
     Transform elbow;
@@ -159,7 +161,7 @@ void rotateElbow(Scene& scene) {
 
 TEST(PoseCage, ASkinAtRestHasNoEffectAndIgnoresTheNode) {
     const Scene scene = arm();
-    const PosedCage posed = posedAt(scene, 0.0);
+    const PosedPoints posed = posedAt(scene, 0.0);
     expectPoints(posed, scene.cages[0].positions);
     EXPECT_EQ(posed.worldFromPoints, glm::mat4(1.0f));
 }
@@ -184,7 +186,7 @@ TEST(PoseCage, MorphTargetsApplyBeforeTheSkin) {
     Scene scene = arm();
     rotateElbow(scene);
     scene.cages[0].morphTargets.push_back({{{0, 0, 1}, {0, 0, 1}, {2, 0, 0}}});
-    scene.nodes[0].cage->morphWeights = {0.5f};
+    scene.nodes[0].morphWeights = {0.5f};
     // The last vertex moves to x = 5 before it is rotated.
     expectPoints(posedAt(scene, 0.0), {{1, 0, 0.5}, {2.5, 0.5, 0.5}, {2, 3, 0}});
 }
@@ -202,7 +204,7 @@ TEST(PoseCage, JointsFollowTheirAnimation) {
     expectPoints(posedAt(scene, 1.0), {{1, 0, 0}, {2, 0, 0}, {0, 0, 0}});
 }
 
-TEST(WorldBounds, EnclosePosedCages) {
+TEST(WorldBounds, EnclosePosedPointss) {
     Scene scene = morphed({});
     scene.animations.push_back(weightsOverTime(Interpolation::step, {0, 0, 1, 0}));
     const Bounds before = worldBounds(scene, worldTransforms(scene, 0.0), 0.0);

@@ -87,16 +87,16 @@ void corruptMotion(Cage& cage, FuzzInput& fuzz) {
 }
 
 void corruptInstance(Node& node, FuzzInput& fuzz) {
-    if (!node.cage) node.cage.emplace();
+    if (!node.cage) node.cage = 0;
     switch (fuzz.below(3)) {
         case 0:
-            node.cage->cage = fuzz.index();
+            node.cage = fuzz.index();
             break;
         case 1:
-            node.cage->skin = fuzz.index();
+            node.skin = fuzz.index();
             break;
         default:
-            node.cage->morphWeights.assign(fuzz.below(4), fuzz.number());
+            node.morphWeights.assign(fuzz.below(4), fuzz.number());
             break;
     }
 }
@@ -176,8 +176,8 @@ void expectPositionsInRange(const Scene& scene) {
     const std::vector<glm::mat4> world = worldTransforms(scene);
     for (std::uint32_t node = 0; node < scene.nodes.size(); ++node) {
         if (!scene.nodes[node].cage) continue;
-        const PosedCage posed = poseCage(scene, node, world);
-        ASSERT_EQ(posed.points.size(), scene.cages[scene.nodes[node].cage->cage].positions.size());
+        const PosedPoints posed = poseCage(scene, node, world);
+        ASSERT_EQ(posed.points.size(), scene.cages[*scene.nodes[node].cage].positions.size());
         for (const glm::vec3& point : posed.points) {
             const glm::vec3 position(posed.worldFromPoints * glm::vec4(point, 1.0f));
             for (int axis = 0; axis < 3; ++axis) ASSERT_LE(std::abs(position[axis]), 1e9f);

@@ -21,11 +21,11 @@ TEST(ValidateCage, AcceptsValidCages) {
     EXPECT_NO_THROW(validate(sampleCageScene()));
     Scene scene = sampleCageScene();
     scene.cages.emplace_back();  // Without a face.
-    scene.nodes[4].cage->cage = 2;
+    scene.nodes[4].cage = 2;
     scene.cages[0].jointWeights[1] = 0.246f;  // As from 8-bit weights.
     scene.cages[0].creases[0].sharpness = 0.0f;
     scene.cages[0].holes = {0, 1, 2, 3, 4, 5};
-    scene.nodes[0].cage->skin.reset();  // The joints are not used then.
+    scene.nodes[0].skin.reset();  // The joints are not used then.
     EXPECT_NO_THROW(validate(scene));
 }
 
@@ -173,27 +173,27 @@ TEST(ValidateCage, Skins) {
 TEST(ValidateCage, CageInstances) {
     expectMessages({
         {"node 4 'camp': refers to cage 2, but the scene has 2 (counted from 0)",
-         [](Scene& s) { s.nodes[4].cage->cage = 2; }},
+         [](Scene& s) { s.nodes[4].cage = 2; }},
         {"node 0 'body': refers to skin 1, but the scene has 1 (counted from 0)",
-         [](Scene& s) { s.nodes[0].cage->skin = 1; }},
-        {"node 4 'camp': has a skin, but no joint moves a vertex of its cage",
-         [](Scene& s) { s.nodes[4].cage->skin = 0; }},
+         [](Scene& s) { s.nodes[0].skin = 1; }},
+        {"node 4 'camp': has a skin, but no joint moves a vertex of its mesh or its cage",
+         [](Scene& s) { s.nodes[4].skin = 0; }},
         {"node 0 'body': its cage names joint 2, but its skin has 2",
          [](Scene& s) { s.cages[0].joints[5] = 2; }},
         {"node 0 'body': has 1 morph weights, but its cage has 2 morph targets",
-         [](Scene& s) { s.nodes[0].cage->morphWeights.pop_back(); }},
+         [](Scene& s) { s.nodes[0].morphWeights.pop_back(); }},
         {"node 0 'body': morph weight 1 must be a finite number of at most 1e9",
-         [](Scene& s) { s.nodes[0].cage->morphWeights[1] = nan_; }},
+         [](Scene& s) { s.nodes[0].morphWeights[1] = nan_; }},
         {"node 0 'body': morph weight 0 must be a finite number of at most 1e9",
-         [](Scene& s) { s.nodes[0].cage->morphWeights[0] = -2e9f; }},
+         [](Scene& s) { s.nodes[0].morphWeights[0] = -2e9f; }},
     });
 }
 
 TEST(ValidateCage, AnimatedMorphWeights) {
     expectMessages({
-        {"animation 0 'motion': channel 1: its node has no cage with morph targets",
+        {"animation 0 'motion': channel 1: its node has no mesh and no cage with morph targets",
          [](Scene& s) { s.animations[0].channels[1].node = 1; }},
-        {"animation 0 'motion': channel 1: its node has no cage with morph targets",
+        {"animation 0 'motion': channel 1: its node has no mesh and no cage with morph targets",
          [](Scene& s) { s.animations[0].channels[1].node = 4; }},
         {"animation 0 'motion': channel 1: its node has a matrix, which cannot be animated",
          [](Scene& s) { s.animations[0].channels[1].path = AnimationPath::scale; }},
@@ -236,7 +236,7 @@ TEST(ValidateCage, WorldPositions) {
          [](Scene& s) {
              s.animations.clear();
              s.cages[0].morphTargets.clear();
-             s.nodes[0].cage->morphWeights.clear();
+             s.nodes[0].morphWeights.clear();
              std::get<Transform>(s.nodes[1].transform).translation.x = 2e9f;
          }},
     });

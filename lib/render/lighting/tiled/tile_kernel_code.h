@@ -1,6 +1,6 @@
 #pragma once
 
-// The kernels of the technique `tiles` on the CPU. Each tile_kernel_*.cpp includes this once and is compiled
+// The kernels of the technique `tiles` on the CPU. Each render/kernels_*.cpp includes this once and is compiled
 // for its own instruction set, with CANDELA_TILE_KERNEL naming the table it defines. Everything here has
 // internal linkage, and no inline function of a library is used: the linker keeps only one copy of an inline
 // function, which may be compiled for an instruction set that the processor lacks.
@@ -274,6 +274,6 @@ void shade(const TileFrame& frame, int tileX, int tileY, const std::uint32_t* li
 }  // namespace
 
 extern const TileKernel CANDELA_TILE_KERNEL;
-const TileKernel CANDELA_TILE_KERNEL{CANDELA_TILE_KERNEL_NAME, cull, {shade<BRDF_COURSE>, shade<BRDF_GLTF>}};
+const TileKernel CANDELA_TILE_KERNEL{CANDELA_KERNEL_NAME, cull, {shade<BRDF_COURSE>, shade<BRDF_GLTF>}};
 
 }  // namespace candela

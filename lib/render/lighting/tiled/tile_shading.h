@@ -3,8 +3,8 @@
 // The light equation (shaders/shared/shading.h) and the light bounds (shaders/shared/light_bounds.h) over
 // vectors of floats, and the pixels of a block as they read them. Included only by tile_kernel_code.h.
 
-#include "render/lighting/tiled/simd.h"
 #include "render/lighting/tiled/tile_kernel.h"
+#include "render/simd.h"
 
 namespace candela {
 namespace {

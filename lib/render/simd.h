@@ -1,7 +1,7 @@
 #pragma once
 
 // Vectors of floats as wide as the instruction set this file is compiled for, with the names that GLSL has
-// for their functions. Included only by the tile kernels, which are compiled once for each instruction set:
+// for their functions. Included only by kernels, which are compiled once for each instruction set:
 // everything here has internal linkage, so that the linker never merges two variants of a function.
 
 #include <cstdint>

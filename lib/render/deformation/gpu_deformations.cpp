@@ -1,0 +1,187 @@
+#include "render/deformation/gpu_deformations.h"
+
+#include "base/thread_pool.h"
+#include "scene/model/animation.h"
+#include "scene/model/deformation.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace candela {
+
+namespace {
+
+bool animatesWeights(const AnimationChannel& channel, std::uint32_t node) {
+    return channel.node == node && channel.path == AnimationPath::morphWeights;
+}
+
+bool hasMorphAnimation(const Scene& scene, std::uint32_t node) {
+    return std::ranges::any_of(scene.animations, [&](const Animation& animation) {
+        return std::ranges::any_of(animation.channels, [&](const AnimationChannel& channel) {
+            return animatesWeights(channel, node);
+        });
+    });
+}
+
+/// The last channel that plays and animates the morph weights of `node`.
+std::optional<AnimationChannel> morphAnimation(const Scene& scene, std::uint32_t node) {
+    std::optional<AnimationChannel> last;
+    for (const Animation& animation : scene.animations) {
+        if (!animation.plays) continue;
+        for (const AnimationChannel& channel : animation.channels)
+            if (animatesWeights(channel, node)) last = channel;
+    }
+    return last;
+}
+
+bool areAllZero(const std::vector<float>& weights) {
+    return std::ranges::all_of(weights, [](float weight) { return weight == 0.0f; });
+}
+
+}  // namespace
+
+GpuDeformations::GpuDeformations(const Context& context, const Scene& scene, const Scene& kept,
+                                 GpuMeshes::Detail detail, VertexEvaluator evaluator)
+    : scene_(kept), deformer_(context, evaluator) {
+    addInstances(scene, detail);
+    if (!empty()) listJoints();
+}
+
+void GpuDeformations::addInstances(const Scene& scene, GpuMeshes::Detail detail) {
+    meshes_.resize(scene.meshes.size());
+    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        if (!node.mesh) continue;
+        const Mesh& mesh = scene.meshes[*node.mesh];
+        const bool isAnimated = !mesh.morphTargets.empty() && hasMorphAnimation(scene, i);
+        const bool isMorphed = isAnimated || (!mesh.morphTargets.empty() && !areAllZero(node.morphWeights));
+        if (!isSkinned(node, mesh) && !isMorphed) continue;
+        std::unique_ptr<MeshDeformation>& deformation = meshes_[*node.mesh];
+        if (!deformation) deformation = std::make_unique<MeshDeformation>(mesh, detail);
+        Instance& instance = *instances_.emplace_back(std::make_unique<Instance>());
+        instance.placement.node = i;
+        instance.placement.mesh = *node.mesh;
+        instance.deformation = deformation.get();
+        if (isSkinned(node, mesh)) instance.skin = node.skin;
+        if (isMorphed && !areAllZero(node.morphWeights)) instance.morphWeights = node.morphWeights;
+        instance.isAnimated = isAnimated;
+        if (isAnimated) instance.animation = morphAnimation(scene, i);
+    }
+}
+
+void GpuDeformations::listJoints() {
+    instancesOfNode_.resize(scene_.nodes.size());
+    for (std::uint32_t i = 0; i < instances_.size(); ++i) {
+        instancesOfNode_[instances_[i]->placement.node].push_back(i);
+        if (!instances_[i]->skin) continue;
+        for (const std::uint32_t joint : scene_.skins[*instances_[i]->skin].joints)
+            instancesOfNode_[joint].push_back(i);
+    }
+}
+
+std::optional<std::uint32_t> GpuDeformations::ofNode(std::uint32_t node) const {
+    if (instancesOfNode_.empty()) return std::nullopt;
+    for (const std::uint32_t index : instancesOfNode_[node]) {
+        if (instances_[index]->placement.node == node) return index;
+    }
+    return std::nullopt;
+}
+
+void GpuDeformations::describe(const GpuMeshes& meshes, const gl::Buffer& drawRecords,
+                               const DefaultDetail& defaultDetail) {
+    for (const auto& instance : instances_) {
+        MeshDeformation& deformation = *instance->deformation;
+        instance->buffers.surface.reserve(deformation.surfaceBytes());
+        if (deformation.hasTangents()) instance->buffers.tangents.reserve(deformation.tangentBytes());
+        const gl::Buffer* tangents = deformation.hasTangents() ? &instance->buffers.tangents : nullptr;
+        meshes.describeDeformed(instance->vertexArray, instance->placement.mesh,
+                                {instance->buffers.surface, tangents}, drawRecords, defaultDetail);
+    }
+}
+
+void GpuDeformations::mark(std::uint32_t index) {
+    if (std::exchange(instances_[index]->isMarked, true)) return;
+    marked_.push_back(index);
+}
+
+void GpuDeformations::markNode(std::uint32_t node) {
+    if (instancesOfNode_.empty()) return;
+    for (const std::uint32_t index : instancesOfNode_[node]) mark(index);
+}
+
+void GpuDeformations::markAnimated() {
+    for (std::uint32_t i = 0; i < instances_.size(); ++i) {
+        if (instances_[i]->animation) mark(i);
+    }
+}
+
+void GpuDeformations::selectAnimations() {
+    for (std::uint32_t i = 0; i < instances_.size(); ++i) {
+        Instance& instance = *instances_[i];
+        if (!instance.isAnimated) continue;
+        instance.animation = morphAnimation(scene_, instance.placement.node);
+        mark(i);
+        if (instance.animation) continue;
+        instance.morphWeights = scene_.nodes[instance.placement.node].morphWeights;
+        instance.isStale = true;
+    }
+}
+
+std::span<const std::uint32_t> GpuDeformations::pose(const std::vector<glm::mat4>& world, double time) {
+    posed_.swap(marked_);
+    marked_.clear();
+    if (posed_.empty()) return posed_;
+    ThreadPool::shared()->run(
+        posed_.size(), [&](std::size_t i, unsigned) { poseInstance(*instances_[posed_[i]], world, time); });
+    return posed_;
+}
+
+void GpuDeformations::poseInstance(Instance& instance, const std::vector<glm::mat4>& world,
+                                   double time) const {
+    instance.isMarked = false;
+    if (instance.animation) {
+        std::vector<float> weights = sampleMorphWeights(*instance.animation, time);
+        if (weights != instance.morphWeights) instance.isStale = true;
+        instance.morphWeights = std::move(weights);
+    }
+    if (!instance.skin) {
+        instance.placement.worldFromLocal = world[instance.placement.node];
+        instance.placement.sphere = instance.deformation->bounds(instance.morphWeights);
+        return;
+    }
+    const Skin& skin = scene_.skins[*instance.skin];
+    // Relative to a joint: far from the world's origin the vertices keep their digits.
+    const glm::vec3 origin(world[skin.joints.front()][3]);
+    std::vector<glm::dmat4x3> matrices;
+    matrices.reserve(skin.joints.size());
+    for (std::size_t i = 0; i < skin.joints.size(); ++i)
+        matrices.push_back(jointMatrix(world[skin.joints[i]], skin.inverseBindMatrices[i], origin));
+    PosedJoints joints = posedJoints(matrices);
+    if (joints.rows != instance.joints.rows) instance.isStale = true;
+    instance.joints = std::move(joints);
+    instance.placement.worldFromLocal = glm::mat4(1.0f);
+    instance.placement.worldFromLocal[3] = glm::vec4(origin, 1.0f);
+    instance.placement.sphere = instance.deformation->bounds(matrices, instance.morphWeights);
+    instance.placement.winding = instance.joints.winding;
+}
+
+void GpuDeformations::deform(std::span<const std::uint32_t> indices) {
+    requests_.clear();
+    for (const std::uint32_t index : indices) {
+        Instance& instance = *instances_[index];
+        instance.isStale = false;
+        requests_.push_back({*instance.deformation, instance.skin ? &instance.joints : nullptr,
+                             instance.morphWeights, instance.buffers});
+    }
+    deformer_.deform(requests_);
+}
+
+DeformationReport GpuDeformations::report() const {
+    DeformationReport report;
+    report.meshes = instances_.size();
+    for (const auto& instance : instances_) report.vertices += instance->deformation->vertexCount();
+    if (deformer_.lastUsed() != VertexEvaluator::automatic) report.evaluator = toString(deformer_.lastUsed());
+    return report;
+}
+
+}  // namespace candela

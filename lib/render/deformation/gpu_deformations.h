@@ -1,0 +1,92 @@
+#pragma once
+
+#include "render/deformation/deformer.h"
+
+#include <candela/context.h>
+#include <candela/gpu_scene.h>
+
+#include <glm/mat4x4.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace candela {
+
+/// The nodes whose meshes are deformed: each has vertices of its own, which draws read in place of the
+/// mesh's. Those out of view keep their vertices until they come into view.
+class GpuDeformations {
+  public:
+    /// `kept` are the nodes, skins and animations as edits leave them; it has to outlive the object. `scene`
+    /// has the meshes.
+    GpuDeformations(const Context& context, const Scene& scene, const Scene& kept, GpuMeshes::Detail detail,
+                    VertexEvaluator evaluator);
+
+    bool empty() const { return instances_.empty(); }
+    std::size_t size() const { return instances_.size(); }
+
+    /// The deformed mesh of a node; none where its mesh is drawn as it is.
+    std::optional<std::uint32_t> ofNode(std::uint32_t node) const;
+
+    /// Where a deformed mesh stands, as of the last `pose`.
+    struct Placement {
+        std::uint32_t node = 0, mesh = 0;
+        glm::mat4 worldFromLocal{1.0f};
+        BoundingSphere sphere;           ///< Local.
+        std::optional<Winding> winding;  ///< None: that of `worldFromLocal`.
+    };
+    const Placement& placement(std::uint32_t index) const { return instances_[index]->placement; }
+
+    /// Describes the vertices of all instances to their vertex arrays. To be called once.
+    void describe(const GpuMeshes& meshes, const gl::Buffer& drawRecords, const DefaultDetail& defaultDetail);
+
+    /// Marks the instances that a node moves: its own, and those for whose skin it is a joint.
+    void markNode(std::uint32_t node);
+    /// Marks the instances whose morph weights are animated.
+    void markAnimated();
+    /// To be called when other animations of the scene play.
+    void selectAnimations();
+    /// Poses the marked instances and returns them. `world` are the matrices of the nodes at `time`.
+    std::span<const std::uint32_t> pose(const std::vector<glm::mat4>& world, double time);
+
+    /// An instance whose vertices are not those of its pose.
+    bool isStale(std::uint32_t index) const { return instances_[index]->isStale; }
+    /// Computes the vertices of `indices`.
+    void deform(std::span<const std::uint32_t> indices);
+
+    GLuint vertexArray(std::uint32_t index) const { return instances_[index]->vertexArray.name(); }
+    const DeformedBuffers& buffers(std::uint32_t index) const { return instances_[index]->buffers; }
+    DeformationReport report() const;
+
+  private:
+    struct Instance {
+        Placement placement;
+        MeshDeformation* deformation = nullptr;
+        std::optional<std::uint32_t> skin;          ///< Of those of the scene; none: morph targets alone.
+        bool isAnimated = false;                    ///< The scene has animations of the morph weights.
+        std::optional<AnimationChannel> animation;  ///< The one that plays.
+        std::vector<float> morphWeights;            ///< Empty: all 0.
+        PosedJoints joints;
+        DeformedBuffers buffers;
+        gl::VertexArray vertexArray{"deformed mesh"};
+        bool isMarked = false, isStale = true;
+    };
+
+    void addInstances(const Scene& scene, GpuMeshes::Detail detail);
+    void listJoints();
+    void mark(std::uint32_t index);
+    void poseInstance(Instance& instance, const std::vector<glm::mat4>& world, double time) const;
+
+    const Scene& scene_;
+    std::vector<std::unique_ptr<MeshDeformation>> meshes_;  ///< One a mesh; nullptr: it is not deformed.
+    std::vector<std::unique_ptr<Instance>> instances_;
+    std::vector<std::vector<std::uint32_t>>
+        instancesOfNode_;  ///< That a node moves; empty without instances.
+    std::vector<std::uint32_t> marked_, posed_;
+    std::vector<DeformRequest> requests_;
+    Deformer deformer_;
+};
+
+}  // namespace candela
