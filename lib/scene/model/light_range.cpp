@@ -61,11 +61,13 @@ double rangeIrradiance(std::span<const RangelessLight> lights, const Bounds& reg
     const double allowed = maxLoss * minTotal;
     double holds = std::log2(allowed / static_cast<double>(seen.size())), fails = std::log2(minTotal);
     constexpr double resolution = 1e-5;
+    // Steps keep the ranges as they are while something moves a little.
+    constexpr double stepsPerDoubling = 4.0;
     while (fails - holds > resolution) {
         const double middle = 0.5 * (holds + fails);
         (sumOfLosses(seen, std::exp2(middle)) <= allowed ? holds : fails) = middle;
     }
-    return std::exp2(holds);
+    return std::exp2(std::floor(holds * stepsPerDoubling) / stepsPerDoubling);
 }
 
 }  // namespace candela

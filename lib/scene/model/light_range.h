@@ -17,9 +17,9 @@ struct RangelessLight {
 /// The irradiance, in lux, at which lights without a range may end: a light of I candela gets the range
 /// sqrt(I / irradiance), and what all of them together then lose at any point of `region` is at most
 /// `maxLoss` of the irradiance that they would give there (facing each of them). Within its range a light
-/// loses what the window of KHR_lights_punctual takes. The result is the largest such irradiance up to a
-/// relative 1e-5, by bounds over `region`; 0 without a light that gives any, or where `region` is empty.
-/// `maxLoss` is over 0 and under 1.
+/// loses what the window of KHR_lights_punctual takes. The result is the largest such irradiance by
+/// bounds over `region`, rounded down to a quarter of a doubling; 0 without a light that gives any, or where
+/// `region` is empty. `maxLoss` is over 0 and under 1.
 double rangeIrradiance(std::span<const RangelessLight> lights, const Bounds& region, double maxLoss);
 
 }  // namespace candela
