@@ -60,14 +60,16 @@ std::vector<float> radianceOf(const Context& context, const TileImplementation& 
     const GBufferTargets targets(picture.width, picture.height);
     const GeometryPass geometry;
     const gl::Texture albedo = makeAlbedoTexture();
-    const Frustum frustum(picture.view,
-                          static_cast<float>(picture.width) / static_cast<float>(picture.height));
+    CameraView view = picture.view;
+    // As the renderer does: behind every surface of the test scenes.
+    if (view.orthographicHeight && !view.farPlane) view.farPlane = 1000.0f;
+    const Frustum frustum(view, static_cast<float>(picture.width) / static_cast<float>(picture.height));
     GpuScene::State& state = scene.state();
     state.update();
     DrawSelection draws;
     state.cull(frustum, draws);
     const layout::FrameUniforms uniforms =
-        frameUniforms(picture.view, picture.width, picture.height, glm::dmat3(1.0), state.lights.counts());
+        frameUniforms(view, picture.width, picture.height, glm::dmat3(1.0), state.lights.counts());
     gl::Buffer buffer("frame", gl::BufferUsage::dynamic);
     buffer.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
     glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, buffer.name());
