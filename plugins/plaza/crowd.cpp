@@ -209,23 +209,18 @@ class Walk {
         }
     }
 
-    void add(const Host& host, const std::string& name, int32_t firstJoint) const {
-        std::vector<candela_animation_channel> channels(jointCount());
+    /// The channels refer to this object.
+    void addChannels(int32_t firstJoint, std::vector<candela_animation_channel>& channels) const {
         for (std::uint32_t joint = 0; joint < jointCount(); ++joint) {
-            candela_animation_channel& channel = channels[joint];
+            candela_animation_channel channel{};
             channel.node = firstJoint + static_cast<int32_t>(joint);
             channel.path = CANDELA_ANIMATE_ROTATION;
             channel.interpolation = CANDELA_INTERPOLATE_LINEAR;
             channel.key_count = keys;
             channel.times = times_.data();
             channel.values = values_.data() + joint * keys * 4u;
+            channels.push_back(channel);
         }
-        candela_animation animation{};
-        animation.struct_size = sizeof animation;
-        animation.name = name.c_str();
-        animation.channel_count = jointCount();
-        animation.channels = channels.data();
-        host.add(animation);
     }
 
   private:
@@ -243,7 +238,8 @@ class Walk {
     std::vector<float> values_;
 };
 
-void addCharacter(const Host& host, std::uint32_t index, std::uint32_t perRow, int32_t material) {
+/// Returns the first of its joints.
+int32_t addCharacter(const Host& host, std::uint32_t index, std::uint32_t perRow, int32_t material) {
     const std::string name = "character " + std::to_string(index);
     const Character character = makeCharacter(between(0.8, 1.2, hashedFraction(index, 0)));
     candela_node root = plainNode(name, -1);
@@ -261,14 +257,28 @@ void addCharacter(const Host& host, std::uint32_t index, std::uint32_t perRow, i
     deformation.node = host.add(plainNode(name, addCharacterMesh(host, character, material, name)));
     deformation.skin = addCharacterSkin(host, firstJoint);
     host.add(deformation);
-    Walk(hashedFraction(index, 2)).add(host, name, firstJoint);
+    return firstJoint;
+}
+
+/// All walk in one animation, each with a phase of its own.
+void addWalk(const Host& host, const std::vector<int32_t>& firstJoints) {
+    std::vector<Walk> walks;
+    for (std::uint32_t i = 0; i < firstJoints.size(); ++i) walks.emplace_back(hashedFraction(i, 2));
+    std::vector<candela_animation_channel> channels;
+    for (std::size_t i = 0; i < walks.size(); ++i) walks[i].addChannels(firstJoints[i], channels);
+    candela_animation animation{};
+    animation.struct_size = sizeof animation;
+    animation.name = "walk";
+    animation.channel_count = static_cast<std::uint32_t>(channels.size());
+    animation.channels = channels.data();
+    host.add(animation);
 }
 
 /// A light over every fourth character or so.
 void addCrowdLights(const Host& host, double side) {
     const auto perRow = static_cast<std::uint32_t>(std::ceil(side / (2.0 * spacing)));
     addLights(host, perRow * perRow, [&](std::uint32_t i) {
-        candela_light light = plainLight(40.0f, 8.0f);
+        candela_light light = plainLight(5.0f, 8.0f);
         const std::array<float, 3> color = hueColor(hashedFraction(i, 3));
         for (std::size_t c = 0; c < 3; ++c) light.color[c] = 0.5f + 0.5f * color[c];
         light.position[0] = static_cast<float>((i % perRow + 0.5) * side / perRow - 0.5 * side);
@@ -292,7 +302,9 @@ void makeCrowd(const Host& host, const std::string& arguments) {
     addGeometry(host, makeGround(static_cast<float>(side), 8), addGreyMaterial(host, "ground", 0.5f, 0.8f),
                 "ground");
     const int32_t material = addGreyMaterial(host, "clothes", 0.6f, 0.6f);
-    for (std::uint32_t i = 0; i < count; ++i) addCharacter(host, i, perRow, material);
+    std::vector<int32_t> firstJoints;
+    for (std::uint32_t i = 0; i < count; ++i) firstJoints.push_back(addCharacter(host, i, perRow, material));
+    if (count > 0) addWalk(host, firstJoints);
     const std::string name = "overview";
     candela_node camera = plainNode(name, -1);
     // 35 degrees downwards.

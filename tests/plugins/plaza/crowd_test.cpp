@@ -63,6 +63,12 @@ TEST(Crowd, CharactersStandOnTheGroundAndMove) {
     }
 }
 
+TEST(Crowd, AllWalkInOneAnimation) {
+    const Scene scene = crowd("5");
+    ASSERT_EQ(scene.animations.size(), 1u);
+    EXPECT_EQ(scene.animations[0].channels.size(), 5u * 60u);
+}
+
 TEST(Crowd, RefusesTooMany) {
     EXPECT_THROW(crowd("5000"), Error);
     EXPECT_THROW(crowd("many"), Error);
