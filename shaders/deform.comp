@@ -8,12 +8,12 @@ layout(local_size_x = 64) in;
 layout(std430, binding = DEFORM_REST_STORAGE) readonly buffer Rest {
     float rest[];
 };
-layout(std430, binding = DEFORM_BLOCKS_STORAGE) readonly buffer Blocks {
-    uvec2 blocks[];
-};  // first element of influences, count
+layout(std430, binding = DEFORM_RUNS_STORAGE) readonly buffer Runs {
+    uint runs[];
+};  // of each run of 8 vertices the first element of influences, and the end of the last
 layout(std430, binding = DEFORM_INFLUENCES_STORAGE) readonly buffer Influences {
     uint influences[];
-};  // 8 words an element: four joints, four weights
+};  // 9 words an element: a joint, its weights for the vertices of the run
 layout(std430, binding = DEFORM_ROWS_STORAGE) readonly buffer Rows {
     uint rows[];
 };
@@ -89,11 +89,10 @@ void main() {
     vec4 x = vec4(1.0, 0.0, 0.0, 0.0), y = vec4(0.0, 1.0, 0.0, 0.0), z = vec4(0.0, 0.0, 1.0, 0.0);
     if (pose.y != DEFORM_NONE) {
         x = y = z = vec4(0.0);
-        uvec2 block = blocks[blockIndex()];
-        uint four = block.x + gl_LocalInvocationIndex / 4u * block.y, lane = gl_LocalInvocationIndex % 4u;
-        for (uint i = 0u; i < block.y; ++i) {
-            uint at = 8u * (four + i) + lane, row = pose.y + 12u * influences[at];
-            float weight = uintBitsToFloat(influences[at + 4u]);
+        uint run = vertex / 8u, lane = vertex % 8u;
+        for (uint i = runs[run]; i < runs[run + 1u]; ++i) {
+            uint row = pose.y + 12u * influences[9u * i];
+            float weight = uintBitsToFloat(influences[9u * i + 1u + lane]);
             x += weight * poseRow(row);
             y += weight * poseRow(row + 4u);
             z += weight * poseRow(row + 8u);

@@ -12,16 +12,14 @@ constexpr int deformBlockSize = 64;
 /// Floats of a vertex at rest: position and normal; with a tangent, its direction and the bitangent's sign.
 constexpr int restColumns = 6, restColumnsWithTangents = 10;
 
-/// The influences of a block: for each run of four vertices `count` elements of `FourInfluences`, from
-/// `first` on.
-struct DeformBlock {
-    std::uint32_t first, count;
-};
+/// Vertices whose joints are blended together; a block has several runs.
+constexpr int deformRunSize = 8;
 
-/// One influence of each of four vertices. A vertex with fewer influences than its block has weights of 0.
-struct FourInfluences {
-    std::uint32_t joint[4];
-    float weight[4];
+/// A joint that moves vertices of a run, with its weight for each of them: neighbours share most of their
+/// joints.
+struct RunInfluence {
+    std::uint32_t joint;
+    float weight[deformRunSize];
 };
 
 /// What one morph target adds to one vertex.
@@ -36,8 +34,8 @@ struct DeformJob {
     std::uint32_t vertices;
     const float*
         rest;  ///< Block after block, in each column after column, in each `deformBlockSize` vertices.
-    const DeformBlock* blocks;
-    const FourInfluences* influences;
+    const std::uint32_t* runs;  ///< The influences of run i: runs[i] to runs[i + 1] - 1.
+    const RunInfluence* influences;
     const float* joints;        ///< Three rows of four floats a joint; nullptr: no skin moves the mesh.
     float directionScale;       ///< 1 over the largest element of the linear parts of the joints' matrices.
     const std::uint32_t* rows;  ///< The morph entries of vertex i: rows[i] to rows[i + 1] - 1.

@@ -4,8 +4,8 @@
 // for its own instruction set, with CANDELA_DEFORM_KERNEL naming the table it defines. Everything here has
 // internal linkage, and no inline function of a library is used (see lighting/tiled/tile_kernel_code.h).
 //
-// A block passes three loops: the joints' matrices are blended vertex by vertex into columns, the vertices
-// are transformed in vectors along the columns, and the results are interleaved. The GPU's counterpart is
+// A block passes three loops: the joints' matrices are blended into columns, the vertices are transformed in
+// vectors along the columns, and the results are interleaved. The GPU's counterpart is
 // shaders/deform.comp.
 
 #include "render/deformation/deform_kernel.h"
@@ -62,32 +62,39 @@ inline void transpose(Four& a, Four& b, Four& c, Four& d) {
 
 // ---- Blending
 
-inline void blendFour(const DeformJob& job, const FourInfluences* influences, std::uint32_t count,
-                      BlockColumns& columns, int vertex) {
-    Four blended[4][3];
-    for (int v = 0; v < 4; ++v) {
-        const float* rows = job.joints + matrixColumns * std::size_t{influences->joint[v]};
-        for (int row = 0; row < 3; ++row) blended[v][row] = influences->weight[v] * loadFour(rows + 4 * row);
+/// The lanes of a run that one pass blends.
+#if defined(__AVX2__)
+constexpr int blendLanes = 8;
+#else
+constexpr int blendLanes = 4;
+#endif
+typedef float BlendLanes __attribute__((vector_size(4 * blendLanes)));
+
+/// Writes the weighted sums of the joints' matrices for the lanes of a run from `lane` on.
+inline void blendLanesOf(const DeformJob& job, const RunInfluence* influences, std::uint32_t count, int lane,
+                         float* to) {
+    BlendLanes sums[matrixColumns] = {};
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const float* matrix = job.joints + matrixColumns * std::size_t{influences[i].joint};
+        BlendLanes weight;
+        __builtin_memcpy(&weight, influences[i].weight + lane, sizeof weight);
+        // Without unrolling the sums would not stay in registers.
+#pragma GCC unroll 12
+        for (int column = 0; column < matrixColumns; ++column) sums[column] += weight * matrix[column];
     }
-    for (std::uint32_t i = 1; i < count; ++i) {
-        for (int v = 0; v < 4; ++v) {
-            const float* rows = job.joints + matrixColumns * std::size_t{influences[i].joint[v]};
-            for (int row = 0; row < 3; ++row)
-                blended[v][row] += influences[i].weight[v] * loadFour(rows + 4 * row);
-        }
-    }
-    for (int row = 0; row < 3; ++row) {
-        transpose(blended[0][row], blended[1][row], blended[2][row], blended[3][row]);
-        for (int column = 0; column < 4; ++column)
-            storeFour(&columns.matrix[4 * row + column][vertex], blended[column][row]);
-    }
+#pragma GCC unroll 12
+    for (int column = 0; column < matrixColumns; ++column)
+        __builtin_memcpy(to + column * deformBlockSize, &sums[column], sizeof(BlendLanes));
 }
 
 inline void blendBlock(const DeformJob& job, std::uint32_t block, BlockColumns& columns) {
-    const DeformBlock& influences = job.blocks[block];
-    const FourInfluences* next = job.influences + influences.first;
-    for (int vertex = 0; vertex < deformBlockSize; vertex += 4, next += influences.count)
-        blendFour(job, next, influences.count, columns, vertex);
+    constexpr int runsPerBlock = deformBlockSize / deformRunSize;
+    const std::uint32_t* runs = job.runs + block * runsPerBlock;
+    for (int run = 0; run < runsPerBlock; ++run) {
+        for (int lane = 0; lane < deformRunSize; lane += blendLanes)
+            blendLanesOf(job, job.influences + runs[run], runs[run + 1] - runs[run], lane,
+                         columns.matrix[0] + run * deformRunSize + lane);
+    }
 }
 
 inline void setIdentity(BlockColumns& columns) {

@@ -68,14 +68,13 @@ std::vector<Share> sharesOf(std::span<const DeformRequest> requests) {
 
 extern const DeformKernel deformKernelBaseline;
 #if defined(__x86_64__)
-extern const DeformKernel deformKernelAvx2, deformKernelAvx512;
+extern const DeformKernel deformKernelAvx2;
 #endif
 
 std::vector<const DeformKernel*> deformKernels() {
     std::vector<const DeformKernel*> kernels;
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-        kernels.push_back(&deformKernelAvx512);
+    // Wider vectors gain nothing: blending has as many loads with them.
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) kernels.push_back(&deformKernelAvx2);
 #endif
     kernels.push_back(&deformKernelBaseline);
@@ -155,7 +154,7 @@ void ComputeDeformer::dispatch(const DeformRequest& request, std::size_t firstPo
     MeshDeformation& mesh = request.mesh;
     const MeshDeformation::Storage& storage = mesh.storage();
     bindStorage(layout::DEFORM_REST_STORAGE, storage.rest);
-    bindStorage(layout::DEFORM_BLOCKS_STORAGE, storage.blocks);
+    bindStorage(layout::DEFORM_RUNS_STORAGE, storage.runs);
     bindStorage(layout::DEFORM_INFLUENCES_STORAGE, storage.influences);
     bindStorage(layout::DEFORM_ROWS_STORAGE, storage.rows);
     bindStorage(layout::DEFORM_ENTRIES_STORAGE, storage.entries);

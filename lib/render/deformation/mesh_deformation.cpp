@@ -6,9 +6,9 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 namespace candela {
 
@@ -61,8 +61,7 @@ MeshDeformation::MeshDeformation(const Mesh& mesh, GpuMeshes::Detail detail)
 
 void MeshDeformation::packRest(const Mesh& mesh) {
     const std::size_t width = hasTangents_ ? restColumnsWithTangents : restColumns;
-    blocks_.resize((mesh.positions.size() + deformBlockSize - 1) / deformBlockSize);
-    rest_.resize(blocks_.size() * width * deformBlockSize);
+    rest_.resize(blockCount() * width * deformBlockSize);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         float* first = rest_.data() + i / deformBlockSize * width * deformBlockSize + i % deformBlockSize;
         const auto put = [&](std::size_t column, float value) { first[column * deformBlockSize] = value; };
@@ -74,42 +73,34 @@ void MeshDeformation::packRest(const Mesh& mesh) {
     }
 }
 
-/// Influences of weight 0 are left out; what is left of each vertex has the sum 1.
+/// Influences of weight 0 are left out; what is left of each vertex has the sum 1. Blocks have all their
+/// runs.
 void MeshDeformation::packInfluences(const Mesh& mesh) {
     if (mesh.influenceCount == 0) return;
-    struct Influence {
-        std::uint32_t joint;
-        double weight;
-    };
-    std::array<std::vector<Influence>, deformBlockSize> ofVertices;
-    for (std::size_t block = 0; block < blocks_.size(); ++block) {
-        std::size_t most = 1;
-        for (std::size_t v = 0; v < deformBlockSize; ++v) {
-            std::vector<Influence>& influences = ofVertices[v];
-            influences.clear();
-            const std::size_t vertex = block * deformBlockSize + v;
-            if (vertex >= vertices_) continue;
-            double sum = 0.0;
-            for (std::size_t i = vertex * mesh.influenceCount; i < (vertex + 1) * mesh.influenceCount; ++i) {
-                if (mesh.jointWeights[i] == 0.0f) continue;
-                influences.push_back({mesh.joints[i], mesh.jointWeights[i]});
-                sum += double{mesh.jointWeights[i]};
-            }
-            for (Influence& influence : influences) influence.weight /= sum;
-            most = std::max(most, influences.size());
+    const std::size_t count = blockCount() * std::size_t{deformBlockSize} / deformRunSize;
+    runs_.reserve(count + 1);
+    for (std::size_t run = 0; run < count; ++run) {
+        runs_.push_back(static_cast<std::uint32_t>(influences_.size()));
+        for (std::size_t lane = 0; lane < deformRunSize; ++lane) {
+            const std::size_t vertex = run * deformRunSize + lane;
+            if (vertex < vertices_) addInfluences(mesh, vertex, lane);
         }
-        blocks_[block] = {static_cast<std::uint32_t>(influences_.size()), static_cast<std::uint32_t>(most)};
-        for (std::size_t v = 0; v < deformBlockSize; v += 4) {
-            for (std::size_t i = 0; i < most; ++i) {
-                FourInfluences& four = influences_.emplace_back();
-                for (std::size_t lane = 0; lane < 4; ++lane) {
-                    const std::vector<Influence>& influences = ofVertices[v + lane];
-                    const Influence influence = i < influences.size() ? influences[i] : Influence{0, 0.0};
-                    four.joint[lane] = influence.joint;
-                    four.weight[lane] = static_cast<float>(influence.weight);
-                }
-            }
-        }
+    }
+    runs_.push_back(static_cast<std::uint32_t>(influences_.size()));
+}
+
+/// Adds the influences of a vertex to those of the last run.
+void MeshDeformation::addInfluences(const Mesh& mesh, std::size_t vertex, std::size_t lane) {
+    const std::size_t first = vertex * mesh.influenceCount, end = first + mesh.influenceCount;
+    double sum = 0.0;
+    for (std::size_t i = first; i < end; ++i) sum += double{mesh.jointWeights[i]};
+    for (std::size_t i = first; i < end; ++i) {
+        if (mesh.jointWeights[i] == 0.0f) continue;
+        const auto run = std::ranges::subrange(influences_.begin() + runs_.back(), influences_.end());
+        const auto known = std::ranges::find(run, mesh.joints[i], &RunInfluence::joint);
+        RunInfluence& influence = known == run.end() ? influences_.emplace_back() : *known;
+        influence.joint = mesh.joints[i];
+        influence.weight[lane] += static_cast<float>(double{mesh.jointWeights[i]} / sum);
     }
 }
 
@@ -154,7 +145,7 @@ DeformJob MeshDeformation::job() const {
     DeformJob job{};
     job.vertices = vertices_;
     job.rest = rest_.data();
-    job.blocks = blocks_.data();
+    job.runs = runs_.data();
     job.influences = influences_.data();
     job.directionScale = 1.0f;
     job.rows = rows_.data();
@@ -195,8 +186,8 @@ const MeshDeformation::Storage& MeshDeformation::storage() {
     if (!storage_) {
         storage_.emplace(
             Storage{gl::Buffer::immutable("vertices at rest", std::span<const float>(rest_)),
-                    gl::Buffer::immutable("blocks of influences", std::span<const DeformBlock>(blocks_)),
-                    gl::Buffer::immutable("influences", std::span<const FourInfluences>(influences_)),
+                    gl::Buffer::immutable("runs of influences", std::span<const std::uint32_t>(runs_)),
+                    gl::Buffer::immutable("influences", std::span<const RunInfluence>(influences_)),
                     gl::Buffer::immutable("rows of morph targets", std::span<const std::uint32_t>(rows_)),
                     gl::Buffer::immutable("morph targets", std::span<const MorphEntry>(entries_))});
     }
@@ -204,7 +195,7 @@ const MeshDeformation::Storage& MeshDeformation::storage() {
 }
 
 std::size_t MeshDeformation::largestBuffer() const {
-    return std::max({rest_.size() * sizeof(float), influences_.size() * sizeof(FourInfluences),
+    return std::max({rest_.size() * sizeof(float), influences_.size() * sizeof(RunInfluence),
                      entries_.size() * sizeof(MorphEntry), rows_.size() * sizeof(std::uint32_t),
                      surfaceBytes()});
 }

@@ -34,7 +34,9 @@ class MeshDeformation {
     MeshDeformation(const Mesh& mesh, GpuMeshes::Detail detail);
 
     std::uint32_t vertexCount() const { return vertices_; }
-    std::uint32_t blockCount() const { return static_cast<std::uint32_t>(blocks_.size()); }
+    std::uint32_t blockCount() const {
+        return vertices_ / deformBlockSize + (vertices_ % deformBlockSize != 0);
+    }
     bool hasTangents() const { return hasTangents_; }
     std::size_t surfaceBytes() const { return std::size_t{vertices_} * restColumns * sizeof(float); }
     std::size_t tangentBytes() const { return std::size_t{vertices_} * 4 * sizeof(float); }
@@ -50,7 +52,7 @@ class MeshDeformation {
 
     /// The same numbers for the compute shader.
     struct Storage {
-        gl::Buffer rest, blocks, influences, rows, entries;
+        gl::Buffer rest, runs, influences, rows, entries;
     };
     /// Created on first use.
     const Storage& storage();
@@ -60,6 +62,7 @@ class MeshDeformation {
   private:
     void packRest(const Mesh& mesh);
     void packInfluences(const Mesh& mesh);
+    void addInfluences(const Mesh& mesh, std::size_t vertex, std::size_t lane);
     void packMorphTargets(const Mesh& mesh);
     void boundJoints(const Mesh& mesh);
     /// How far morph targets move any vertex, metres.
@@ -68,8 +71,8 @@ class MeshDeformation {
     std::uint32_t vertices_;
     bool hasTangents_;
     std::vector<float> rest_;
-    std::vector<DeformBlock> blocks_;
-    std::vector<FourInfluences> influences_;
+    std::vector<std::uint32_t> runs_;
+    std::vector<RunInfluence> influences_;
     std::vector<std::uint32_t> rows_;
     std::vector<MorphEntry> entries_;
     BoundingSphere sphere_;  ///< Of the mesh at rest.
