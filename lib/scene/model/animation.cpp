@@ -22,12 +22,17 @@ std::size_t numbersPerValue(const AnimationChannel& channel) {
     return channel.values.size() / (channel.times.size() * parts);
 }
 
+// The components of a key's value.
+const float* keyValue(const AnimationChannel& channel, std::size_t key, Part part = Part::value) {
+    const bool cubic = channel.interpolation == Interpolation::cubicSpline;
+    const std::size_t value = cubic ? key * 3 + static_cast<std::size_t>(part) : key;
+    return channel.values.data() + value * numbersPerValue(channel);
+}
+
 // Component `index` of a key's value.
 double keyNumber(const AnimationChannel& channel, std::size_t index, std::size_t key,
                  Part part = Part::value) {
-    const bool cubic = channel.interpolation == Interpolation::cubicSpline;
-    const std::size_t value = cubic ? key * 3 + static_cast<std::size_t>(part) : key;
-    return channel.values[value * numbersPerValue(channel) + index];
+    return keyValue(channel, key, part)[index];
 }
 
 // Where a time falls among the keys of a channel.
@@ -67,8 +72,8 @@ double numberAt(const AnimationChannel& channel, std::size_t index, const Moment
 }
 
 glm::dvec4 keyQuaternion(const AnimationChannel& channel, std::size_t key) {
-    return {keyNumber(channel, 0, key), keyNumber(channel, 1, key), keyNumber(channel, 2, key),
-            keyNumber(channel, 3, key)};
+    const float* value = keyValue(channel, key);
+    return {value[0], value[1], value[2], value[3]};
 }
 
 glm::dvec4 unitOr(const glm::dvec4& quaternion, const glm::dvec4& fallback) {
