@@ -6,6 +6,7 @@
 #include "color/ocio.h"
 #include "color/working_space.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

@@ -5,6 +5,8 @@
 
 #include <imgui_internal.h>
 
+#include <functional>
+
 namespace {
 
 /// A window with one panel open, large enough for its content.

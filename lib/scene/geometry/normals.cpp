@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 

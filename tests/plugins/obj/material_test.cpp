@@ -3,6 +3,8 @@
 #include "../gltf/image_files.h"
 #include "obj_scene.h"
 
+#include <cstring>
+
 namespace candela_test {
 namespace {
 

@@ -11,6 +11,8 @@
 
 #include <glm/common.hpp>
 
+#include <cmath>
+
 namespace candela {
 namespace {
 
