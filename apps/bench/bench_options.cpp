@@ -78,7 +78,7 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
     app.add_option_function<std::string>(
            "--lights", [&](const std::string& text) { options.lights = parseLights(text); },
            "Numbers of lights, separated by commas; a file gets them scattered over its\n"
-           "box. Default: 4096, a file's own")
+           "surfaces. Default: 4096, a file's own")
         ->type_name("N,N,...");
     app.add_option_function<std::string>(
            "--technique", [&](const std::string& text) { parseTechniques(text, options); },

@@ -17,7 +17,8 @@ constexpr const char* scene =
     "A file that a plugin reads (.gltf, .glb, .obj), or a procedural scene such as\n"
     "plaza:4096, the benchmark scene with that many lights";
 constexpr const char* scatterLights =
-    "Scatter N more point lights within the scene's bounds, the same in each run.\n"
+    "Scatter N more point lights over the scene's surfaces, on the side that their\n"
+    "normals point to, the same in each run.\n"
     "RANGE in metres (default: twice the mean spacing), CANDELA each (default:\n"
     "RANGE x RANGE / 10). SEED selects another distribution (default: 1)";
 constexpr const char* strict =
@@ -75,7 +76,8 @@ constexpr const char* subdivisionMaxLevel =
     "The highest level that --subdivision-edge selects, 1 to 8. Default: 5";
 
 constexpr const char* vertexEvaluator =
-    "What evaluates refined cages: auto (by device), cpu or compute (a shader).\n"
+    "What moves the vertices of refined cages, skins and morph targets: auto (by\n"
+    "device), cpu or compute (a shader).\n"
     "Default: auto";
 constexpr const char* threads =
     "Threads of all parallel work on the CPU, 0 to 1024. Default: 0, as many as the\n"
