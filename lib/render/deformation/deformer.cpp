@@ -1,6 +1,7 @@
 #include "render/deformation/deformer.h"
 
 #include "base/thread_pool.h"
+#include "gl/buffer_mapping.h"
 #include "render/layout.h"
 
 #include <candela/error.h>
@@ -17,28 +18,6 @@ namespace {
 void bindStorage(int binding, const gl::Buffer& buffer) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), buffer.name());
 }
-
-/// A buffer mapped to be overwritten.
-class Mapping {
-  public:
-    Mapping(const gl::Buffer& buffer, std::size_t bytes)
-        : name_(buffer.name()),
-          memory_(glMapNamedBufferRange(name_, 0, static_cast<GLsizeiptr>(bytes),
-                                        GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT)) {
-        if (memory_ != nullptr) return;
-        throw Error(ErrorKind::limit, "",
-                    "the device can not map a buffer of " + std::to_string(bytes) + " bytes");
-    }
-    Mapping(const Mapping&) = delete;
-    Mapping& operator=(const Mapping&) = delete;
-    ~Mapping() { glUnmapNamedBuffer(name_); }
-
-    float* floats() const { return static_cast<float*>(memory_); }
-
-  private:
-    GLuint name_;
-    void* memory_;
-};
 
 /// From this size on vertices are written past the caches: what draws read next is not in them any more.
 constexpr std::size_t minStreamedBytes = std::size_t{8} << 20;
@@ -82,10 +61,12 @@ std::vector<const DeformKernel*> deformKernels() {
 }
 
 void CpuDeformer::deform(std::span<const DeformRequest> requests) {
-    std::vector<std::unique_ptr<Mapping>> mappings;
+    std::vector<std::unique_ptr<gl::BufferMapping>> mappings;
     std::vector<DeformJob> jobs;
     const auto map = [&](const gl::Buffer& buffer, std::size_t bytes) {
-        return mappings.emplace_back(std::make_unique<Mapping>(buffer, bytes))->floats();
+        return mappings
+            .emplace_back(std::make_unique<gl::BufferMapping>(buffer, bytes, gl::MappingAccess::overwrite))
+            ->floats();
     };
     std::size_t total = 0;
     for (const DeformRequest& request : requests) total += request.mesh.surfaceBytes();

@@ -1,6 +1,7 @@
 #include "render/subdivision/evaluator_backend.h"
 
 #include "base/thread_pool.h"
+#include "gl/buffer_mapping.h"
 #include "render/layout.h"
 #include "scene/geometry/axes.h"
 #include "scene/geometry/limit_evaluation.h"
@@ -25,32 +26,6 @@ std::size_t maxStorageBlock() {
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
     return static_cast<std::size_t>(bytes);
 }
-
-/// The first `bytes` of a buffer, mapped.
-class Mapping {
-  public:
-    Mapping(const gl::Buffer& buffer, std::size_t bytes)
-        : name_(buffer.name()),
-          // Read as well: seam vertices copy the positions written for their points.
-          memory_(glMapNamedBufferRange(name_, 0, static_cast<GLsizeiptr>(bytes),
-                                        GL_MAP_READ_BIT | GL_MAP_WRITE_BIT)) {
-        if (memory_ != nullptr) return;
-        throw Error(ErrorKind::limit, "",
-                    "the device can not map a buffer of " + std::to_string(bytes) + " bytes");
-    }
-    Mapping(const Mapping&) = delete;
-    Mapping& operator=(const Mapping&) = delete;
-    ~Mapping() { glUnmapNamedBuffer(name_); }
-
-    template <typename T>
-    std::span<T> elements(std::size_t first, std::size_t count) const {
-        return {static_cast<T*>(memory_) + first, count};
-    }
-
-  private:
-    GLuint name_;
-    void* memory_;
-};
 
 }  // namespace
 
@@ -119,7 +94,9 @@ void CpuEvaluator::evaluate(const EvaluationRequest& request) {
     const RefinedCage& refined = request.table.refined();
     const std::size_t vertices = refined.vertexCount();
     if (vertices == 0) return;
-    const Mapping surface(request.buffers.surface, LimitBuffers::surfaceBytes(vertices));
+    // Read as well: seam vertices copy the positions written for their points.
+    const gl::BufferMapping surface(request.buffers.surface, LimitBuffers::surfaceBytes(vertices),
+                                    gl::MappingAccess::readWrite);
     LimitVertices out{
         surface.elements<glm::vec3>(0, vertices), surface.elements<glm::vec3>(vertices, vertices), {}, {}};
     const bool needsTangents = !request.uvDerivatives.empty();
@@ -135,7 +112,8 @@ void CpuEvaluator::evaluate(const EvaluationRequest& request) {
 
 void CpuEvaluator::writeTangents(const EvaluationRequest& request, std::span<const glm::vec3> normals) {
     constexpr std::size_t blockSize = 4096;
-    const Mapping mapping(request.buffers.tangents, normals.size() * sizeof(glm::vec4));
+    const gl::BufferMapping mapping(request.buffers.tangents, normals.size() * sizeof(glm::vec4),
+                                    gl::MappingAccess::readWrite);
     const std::span<glm::vec4> tangents = mapping.elements<glm::vec4>(0, normals.size());
     ThreadPool::shared()->run((normals.size() + blockSize - 1) / blockSize, [&](std::size_t block, unsigned) {
         const std::size_t end = std::min((block + 1) * blockSize, normals.size());
