@@ -22,6 +22,14 @@ struct PairCounts {
     std::uint64_t lightListBytes = 0;  ///< Memory of the lists that bring lights to pixels.
 };
 
+/// Occlusion rays of a frame, one for each lit pair of a pixel and a light that casts a shadow; see
+/// `Frame::shadowCounts`.
+struct ShadowCounts {
+    std::uint64_t raysAsked = 0;   ///< Pairs whose light may be hidden.
+    std::uint64_t raysTraced = 0;  ///< Rays that the occlusion structure has answered one by one.
+    std::uint64_t raysSaved = 0;   ///< Rays answered together, for a block of pixels: asked - traced.
+};
+
 /// Radiance in the working space: RGBA, rows from the top. A is 1 where a surface is and 0 on the background.
 struct HdrImage {
     int width = 0, height = 0;

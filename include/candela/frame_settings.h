@@ -73,6 +73,19 @@ struct FrameTarget {
     int x = 0, y = 0;               ///< Lower left corner of the picture in it, pixels.
 };
 
+/// Whether lights cast shadows.
+enum class Shadows {
+    automatic,  ///< `on` where `hasShadows`, else `off`.
+    off,
+    on,  ///< Every light that `castsShadow` is traced at every pixel that it lights.
+};
+
+/// The name on the command line: "auto", "off", "on".
+CANDELA_API const char* toString(Shadows shadows);
+
+/// Was the library built with shadows (the CMake option CANDELA_SHADOWS)?
+CANDELA_API bool hasShadows();
+
 /// How a frame is drawn.
 struct FrameSettings {
     int width = 1280, height = 720;  ///< Pixels, 1 or more each.
@@ -81,6 +94,7 @@ struct FrameSettings {
     DebugView debugView = DebugView::none;
     Overlays overlays = {};
     TileBackend tileBackend = TileBackend::automatic;  ///< Read for `tiles` only.
+    Shadows shadows = Shadows::off;
 };
 
 }  // namespace candela

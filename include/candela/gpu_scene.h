@@ -83,6 +83,15 @@ struct DeformationReport {
         evaluator;  ///< What has deformed them last: "cpu" or "compute"; empty before the first frame.
 };
 
+/// The structure that occlusion rays are traced in, as of the last frame with shadows; all 0 before.
+struct OcclusionReport {
+    std::uint64_t triangles = 0;      ///< Of all meshes, each counted once.
+    std::uint64_t instances = 0;      ///< That cast shadows.
+    std::uint64_t bytes = 0;          ///< Memory of the structure, on the CPU and on the device.
+    double buildMilliseconds = 0.0;   ///< Of the trees of all meshes, when each was built last.
+    double updateMilliseconds = 0.0;  ///< Of what the last frame brought up to date.
+};
+
 /// A `Scene` on the device. The scene given to the constructor is not kept; what edits need of it is copied.
 ///
 /// Edits mark what they change, and the next frame brings the device up to date, at a cost in proportion to
@@ -130,6 +139,7 @@ class CANDELA_API GpuScene {
     const LightReport& lightReport() const;
     CageReport cageReport() const;
     DeformationReport deformationReport() const;
+    OcclusionReport occlusionReport() const;
     /// Triangles of the meshes, times the nodes that show them; hidden ones included.
     std::uint64_t triangleCount() const;
     std::uint32_t materialCount() const;

@@ -200,6 +200,11 @@ PairCounts Frame::countPairs() const {
     return counts;
 }
 
+ShadowCounts Frame::shadowCounts() const {
+    const Renderer::State& state = this->state();
+    return state.shadowCounts;
+}
+
 std::vector<PassTime> Frame::passTimes() const {
     Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);

@@ -64,6 +64,7 @@ struct Renderer::State {
     DrawSelection draws;  ///< Of the frame's view.
     std::uint64_t frameNumber = 0;
     std::optional<DrawnFrame> frame;
+    ShadowCounts shadowCounts;  ///< Of the last frame.
     // Created when they are first needed.
     std::optional<DebugViewPass> debugView;
     std::optional<OverlayPass> overlays;

@@ -81,6 +81,10 @@ DeformationReport GpuScene::deformationReport() const {
     return state().deformations.report();
 }
 
+OcclusionReport GpuScene::occlusionReport() const {
+    return state().occlusionReport;
+}
+
 std::uint64_t GpuScene::triangleCount() const {
     return state().triangles;
 }

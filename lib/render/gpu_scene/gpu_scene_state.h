@@ -69,6 +69,7 @@ struct GpuScene::State {
     /// vertices. The nodes' transforms as they are now are in `transforms`.
     Scene sceneState;
     std::uint64_t triangles = 0;
+    OcclusionReport occlusionReport;  ///< As of the last frame with shadows.
 
     NodeTransforms transforms;
     GpuMeshes meshes;

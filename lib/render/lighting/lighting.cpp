@@ -61,4 +61,23 @@ const char* toString(TileBackend backend) {
     }
 }
 
+const char* toString(Shadows shadows) {
+    switch (shadows) {
+        case Shadows::off:
+            return "off";
+        case Shadows::on:
+            return "on";
+        default:
+            return "auto";
+    }
+}
+
+bool hasShadows() {
+#ifdef CANDELA_SHADOWS
+    return true;
+#else
+    return false;
+#endif
+}
+
 }  // namespace candela

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace candela {
+
+/// The alpha of the base colour of an image: rows from the top, as textures have them. Rays read it by
+/// bilinear interpolation of level 0.
+struct AlphaImage {
+    std::uint32_t width = 0, height = 0;
+    std::vector<std::uint8_t> alpha;  ///< width × height, 255 is 1.
+};
+
+/// Where a coordinate outside of 0 to 1 reads an image.
+enum class AlphaWrap : std::uint32_t { repeat, clampToEdge, mirroredRepeat };
+
+/// A triangle of an alpha-masked material: a ray passes where the alpha is below the cutoff, as fragments of
+/// the geometry pass are discarded there.
+struct CutoutTriangle {
+    glm::vec2 uv[3];          ///< With the texture's coordinate transform applied.
+    float alpha[3];           ///< The material's factor times the vertex colour's.
+    float cutoff = 0.0f;      ///< As in the material record (MATERIAL_FACTORS).
+    std::uint32_t image = 0;  ///< Index into the images of the mesh; `noImage`: alpha 1.
+    AlphaWrap wrapS = AlphaWrap::repeat, wrapT = AlphaWrap::repeat;
+    bool nearest = false;  ///< No interpolation between texels.
+
+    static constexpr std::uint32_t noImage = 0xffffffffu;
+};
+
+/// The triangles of a mesh, of a deformed mesh or of a limit surface, as rays meet them.
+struct OcclusionMesh {
+    std::vector<glm::vec3> positions;   ///< Metres, in the space of the mesh.
+    std::vector<glm::uvec3> triangles;  ///< Opaque ones first, then one for each of `cutouts`.
+    std::vector<CutoutTriangle> cutouts;
+    std::vector<std::shared_ptr<const AlphaImage>> images;  ///< Those that `cutouts` read.
+
+    std::size_t opaqueCount() const { return triangles.size() - cutouts.size(); }
+};
+
+/// A mesh at a place of the world.
+struct OcclusionInstance {
+    std::uint32_t mesh = 0;  ///< Index into the meshes of the scene.
+    glm::mat4 worldFromLocal{1.0f};
+    bool castsShadow = true;  ///< False: hidden, or its node casts no shadow.
+};
+
+}  // namespace candela
