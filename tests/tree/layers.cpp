@@ -60,6 +60,7 @@ const std::vector<Library> libraries = {
     {"EGL/", {"gl", "render"}},
     {"KHR/", {"gl", "render"}},
     {"epoxy/", {"gl", "render"}},
+    {"embree3/", {"render"}},
     {"GLFW/", {}},
     {"OpenColorIO/", {"color"}},
     {"OpenEXR/", {"base"}},

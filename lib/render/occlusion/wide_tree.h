@@ -1,0 +1,83 @@
+#pragma once
+
+#include <candela/scene.h>
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace candela {
+
+/// A node of a `WideTree`: at most eight children with their boxes, laid out for vectors of eight.
+struct alignas(32) WideNode {
+    static constexpr unsigned width = 8;
+    static constexpr std::uint32_t leafFlag = 0x80000000u;
+    static constexpr std::uint32_t noChild = 0xffffffffu;
+
+    /// The box of a missing child is inverted: `min` is the largest float and `max` the lowest one.
+    float minX[width], minY[width], minZ[width], maxX[width], maxY[width], maxZ[width];
+    /// The index of a node; `leafFlag` plus the index of a leaf; or `noChild`. Missing children come last.
+    std::uint32_t child[width];
+
+    static bool isLeaf(std::uint32_t child) { return (child & leafFlag) != 0; }
+    Bounds bounds(unsigned lane) const {
+        return {{minX[lane], minY[lane], minZ[lane]}, {maxX[lane], maxY[lane], maxZ[lane]}};
+    }
+};
+
+/// A bounding volume hierarchy with up to eight children a node, over primitives of which only the boxes
+/// count.
+struct WideTree {
+    /// A run of `primitives`: 1 to 8.
+    struct Leaf {
+        std::uint32_t first = 0, count = 0;
+    };
+
+    std::vector<WideNode> nodes;  ///< The first is the root; parents precede children. None of an empty tree.
+    std::vector<Leaf> leaves;
+    std::vector<std::uint32_t> primitives;  ///< Indices, each at most once.
+    Bounds bounds;                          ///< Of all primitives.
+    unsigned depth = 0;                     ///< Nodes on the longest way from the root to a leaf.
+
+    bool empty() const { return nodes.empty(); }
+    std::size_t bytes() const;
+};
+
+/// The triangles of a mesh; the indices are below the number of positions.
+struct TriangleSpan {
+    std::span<const glm::vec3> positions;
+    std::span<const glm::uvec3> triangles;
+
+    /// Exact.
+    Bounds bounds(std::size_t triangle) const;
+};
+
+/// Builds a tree with at most `maxLeaf` (1 to 8) primitives a leaf. Boxes that are empty or not finite are
+/// left out: no ray meets them. All threads of the library take part. Throws `Error` (limit) when there is
+/// not enough memory.
+WideTree buildWideTree(std::span<const Bounds> boxes, unsigned maxLeaf);
+/// The same, with eight triangles a leaf at most. Triangles without area are kept.
+WideTree buildWideTree(const TriangleSpan& triangles);
+
+/// Adapts the boxes of a tree to primitives that have moved; what is a child of what stays. As many
+/// primitives as the tree was built of, in the same order. A primitive that was left out of the tree stays
+/// out.
+void refit(WideTree& tree, std::span<const Bounds> boxes);
+void refit(WideTree& tree, const TriangleSpan& triangles);
+
+/// The triangles of a leaf, laid out for vectors of eight. After the last triangle the first one is repeated.
+struct alignas(32) TriangleBlock {
+    static constexpr unsigned width = 8;
+
+    float x[3][width], y[3][width], z[3][width];  ///< Of the corners.
+    std::uint32_t triangle[width];                ///< Its index in the mesh.
+};
+
+/// One block for each leaf of the tree, which was built of these triangles; `blocks` is replaced.
+void fillTriangleBlocks(const WideTree& tree, const TriangleSpan& triangles,
+                        std::vector<TriangleBlock>& blocks);
+
+}  // namespace candela
