@@ -16,8 +16,9 @@ CANDELA_API bool hasLight(const Scene& scene);
 /// Three directional lights that show an object without light of its own from any side: a key light from the
 /// upper left of the camera, a fill light from the right and a rim light from above behind the object. A grey
 /// surface that faces the camera shows as itself: a matte one of base colour 0.18 has a radiance of 0.18 /
-/// 2^`exposure`, up to 1 % (`exposure` in stops, -100 to 100). Throws `Error` (badInput) when the view's
-/// matrix is not finite or the exposure is out of its range.
+/// 2^`exposure`, up to 1 % (`exposure` in stops, -100 to 100). They cast no shadows: they stand in for the
+/// light that the scene lacks, and have to reach the inside of a closed room too. Throws `Error` (badInput)
+/// when the view's matrix is not finite or the exposure is out of its range.
 CANDELA_API std::array<WorldLight, 3> defaultLights(const CameraView& view, double exposure = 0.0);
 
 }  // namespace candela

@@ -135,6 +135,10 @@ class CANDELA_API GpuScene {
     /// Shows or hides the mesh and the cage of the node itself; its children are not affected. Throws `Error`
     /// (badInput) when there is no such node.
     void setVisibility(std::uint32_t node, Visibility visibility);
+    enum class ShadowCasting { on, off };
+    /// Whether the mesh and the cage of the node itself cast shadows (`Node::castsShadow`); its children are
+    /// not affected. A hidden node casts none. Throws `Error` (badInput) when there is no such node.
+    void setCastsShadow(std::uint32_t node, ShadowCasting casting);
 
     const LightReport& lightReport() const;
     CageReport cageReport() const;

@@ -25,6 +25,13 @@ struct Light {
     glm::vec3 position{0.0f};                ///< In the node's frame.
     glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< In the node's frame, unit length: where the light goes.
     std::optional<std::uint32_t> node;       ///< Index into `Scene::nodes`; none: the world's frame.
+    /// Whether surfaces keep its light from what lies behind them. False: it reaches all that is within its
+    /// range.
+    bool castsShadow = true;
+    /// The radius of the sphere that emits the light, which softens the edges of shadows: metres, 0 (a point)
+    /// or more; nodes do not scale it. It has no effect on a frame with one sample a pixel, whose shadows are
+    /// those of a point. Directional: ignored.
+    float radius = 0.0f;
 };
 
 /// A light in world space, as the renderer takes it (`GpuScene::setLights`). 100,000 of them make one upload.
@@ -36,6 +43,8 @@ struct WorldLight {
     glm::vec3 intensity{1.0f};               ///< Colour × candela (directional: × lux), linear Rec.709.
     float innerConeAngle = 0.0f;             ///< Radians.
     float outerConeAngle = 0.785398f;        ///< Radians.
+    bool castsShadow = true;                 ///< As `Light::castsShadow`.
+    float radius = 0.0f;                     ///< As `Light::radius`: metres.
 };
 
 /// The luminous intensity, in candela, of a point light that gives `lumen` over the whole sphere: lumen / 4

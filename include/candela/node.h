@@ -35,6 +35,8 @@ struct Node {
     std::vector<float> morphWeights;
     /// Metres, added to the local translation in double precision: what a float can not hold of it.
     glm::dvec3 translationRemainder{0.0};
+    /// Whether the node's own mesh and cage cast shadows; its children are not affected.
+    bool castsShadow = true;
 };
 
 }  // namespace candela

@@ -121,10 +121,10 @@ struct LightScatter {
 
 /// Appends point lights of saturated colours to a scene. They hover over its surfaces as they stand at time
 /// 0, evenly by area, on the side that the normals point to, at 1/8 to 1/2 of their range, of the diagonal of
-/// the surfaces' box where that is smaller: an object is lit from outside, a room from inside. The first
-/// lights are the same for every larger count at the same range, and the same on every machine. Throws
-/// `Error`: badInput when the scene has no surface, a number is out of its range or the scene breaks a rule
-/// of `worldTransforms`; limit when memory does not hold the lights.
+/// the surfaces' box where that is smaller: an object is lit from outside, a room from inside. They cast
+/// shadows and have no radius. The first lights are the same for every larger count at the same range, and
+/// the same on every machine. Throws `Error`: badInput when the scene has no surface, a number is out of its
+/// range or the scene breaks a rule of `worldTransforms`; limit when memory does not hold the lights.
 CANDELA_API void scatterLights(Scene& scene, const LightScatter& scatter);
 
 /// Throws `Error` (badInput), naming the element, when the scene breaks a rule its types state: an index out

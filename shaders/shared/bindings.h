@@ -92,6 +92,8 @@ const int LIST_PART = 32768;
 // Texels a record.
 const int INSTANCE_TEXELS = 6;  // rows of the world matrix, then of its cofactor matrix with the handedness in w
 const int MATERIAL_TEXELS = 12;
+const int LIGHT_TEXELS = 2;  // position and 1 / range², or of a directional light the direction to it and 0;
+                             // then intensity, and in w 1 where the light casts shadows, else 0
 
 // Texels of a material's record.
 const int MATERIAL_BASE_COLOR = 0;  // base colour factor and alpha
@@ -100,4 +102,3 @@ const int MATERIAL_EMISSION = 2;    // emission factor; 1 when unlit
 const int MATERIAL_PACKED = 3;      // x: base colour and metallic as the G-buffer packs them (uint)
 const int MATERIAL_UV_ROWS = 4;     // two rows of the coordinate transform a texture: base colour, metallic-roughness, normal,
                                     // emission; w of the first is the set of texture coordinates
-const int LIGHT_TEXELS = 2;

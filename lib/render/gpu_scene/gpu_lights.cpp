@@ -31,6 +31,8 @@ const char* fault(const WorldLight& light) {
     }
     if (!(light.range >= 0.0f) || !std::isfinite(light.range))
         return "its range has to be 0 (none) or more metres";
+    if (!(light.radius >= 0.0f) || !std::isfinite(light.radius))
+        return "its radius has to be 0 (a point) or more metres";
     if (light.type == LightType::point) return nullptr;
     if (!isFinite(light.direction) || std::abs(glm::dot(light.direction, light.direction) - 1.0f) > 1e-3f) {
         return "its direction has to be of unit length";
@@ -68,8 +70,9 @@ GpuLights::GpuLights(const glm::dmat3& workingFromRec709)
       records_(GL_RGBA32F, layout::LIGHT_TEXELS, "lights"),
       cones_(GL_RGBA32F, 1, "spot cones") {}
 
-glm::vec3 GpuLights::workingIntensity(const WorldLight& light) const {
-    return glm::vec3(workingFromRec709_ * glm::dvec3(light.intensity));
+glm::vec4 GpuLights::intensityTexel(const WorldLight& light) const {
+    const glm::vec3 working(workingFromRec709_ * glm::dvec3(light.intensity));
+    return glm::vec4(working, light.castsShadow ? 1.0f : 0.0f);
 }
 
 float GpuLights::brightestChannel(std::uint32_t record) const {
@@ -89,7 +92,7 @@ void GpuLights::writeLocal(std::uint32_t record, const WorldLight& light) {
     reaches_.z[record] = light.position.z;
     const std::span<glm::vec4> texels = records_.edit(record);
     texels[0] = glm::vec4(light.position, 0.0f);
-    texels[1] = glm::vec4(workingIntensity(light), 0.0f);
+    texels[1] = intensityTexel(light);
     reaches_.range[record] = 0.0f;
     isRangeless_[record] = !(light.range > 0.0f);
     if (isRangeless_[record]) {
@@ -123,7 +126,7 @@ void GpuLights::assignRanges(const RangeRule& rule) {
 void GpuLights::writeDirectional(std::uint32_t record, const WorldLight& light) {
     const std::span<glm::vec4> texels = records_.edit(record);
     texels[0] = glm::vec4(-light.direction, 0.0f);
-    texels[1] = glm::vec4(workingIntensity(light), 0.0f);
+    texels[1] = intensityTexel(light);
 }
 
 void GpuLights::writeCone(std::uint32_t record, const WorldLight& light) {
@@ -149,6 +152,7 @@ void GpuLights::set(std::span<const WorldLight> lights, const RangeRule& rule) {
         counts.points += lights[i].type == LightType::point;
         counts.spots += lights[i].type == LightType::spot;
         counts.directionals += lights[i].type == LightType::directional;
+        counts.shadowed += lights[i].castsShadow;
     }
     reserve(counts);
     // From here on nothing throws.

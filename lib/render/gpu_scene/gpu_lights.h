@@ -15,6 +15,7 @@ namespace candela {
 
 struct LightCounts {
     int points = 0, spots = 0, directionals = 0;
+    int shadowed = 0;  ///< Of all of these: those that cast shadows.
 };
 
 /// Positions and ranges, a column each, for culling many at a time. The columns are `padding` longer than the
@@ -56,6 +57,7 @@ class GpuLights {
     std::size_t upload();
 
     const LightCounts& counts() const { return counts_; }
+    bool anyCastsShadow() const { return counts_.shadowed > 0; }
     /// Where the points and spots reach, in the order of the records.
     const LightReaches& reaches() const { return reaches_; }
     /// The records as they were uploaded: LIGHT_TEXELS texels a light, and a cone of one texel a spot.
@@ -73,7 +75,7 @@ class GpuLights {
     void writeCone(std::uint32_t record, const WorldLight& light);
     void writeRange(std::uint32_t record, float range);
     float brightestChannel(std::uint32_t record) const;
-    glm::vec3 workingIntensity(const WorldLight& light) const;
+    glm::vec4 intensityTexel(const WorldLight& light) const;
 
     glm::dmat3 workingFromRec709_;
     LightCounts counts_;

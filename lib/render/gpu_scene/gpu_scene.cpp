@@ -69,6 +69,10 @@ void GpuScene::setVisibility(std::uint32_t node, Visibility visibility) {
     state().setVisibility(node, visibility);
 }
 
+void GpuScene::setCastsShadow(std::uint32_t node, ShadowCasting casting) {
+    state().setCastsShadow(node, casting);
+}
+
 const LightReport& GpuScene::lightReport() const {
     return state().lights.report();
 }

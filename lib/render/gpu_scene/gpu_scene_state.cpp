@@ -206,6 +206,11 @@ void GpuScene::State::setVisibility(std::uint32_t node, Visibility visibility) {
     }
 }
 
+void GpuScene::State::setCastsShadow(std::uint32_t node, ShadowCasting casting) {
+    requireIndex("node", node, sceneState.nodes.size());
+    sceneState.nodes[node].castsShadow = casting == ShadowCasting::on;
+}
+
 void GpuScene::State::update() {
     lastUpdate = {};
     if (timeChanged_) {

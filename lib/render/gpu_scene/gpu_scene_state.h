@@ -32,6 +32,7 @@ struct GpuScene::State {
     void setCagePoints(std::uint32_t node, std::span<const glm::vec3> points);
     void setMaterial(std::uint32_t index, const Material& material);
     void setVisibility(std::uint32_t node, Visibility visibility);
+    void setCastsShadow(std::uint32_t node, ShadowCasting casting);
 
     /// Brings the device's records to where the edits since the last call have put them.
     void update();
@@ -65,8 +66,8 @@ struct GpuScene::State {
 
     std::shared_ptr<const gl::ContextBinding> binding;
     GpuSceneOptions options;
-    /// What edits need of the scene: materials as they are now; images without pixels; meshes without
-    /// vertices. The nodes' transforms as they are now are in `transforms`.
+    /// What edits need of the scene: materials, and which nodes cast shadows, as they are now; images without
+    /// pixels; meshes without vertices. The nodes' transforms as they are now are in `transforms`.
     Scene sceneState;
     std::uint64_t triangles = 0;
     OcclusionReport occlusionReport;  ///< As of the last frame with shadows.

@@ -94,6 +94,7 @@ std::array<WorldLight, 3> defaultLights(const CameraView& view, double exposure)
         lights[i].type = LightType::directional;
         lights[i].direction = glm::normalize(glm::mat3(view.worldFromCamera) * -rig[i].towards);
         lights[i].intensity = glm::vec3(rig[i].strength * scale);
+        lights[i].castsShadow = false;
     }
     return lights;
 }

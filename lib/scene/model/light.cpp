@@ -25,6 +25,8 @@ WorldLight inNodeFrame(const Light& light) {
     result.intensity = light.color * light.intensity;
     result.innerConeAngle = light.innerConeAngle;
     result.outerConeAngle = light.outerConeAngle;
+    result.castsShadow = light.castsShadow;
+    result.radius = light.radius;
     return result;
 }
 

@@ -75,6 +75,8 @@ void validateLight(const Light& light, const Scene& scene, const ErrorContext& e
     }
     element.require(!light.range || (*light.range > 0.0f && std::isfinite(*light.range)),
                     "its range must be over 0 metres");
+    element.require(light.radius >= 0.0f && std::isfinite(light.radius),
+                    "its radius must be 0 or more metres");
     element.require(allFinite(light.position), "its position must be finite numbers");
     if (light.type == LightType::point) return;
     element.require(isUnit(light.direction), "its direction must have unit length");

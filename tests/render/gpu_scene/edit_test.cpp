@@ -5,6 +5,7 @@
 #include "support/procedural_scene.h"
 
 #include "gl/state_guard.h"
+#include "render/layout.h"
 
 #include <candela/error.h>
 
@@ -225,6 +226,9 @@ TEST_F(EditTest, indicesOutOfRangeAreErrors) {
             std::string::npos);
         EXPECT_NE(errorOfEdit([&] { scene.setVisibility(index, GpuScene::Visibility::hidden); }).find("node"),
                   std::string::npos);
+        EXPECT_NE(
+            errorOfEdit([&] { scene.setCastsShadow(index, GpuScene::ShadowCasting::off); }).find("node"),
+            std::string::npos);
         EXPECT_NE(errorOfEdit([&] { scene.setCagePoints(index, points); }).find("node"), std::string::npos);
         EXPECT_NE(
             errorOfEdit([&] { scene.setMaterial(index, {}); }).find("material " + std::to_string(index)),
@@ -261,6 +265,59 @@ TEST_F(EditTest, invalidLightsAreErrorsAndChangeNothing) {
     EXPECT_NE(errorOfEdit([&] { scene.setLights(lights); }).find("light 39"), std::string::npos);
     EXPECT_EQ(scene.lightReport().lights, 1u);
     EXPECT_EQ(drawn(scene, inputs).rgba, before.rgba);
+}
+
+/// `w` of the second texel of each light's record.
+std::vector<float> shadowFlags(GpuScene& scene) {
+    const std::span<const glm::vec4> texels = scene.state().lights.recordData();
+    std::vector<float> flags;
+    for (std::size_t i = 1; i < texels.size(); i += layout::LIGHT_TEXELS) flags.push_back(texels[i].w);
+    return flags;
+}
+
+TEST_F(EditTest, lightRecordsTellWhichLightsCastShadows) {
+    Scene description = sceneOf(makeSphere(1.0f), Material{});
+    description.lights.resize(2);
+    description.lights[1].type = LightType::directional;
+    description.lights[1].node = 0;
+    description.lights[1].castsShadow = false;
+    GpuScene scene(context(), description);
+    EXPECT_EQ(shadowFlags(scene), (std::vector<float>{1, 0}));
+    scene.setTransform(0, glm::rotate(glm::mat4(1.0f), 0.5f, {1, 0, 0}));
+    updated(scene);
+    EXPECT_EQ(shadowFlags(scene), (std::vector<float>{1, 0})) << "a light that moves keeps its flag";
+
+    // Records are sorted by type: points, spots, directional lights.
+    std::vector<WorldLight> lights{directionalLight({0, 0, -1}, glm::vec3(1)),
+                                   spotLight({0, 0, 1}, {0, 0, 0}, 1.0f, glm::vec3(1), 0.1f, 0.5f),
+                                   pointLight({0, 0, 1}, 1.0f, glm::vec3(1))};
+    for (std::size_t shadowed = 0; shadowed < lights.size(); ++shadowed) {
+        for (std::size_t i = 0; i < lights.size(); ++i) lights[i].castsShadow = i == shadowed;
+        scene.setLights(lights);
+        std::vector<float> expected(3, 0.0f);
+        expected[2 - shadowed] = 1.0f;
+        EXPECT_EQ(shadowFlags(scene), expected);
+        EXPECT_TRUE(scene.state().lights.anyCastsShadow());
+    }
+    for (WorldLight& light : lights) light.castsShadow = false;
+    scene.setLights(lights);
+    EXPECT_EQ(shadowFlags(scene), std::vector<float>(3, 0.0f));
+    EXPECT_FALSE(scene.state().lights.anyCastsShadow());
+}
+
+TEST_F(EditTest, nodesCastShadowsAsTheSceneOrTheHostSays) {
+    Scene description = sceneOfGroups();
+    description.nodes[1].castsShadow = false;
+    GpuScene scene(context(), description);
+    const std::vector<Node>& nodes = scene.state().sceneState.nodes;
+    EXPECT_TRUE(nodes[0].castsShadow);
+    EXPECT_FALSE(nodes[1].castsShadow);
+    scene.setCastsShadow(0, GpuScene::ShadowCasting::off);
+    scene.setCastsShadow(1, GpuScene::ShadowCasting::on);
+    EXPECT_FALSE(nodes[0].castsShadow);
+    EXPECT_TRUE(nodes[1].castsShadow) << "a child is not affected";
+    const GpuScene::State::UpdateCounts counts = updated(scene);
+    EXPECT_EQ(counts.nodes + counts.instances + counts.lights + counts.draws, 0u);
 }
 
 TEST_F(EditTest, movedFromSceneIsAnError) {

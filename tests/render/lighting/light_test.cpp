@@ -212,6 +212,9 @@ TEST_F(LightTest, badNumbersNameTheLight) {
         {"range", [](WorldLight& l) { l.range = -1.0f; }},
         {"range", [](WorldLight& l) { l.range = nan; }},
         {"range", [](WorldLight& l) { l.range = inf; }},
+        {"radius", [](WorldLight& l) { l.radius = -0.1f; }},
+        {"radius", [](WorldLight& l) { l.radius = nan; }},
+        {"radius", [](WorldLight& l) { l.radius = inf; }},
         {"direction", [](WorldLight& l) { l.direction = glm::vec3(0); }},
         {"direction",
          [](WorldLight& l) {

@@ -61,6 +61,11 @@ TEST(DefaultLights, AreAttachedToTheCamera) {
     }
 }
 
+TEST(DefaultLights, CastNoShadows) {
+    for (const WorldLight& light : defaultLights(lookAt({3, 2, 1}, {0, 0, 0}, 0.8f)))
+        EXPECT_FALSE(light.castsShadow);
+}
+
 TEST(DefaultLights, RefuseInvalidArguments) {
     CameraView view;
     EXPECT_THROW(defaultLights(view, 101.0), Error);

@@ -61,6 +61,8 @@ Light spotAt(std::optional<std::uint32_t> node) {
     light.innerConeAngle = 0.25f;
     light.outerConeAngle = 0.5f;
     light.position = {0.0f, 1.0f, 0.0f};
+    light.castsShadow = false;
+    light.radius = 0.125f;
     light.node = node;
     return light;
 }
@@ -81,6 +83,8 @@ TEST(WorldLights, ANodeMovesAndRotatesALightButDoesNotScaleIt) {
     EXPECT_EQ(placed[0].range, 4.0f);
     EXPECT_EQ(placed[0].innerConeAngle, 0.25f);
     EXPECT_EQ(placed[0].outerConeAngle, 0.5f);
+    EXPECT_FALSE(placed[0].castsShadow);
+    EXPECT_EQ(placed[0].radius, 0.125f);
 }
 
 TEST(WorldLights, ScaleDoesNotRotateADirection) {
@@ -113,6 +117,8 @@ TEST(WorldLights, WithoutNodeOrRange) {
     EXPECT_EQ(placed.position, light.position);
     EXPECT_EQ(placed.range, 0.0f);
     EXPECT_EQ(placed.intensity, glm::vec3(1.0f));
+    EXPECT_TRUE(placed.castsShadow);
+    EXPECT_EQ(placed.radius, 0.0f);
 }
 
 TEST(WorldLights, ASingularNodeGivesAUnitDirection) {

@@ -69,6 +69,8 @@ TEST(ScatterLights, HaveTheGivenParameters) {
         EXPECT_EQ(light.type, LightType::point);
         EXPECT_EQ(light.range, 2.5f);
         EXPECT_EQ(light.intensity, 8.0f);
+        EXPECT_TRUE(light.castsShadow);
+        EXPECT_EQ(light.radius, 0.0f);
         EXPECT_EQ(std::max({light.color.x, light.color.y, light.color.z}), 1.0f);
         EXPECT_EQ(std::min({light.color.x, light.color.y, light.color.z}), 0.0f);
     }

@@ -190,6 +190,7 @@ TEST(Validate, Cameras) {
 
 TEST(Validate, Lights) {
     const char* range = "light 0 'bulb': its range must be over 0 metres";
+    const char* radius = "light 0 'bulb': its radius must be 0 or more metres";
     const char* color = "light 0 'bulb': its colour must be finite numbers, 0 or more";
     const char* inner = "light 1 'torch': its inner cone angle must be 0 or more and less than the outer one";
     expectMessages({
@@ -213,6 +214,9 @@ TEST(Validate, Lights) {
         {range, [](Scene& s) { s.lights[0].range = 0.0f; }},
         {range, [](Scene& s) { s.lights[0].range = INFINITY; }},
         {range, [](Scene& s) { s.lights[0].range = nan_; }},
+        {radius, [](Scene& s) { s.lights[0].radius = -0.1f; }},
+        {radius, [](Scene& s) { s.lights[0].radius = INFINITY; }},
+        {radius, [](Scene& s) { s.lights[0].radius = nan_; }},
         {"light 0 'bulb': its position must be finite numbers",
          [](Scene& s) { s.lights[0].position.x = nan_; }},
         {"light 2 'sun': its direction must have unit length",
