@@ -43,6 +43,11 @@ struct OcclusionMesh {
     std::size_t opaqueCount() const { return triangles.size() - cutouts.size(); }
 };
 
+/// Does a ray pass through a cut-out triangle of the mesh, `cutouts[cutout]`, at the point that `weights` of
+/// its corners give? The sum of the weights is 1. Shaders compute the same with the same arithmetic
+/// (shaders/shared/alpha_cutout.h).
+bool isCutOut(const OcclusionMesh& mesh, std::uint32_t cutout, const glm::vec3& weights);
+
 /// A mesh at a place of the world.
 struct OcclusionInstance {
     std::uint32_t mesh = 0;  ///< Index into the meshes of the scene.
