@@ -14,6 +14,9 @@ layout(location = 1) in vec4 worldTangent;
 layout(location = 2) in vec4 uvs;
 layout(location = 3) in vec4 vertexColor;
 layout(location = 4) flat in uint material;
+#ifdef SHADOWS
+layout(location = 5) in vec4 shadowPlane;
+#endif
 
 layout(location = RADIANCE_OUTPUT) out vec4 radiance;
 
@@ -41,6 +44,9 @@ void main() {
     MaterialLobes lobes = texturedLobes();
     MaterialState state = materialState(material);
     vec3 normal = shadingNormal(state.normalScale);
+#ifdef SHADOWS
+    writeShadowWord(shadowPlane.xyz, worldNormal, shadowPlane.w);
+#endif
     // After all textures have been read: a discarded fragment still gives its neighbours the derivatives.
     if (lobes.alpha < state.alphaCutoff) discard;
 

@@ -19,13 +19,20 @@ layout(location = 1) out vec4 worldTangent;
 layout(location = 2) out vec4 uvs;
 layout(location = 3) out vec4 vertexColor;
 layout(location = 4) flat out uint material;
+#ifdef SHADOWS
+layout(location = 5) out vec4 shadowPlane;  // position relative to the eye; its product with the normal
+#endif
 
 void main() {
-    gl_Position = frame.clipFromWorld * vec4(instancePosition(draw.x, position), 1.0);
+    vec3 world = instancePosition(draw.x, position);
+    gl_Position = frame.clipFromWorld * vec4(world, 1.0);
     // Unit length at the vertex, interpolated linearly and not normalised again, as MikkTSpace specifies.
     worldNormal = unitOrZero(instanceNormal(draw.x, normal));
     worldTangent = vec4(unitOrZero(instanceDirection(draw.x, tangent.xyz)), tangent.w * instanceHandedness(draw.x));
     uvs = vec4(uv0, uv1);
     vertexColor = color;
     material = draw.y;
+#ifdef SHADOWS
+    shadowPlane = vec4(world - frame.eye.xyz, dot(world - frame.eye.xyz, worldNormal));
+#endif
 }

@@ -54,8 +54,13 @@ void requireMemory(std::size_t size, const Allocate& allocate) {
 
 }  // namespace
 
-Buffer::Buffer(const char* label, BufferUsage usage)
-    : object_(createBuffer(label)), usage_(glUsage(usage)) {}
+Buffer::Buffer(const char* label, BufferUsage usage) : object_(createBuffer(label)), usage_(glUsage(usage)) {}
+
+void Buffer::readBytes(std::size_t offset, std::span<std::byte> into) const {
+    if (into.empty()) return;
+    glGetNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(into.size()),
+                            into.data());
+}
 
 Buffer Buffer::immutable(const char* label, std::span<const std::byte> bytes) {
     Buffer buffer;
@@ -71,8 +76,7 @@ Buffer Buffer::immutable(const char* label, std::span<const std::byte> bytes) {
 
 void Buffer::reserve(std::size_t size) {
     if (size <= capacity_) return;
-    requireMemory(size,
-                  [&] { glNamedBufferData(name(), static_cast<GLsizeiptr>(size), nullptr, usage_); });
+    requireMemory(size, [&] { glNamedBufferData(name(), static_cast<GLsizeiptr>(size), nullptr, usage_); });
     capacity_ = size;
 }
 

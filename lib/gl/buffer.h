@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace candela::gl {
 
@@ -41,10 +42,20 @@ class Buffer {
     /// Makes room for `size` bytes of undefined content.
     void reserve(std::size_t size);
 
+    /// Reads back `count` elements of type T, from element `first` on. Waits for what writes them.
+    template <typename T>
+    std::vector<T> read(std::size_t first, std::size_t count) const {
+        std::vector<T> elements(count);
+        readBytes(first * sizeof(T), std::as_writable_bytes(std::span(elements)));
+        return elements;
+    }
+
     GLuint name() const { return object_.name(); }
     std::size_t capacity() const { return capacity_; }
 
   private:
+    void readBytes(std::size_t offset, std::span<std::byte> into) const;
+
     Object<deleteBuffer> object_;
     GLenum usage_ = GL_DYNAMIC_DRAW;
     std::size_t capacity_ = 0;

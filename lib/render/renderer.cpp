@@ -36,6 +36,16 @@ void checkSettings(const FrameSettings& settings) {
            " pixels is asked for; width and height have to be 1 or more");
 }
 
+bool drawsShadows(const FrameSettings& settings) {
+    if (settings.shadows == Shadows::on && !hasShadows()) {
+        throw Error(ErrorKind::environment, "",
+                    "shadows are asked for, but this candela was built without them (CMake option "
+                    "CANDELA_SHADOWS)");
+    }
+    // Debug views show no light.
+    return settings.shadows != Shadows::off && hasShadows() && settings.debugView == DebugView::none;
+}
+
 /// Rotation and translation, right-handed. As in scenes, lengths may be 1 % off.
 bool isRigid(const glm::mat4& matrix) {
     constexpr float tolerance = 0.01f;
@@ -102,12 +112,17 @@ Renderer::State::State(const Context& context)
       display(context.isSoftware() ? DisplayPass::Baking::always : DisplayPass::Baking::never),
       frameBuffer("frame uniforms", gl::BufferUsage::dynamic) {}
 
-void Renderer::State::resize(int width, int height) {
-    if (targets && targets->width == width && targets->height == height) return;
-    displayTarget.reset();
-    emissionTargets.reset();
-    targets.reset();
-    targets.emplace(width, height);
+void Renderer::State::selectTargets(int width, int height, bool withShadows) {
+    if (targets != nullptr && (targets->width != width || targets->height != height)) {
+        displayTarget.reset();
+        emissionTargets.reset();
+        for (auto& set : targetSets) set.reset();
+    }
+    auto& set = targetSets[withShadows ? 1 : 0];
+    if (!set)
+        set.emplace(width, height,
+                    withShadows ? GBufferLayout(shadowWordTextures) : GBufferLayout(baseWordTextures));
+    targets = &*set;
 }
 
 /// Creates what the frame is drawn with, before its passes are timed.
@@ -121,7 +136,9 @@ void Renderer::State::createPasses(const FrameSettings& settings, Technique tech
 }
 
 LightingInputs Renderer::State::lightingInputs(const GpuScene::State& scene) const {
-    return {*targets, scene.lights, frame->frustum, frame->uniforms, frame->settings.brdf, draws.emits()};
+    return {*targets,        scene.lights,         frame->frustum,
+            frame->uniforms, frame->settings.brdf, frame->shadows ? scene.occlusion.get() : nullptr,
+            draws.emits()};
 }
 
 void Renderer::State::bindFrame() {
@@ -144,6 +161,7 @@ void Renderer::State::drawLit(const GpuScene::State& scene) {
     const LightingInputs inputs = lightingInputs(scene);
     lighting.bind(inputs);
     technique.render(inputs, timer);
+    shadowCounts = technique.shadowCounts();
 }
 
 void Renderer::State::drawDebugView(const GpuScene::State& scene) {
@@ -189,26 +207,34 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
                              const FrameSettings& settings) {
     ++frameNumber;
     frame.reset();
-    resize(settings.width, settings.height);
+    shadowCounts = {};
+    const bool shadows = drawsShadows(settings);
+    selectTargets(settings.width, settings.height, shadows);
     scene.update();
     const Technique technique =
         settings.technique == Technique::automatic ? Technique::tiles : settings.technique;
     createPasses(settings, technique);
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
     const CameraView view = withFarPlane(requested, scene, aspect);
-    frame.emplace(DrawnFrame{settings, technique,
+    frame.emplace(DrawnFrame{settings, technique, shadows,
                              frameUniforms(view, settings.width, settings.height,
                                            scene.options.workingFromRec709, scene.lights.counts()),
                              Frustum(view, aspect), scene.sceneState.origin});
     timer.beginFrame();
     bindFrame();
+    // What is out of view may cast shadows into it.
+    const VertexScope scope = shadows ? VertexScope::everywhere : VertexScope::inView;
     if (scene.hasCages()) {
         const gl::PassTimer::Scope pass(timer, "cages");
-        scene.updateCages(view, settings.width, settings.height);
+        scene.updateCages(view, settings.width, settings.height, scope);
     }
     if (scene.hasDeformations()) {
         const gl::PassTimer::Scope pass(timer, "deform");
-        scene.updateDeformations(frame->frustum);
+        scene.updateDeformations(frame->frustum, scope);
+    }
+    if (shadows) {
+        const gl::PassTimer::Scope pass(timer, "shadows");
+        scene.updateOcclusion();
     }
     if (settings.debugView == DebugView::none) {
         drawLit(scene);

@@ -14,6 +14,7 @@
 
 #include <candela/renderer.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -23,6 +24,7 @@ namespace candela {
 struct DrawnFrame {
     FrameSettings settings;
     Technique technique;  ///< Never `automatic`.
+    bool shadows;
     layout::FrameUniforms uniforms;
     Frustum frustum;
     glm::dvec3 origin;  ///< `Scene::origin`.
@@ -68,12 +70,13 @@ struct Renderer::State {
     // Created when they are first needed.
     std::optional<DebugViewPass> debugView;
     std::optional<OverlayPass> overlays;
-    std::optional<GBufferTargets> targets;
-    std::optional<GBufferTargets> emissionTargets;  ///< Where `drawEmission` draws.
+    GBufferTargets* targets = nullptr;                        ///< Of the frame: one of `targetSets`.
+    std::array<std::optional<GBufferTargets>, 2> targetSets;  ///< Without and with the shadow word.
+    std::optional<GBufferTargets> emissionTargets;            ///< Where `drawEmission` draws.
     std::optional<DisplayTarget> displayTarget;
 
   private:
-    void resize(int width, int height);
+    void selectTargets(int width, int height, bool withShadows);
     void createPasses(const FrameSettings& settings, Technique technique);
     void drawLit(const GpuScene::State& scene);
     void drawDebugView(const GpuScene::State& scene);

@@ -16,6 +16,7 @@ const int SURFACE_UNIT = 0;  // RG32UI: the G-buffer's two words
 const int DEPTH_UNIT = 1;    // reversed depth
 const int LIGHTS_UNIT = 2;   // RGBA32F buffer: LIGHT_TEXELS a light: points, then spots, then directional lights
 const int CONES_UNIT = 3;    // RGBA32F buffer: one texel a spot
+const int SHADOW_UNIT = 7;   // R32UI: the G-buffer's shadow word
 const int ALBEDO_UNIT = 4;   // R32F: directional albedo table of the gltf model
 
 // Texture units of the display pass; look-up textures of the display transform follow.
@@ -72,6 +73,7 @@ const int LINE_INSTANCE_LOCATION = 1;     // overlays: the instance on which lin
 // Fragment outputs of the geometry pass. Further words of the G-buffer follow.
 const int SURFACE_OUTPUT = 0;
 const int RADIANCE_OUTPUT = 1;  // emissive surfaces only
+const int SHADOW_OUTPUT = 2;    // frames with shadows only
 
 // Vertex attributes.
 const int POSITION_ATTRIBUTE = 0;

@@ -170,6 +170,7 @@ void GpuDeformations::deform(std::span<const std::uint32_t> indices) {
     for (const std::uint32_t index : indices) {
         Instance& instance = *instances_[index];
         instance.isStale = false;
+        ++instance.version;
         requests_.push_back({*instance.deformation, instance.skin ? &instance.joints : nullptr,
                              instance.morphWeights, instance.buffers});
     }

@@ -53,6 +53,8 @@ class GpuDeformations {
 
     /// An instance whose vertices are not those of its pose.
     bool isStale(std::uint32_t index) const { return instances_[index]->isStale; }
+    /// How often the vertices of an instance have been computed.
+    std::uint64_t version(std::uint32_t index) const { return instances_[index]->version; }
     /// Computes the vertices of `indices`.
     void deform(std::span<const std::uint32_t> indices);
 
@@ -72,6 +74,7 @@ class GpuDeformations {
         DeformedBuffers buffers;
         gl::VertexArray vertexArray{"deformed mesh"};
         bool isMarked = false, isStale = true;
+        std::uint64_t version = 0;
     };
 
     void addInstances(const Scene& scene, GpuMeshes::Detail detail);

@@ -22,14 +22,14 @@ constexpr std::array rows{
         [](const ChannelPixel& pixel) { return glm::vec3(viewDistance(pixel.frame, pixel.depth), 0, 0); },
         // Nearest / (nearest + distance), by the distance of the closest surface.
         {DebugView::depth, "depth", depth, Scale::maximum, "vec3(depthCode(depth, maximum))"}},
-    ChannelRow{
-        {"P", "XYZ", "position in metres, in the space of the scene's file", "follows from Z and the camera", "none of its own"},
-        depth,
-        [](const ChannelPixel& pixel) {
-            const glm::dvec3 position(worldPosition(pixel.frame, pixel.x, pixel.y, pixel.depth));
-            return glm::vec3(pixel.origin + position);
-        },
-        {}},
+    ChannelRow{{"P", "XYZ", "position in metres, in the space of the scene's file",
+                "follows from Z and the camera", "none of its own"},
+               depth,
+               [](const ChannelPixel& pixel) {
+                   const glm::dvec3 position(worldPosition(pixel.frame, pixel.x, pixel.y, pixel.depth));
+                   return glm::vec3(pixel.origin + position);
+               },
+               {}},
     ChannelRow{
         {"N", "XYZ", "world normal, unit length", "octahedral, codes 1 to 4095 an axis", "2 × 12 bits"},
         surface,

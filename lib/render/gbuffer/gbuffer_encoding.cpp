@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
@@ -25,6 +26,14 @@ uint packUnorm4x8(const vec4& value) {
 
 vec4 unpackUnorm4x8(uint codes) {
     return vec4(codes & 0xffu, codes >> 8 & 0xffu, codes >> 16 & 0xffu, codes >> 24) / 255.0f;
+}
+
+uint packHalf2x16(const vec2& value) {
+    return uint{packHalf1x16(value.x)} | uint{packHalf1x16(value.y)} << 16;
+}
+
+vec2 unpackHalf2x16(uint halves) {
+    return {unpackHalf1x16(static_cast<std::uint16_t>(halves)), unpackHalf1x16(static_cast<std::uint16_t>(halves >> 16))};
 }
 
 #define SHARED_FUNCTION inline

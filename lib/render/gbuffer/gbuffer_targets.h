@@ -28,6 +28,11 @@ using GBufferLayout = std::span<const GBufferWordTexture>;
 inline constexpr std::array baseWordTextures{GBufferWordTexture{
     "G-buffer surface", GL_RG32UI, GL_RG_INTEGER, 2, layout::SURFACE_UNIT, layout::SURFACE_OUTPUT}};
 
+/// The words of frames with shadows: the programs of the geometry pass are compiled with SHADOWS.
+inline constexpr std::array shadowWordTextures{
+    baseWordTextures[0], GBufferWordTexture{"G-buffer shadow", GL_R32UI, GL_RED_INTEGER, 1,
+                                            layout::SHADOW_UNIT, layout::SHADOW_OUTPUT}};
+
 /// How a pass finds a target that it writes.
 enum class LoadOp {
     load,      ///< With the content that earlier passes have left.
@@ -39,6 +44,7 @@ enum class LoadOp {
 struct GBufferTargets {
     GBufferTargets(int width, int height, GBufferLayout layout = baseWordTextures);
 
+    bool hasShadowWord() const { return layout.size() == shadowWordTextures.size(); }
     /// Binds the word textures and the depth for reading by shaders.
     void bind() const;
 

@@ -24,12 +24,22 @@ void clear(const GBufferTargets& targets, LoadOp radianceLoad) {
 
 }  // namespace
 
-GeometryPass::GeometryPass()
-    : plain_({{"surface_plain.vert", {}, {}}, {"surface_plain.frag", {}, {}}}, "plain surfaces"),
-      textured_({{"surface_textured.vert", {}, {}}, {"surface_textured.frag", {}, {}}}, "textured surfaces") {
+GeometryPass::Programs::Programs(const std::vector<std::string>& definitions)
+    : plain({{"surface_plain.vert", definitions, {}}, {"surface_plain.frag", definitions, {}}},
+            "plain surfaces"),
+      textured({{"surface_textured.vert", definitions, {}}, {"surface_textured.frag", definitions, {}}},
+               "textured surfaces") {}
+
+GeometryPass::GeometryPass() : base_({}) {}
+
+const GeometryPass::Programs& GeometryPass::programsFor(const GBufferTargets& targets) {
+    if (!targets.hasShadowWord()) return base_;
+    if (!withShadowWord_) withShadowWord_.emplace(std::vector<std::string>{"SHADOWS 1"});
+    return *withShadowWord_;
 }
 
-void GeometryPass::render(const Inputs& inputs) const {
+void GeometryPass::render(const Inputs& inputs) {
+    const Programs& programs = programsFor(inputs.targets);
     clear(inputs.targets, inputs.draws.emits() ? LoadOp::clear : inputs.radianceLoad);
     glViewport(0, 0, inputs.targets.width, inputs.targets.height);
     glEnable(GL_DEPTH_TEST);
@@ -43,7 +53,7 @@ void GeometryPass::render(const Inputs& inputs) const {
             batch.key.emissive ? inputs.targets.surfacesAndEmission : inputs.targets.surfaces;
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.name());
         glBindVertexArray(inputs.scene.vertexArrayOf(batch));
-        draw(batch);
+        draw(batch, programs);
     }
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
@@ -51,9 +61,9 @@ void GeometryPass::render(const Inputs& inputs) const {
     glBindSamplers(layout::BASE_COLOR_UNIT, textureUnits.size(), nullptr);
 }
 
-void GeometryPass::draw(const DrawBatch& batch) const {
+void GeometryPass::draw(const DrawBatch& batch, const Programs& programs) {
     const bool textured = batch.key.program == PipelineKey::Program::textured;
-    glUseProgram(textured ? textured_.name() : plain_.name());
+    glUseProgram(textured ? programs.textured.name() : programs.plain.name());
     glFrontFace(batch.key.mirrored ? GL_CW : GL_CCW);
     if (batch.key.doubleSided) {
         glDisable(GL_CULL_FACE);

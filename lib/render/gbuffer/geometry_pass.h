@@ -4,6 +4,10 @@
 #include "render/gbuffer/gbuffer_targets.h"
 #include "render/gpu_scene/gpu_scene_state.h"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace candela {
 
 /// Draws the surfaces in view into the G-buffer and their emission into the radiance target.
@@ -17,12 +21,20 @@ class GeometryPass {
         const GBufferTargets& targets;
         LoadOp radianceLoad;  ///< Where a draw emits, the target is cleared in any case.
     };
-    void render(const Inputs& inputs) const;
+    void render(const Inputs& inputs);
 
   private:
-    void draw(const DrawBatch& batch) const;
+    /// With the fragment outputs of one layout of the G-buffer.
+    struct Programs {
+        explicit Programs(const std::vector<std::string>& definitions);
+        gl::Program plain, textured;
+    };
 
-    gl::Program plain_, textured_;
+    const Programs& programsFor(const GBufferTargets& targets);
+    static void draw(const DrawBatch& batch, const Programs& programs);
+
+    Programs base_;
+    std::optional<Programs> withShadowWord_;  ///< Compiled when it is first needed.
 };
 
 }  // namespace candela

@@ -189,6 +189,18 @@ PipelineKey DrawList::keyOf(const Draw& draw) const {
     return key;
 }
 
+DrawGeometry DrawList::geometryOf(std::uint32_t instance) const {
+    const std::uint32_t first = firstDraw_[instance];
+    return first == firstDraw_[instance + 1] ? DrawGeometry{} : draws_[first].geometry;
+}
+
+std::vector<DrawnPart> DrawList::partsOf(std::uint32_t instance) const {
+    std::vector<DrawnPart> parts;
+    for (std::uint32_t i = firstDraw_[instance]; i < firstDraw_[instance + 1]; ++i)
+        parts.push_back({{draws_[i].command.firstIndex, draws_[i].command.count}, draws_[i].material});
+    return parts;
+}
+
 std::size_t DrawList::group() {
     if (pending_.empty()) return 0;
     Groups::iterator last = groups_.end();

@@ -57,6 +57,12 @@ struct DrawCommand {
     std::uint32_t baseInstance = 0;  ///< The draw, whose record the vertex array feeds to shaders.
 };
 
+/// Triangles of an instance that have one material.
+struct DrawnPart {
+    IndexRange indices;
+    std::uint32_t material = 0;  ///< Index into `Scene::materials`; their number: none.
+};
+
 /// What culling has left for one view: the draw commands, and the cages among the instances. A selection is
 /// filled by `GpuScene::State::cull` as often as needed and keeps its storage. It holds for the scene as of
 /// that call: cull again after an update of the scene.
@@ -111,6 +117,10 @@ class DrawList {
     void setSurface(std::uint32_t instance, std::uint32_t surface);
     /// Sets the indices of the parts of a cage's instance.
     void setRanges(std::uint32_t instance, std::span<const IndexRange> ranges);
+
+    /// What an instance draws.
+    DrawGeometry geometryOf(std::uint32_t instance) const;
+    std::vector<DrawnPart> partsOf(std::uint32_t instance) const;
 
     /// Groups the draws whose keys have changed since the last call; to be called before `cull`. Returns how
     /// many those are.

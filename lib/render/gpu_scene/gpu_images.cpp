@@ -93,6 +93,19 @@ void encodeColor16(std::span<const std::byte> decoded, std::span<std::byte> pixe
     }
 }
 
+/// The alpha of a texel as a code of 8 bits.
+std::uint8_t alphaCode(PixelFormat format, const std::byte* texel) {
+    if (format == PixelFormat::rgba8) return std::to_integer<std::uint8_t>(texel[alphaChannel]);
+    if (format == PixelFormat::rgba16) {
+        std::uint16_t code = 0;
+        std::memcpy(&code, texel + alphaChannel * sizeof code, sizeof code);
+        return static_cast<std::uint8_t>((code + 128u) / 257u);
+    }
+    float value = 0.0f;
+    std::memcpy(&value, texel + alphaChannel * sizeof value, sizeof value);
+    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
+}
+
 /// A run of an image's rows.
 struct Rows {
     GLint first;
@@ -226,13 +239,29 @@ void GpuImages::writePixels(GLuint texture, TexelEncoding encoding, const Image&
     });
 }
 
-void GpuImages::restorePixels(std::uint32_t index) {
+std::optional<std::vector<std::byte>> GpuImages::uploadedPixels(std::uint32_t index) const {
     for (const TexelEncoding encoding : {TexelEncoding::color, TexelEncoding::data}) {
         const auto texture = textures_.find({index, encoding});
-        if (texture == textures_.end()) continue;
-        kept_[index].pixels = readPixels(texture->second.name(), encoding, kept_[index]);
-        return;
+        if (texture != textures_.end()) return readPixels(texture->second.name(), encoding, images_[index]);
     }
+    return std::nullopt;
+}
+
+void GpuImages::restorePixels(std::uint32_t index) {
+    if (std::optional<std::vector<std::byte>> pixels = uploadedPixels(index))
+        kept_[index].pixels = std::move(*pixels);
+}
+
+AlphaImage GpuImages::readAlpha(std::uint32_t index) const {
+    const Image& image = images_[index];
+    std::vector<std::byte> uploaded;
+    if (image.pixels.empty()) uploaded = uploadedPixels(index).value_or(std::vector<std::byte>{});
+    const std::span<const std::byte> pixels = image.pixels.empty() ? uploaded : image.pixels;
+    AlphaImage alpha{image.width, image.height, {}};
+    alpha.alpha.resize(std::size_t{image.width} * image.height);
+    for (std::size_t i = 0; i < alpha.alpha.size(); ++i)
+        alpha.alpha[i] = alphaCode(image.format, pixels.data() + i * texelSize(image.format));
+    return alpha;
 }
 
 GLuint GpuImages::upload(std::uint32_t index, TexelEncoding encoding) {

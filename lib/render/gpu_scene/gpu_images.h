@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gl/texture.h"
+#include "render/occlusion/occlusion_mesh.h"
 
 #include <candela/image.h>
 #include <candela/material.h>
@@ -31,7 +32,7 @@ enum class TexelEncoding {
 enum class ColorDecoding {
     device,  ///< The device's sampler, which is exact on GPUs.
     exact,   ///< The CPU, into half floats: software rasterisers only approximate the curve (llvmpipe misses
-            ///< one code in six).
+             ///< one code in six).
 };
 
 /// The images of a scene on the device, each uploaded once for each encoding that materials read it in, with
@@ -46,6 +47,9 @@ class GpuImages {
     /// an image that does not fit the device.
     SampledTexture get(const std::optional<Texture>& texture, TexelEncoding encoding);
 
+    /// The alpha of an image, read back from the device where it has been uploaded.
+    AlphaImage readAlpha(std::uint32_t index) const;
+
     /// Ends the use of the constructor's images: pixels that no material has read yet are copied, others can
     /// be read back.
     void releaseSources();
@@ -54,6 +58,7 @@ class GpuImages {
     using Key = std::pair<std::uint32_t, TexelEncoding>;
 
     void restorePixels(std::uint32_t index);
+    std::optional<std::vector<std::byte>> uploadedPixels(std::uint32_t index) const;
     std::vector<std::byte> readPixels(GLuint texture, TexelEncoding encoding, const Image& image) const;
     void writePixels(GLuint texture, TexelEncoding encoding, const Image& image) const;
     GLuint upload(std::uint32_t image, TexelEncoding encoding);

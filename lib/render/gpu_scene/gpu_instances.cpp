@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace candela {
 
@@ -82,6 +83,7 @@ GpuInstances::GpuInstances(const Scene& scene)
     spheres_.resize(instances_.size());
     windings_.resize(instances_.size(), Winding::kept);
     hidden_.resize(instances_.size());
+    isChanged_.resize(instances_.size());
     records_.reserve(instances_.size());
     records_.resize(instances_.size());
 }
@@ -89,6 +91,7 @@ GpuInstances::GpuInstances(const Scene& scene)
 void GpuInstances::place(std::uint32_t index, const glm::mat4& worldFromLocal, const BoundingSphere& local,
                          std::optional<Winding> winding) {
     spheres_[index] = worldSphere(worldFromLocal, local);
+    markChanged(index);
     const std::span<glm::vec4> record = records_.edit(index);
     const glm::mat4 rows = glm::transpose(worldFromLocal);
     const NormalMatrix normals = normalMatrix(worldFromLocal);
@@ -99,6 +102,11 @@ void GpuInstances::place(std::uint32_t index, const glm::mat4& worldFromLocal, c
         record[static_cast<std::size_t>(3 + row)] = glm::vec4(normalRows[row], handedness);
     }
     windings_[index] = winding.value_or(normals.mirrored ? Winding::reversed : Winding::kept);
+}
+
+std::vector<std::uint32_t> GpuInstances::takeChanged() {
+    for (const std::uint32_t index : changed_) isChanged_[index] = false;
+    return std::exchange(changed_, {});
 }
 
 Bounds GpuInstances::bounds() const {

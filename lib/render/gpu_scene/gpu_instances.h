@@ -25,6 +25,12 @@ BoundingSphere boundingSphere(std::span<const glm::vec3> points);
 /// A world-space sphere that holds the local one.
 BoundingSphere worldSphere(const glm::mat4& worldFromLocal, const BoundingSphere& local);
 
+/// Which vertices a frame needs.
+enum class VertexScope {
+    inView,
+    everywhere,  ///< What is out of view may cast shadows into it.
+};
+
 /// Does an instance's matrix reverse the winding of triangles?
 enum class Winding : std::uint8_t { kept, reversed };
 
@@ -61,7 +67,18 @@ class GpuInstances {
     /// The depth of the farthest point that the bounding spheres in view reach; 0 where there is none.
     float farthestDepth(const Frustum& frustum) const;
 
-    void setHidden(std::uint32_t index, bool hidden) { hidden_[index] = hidden; }
+    void setHidden(std::uint32_t index, bool hidden) {
+        hidden_[index] = hidden;
+        markChanged(index);
+    }
+    bool isHidden(std::uint32_t index) const { return hidden_[index]; }
+    /// The instances placed, hidden or shown since the last call, each once.
+    std::vector<std::uint32_t> takeChanged();
+    void markChanged(std::uint32_t index) {
+        if (isChanged_[index]) return;
+        isChanged_[index] = true;
+        changed_.push_back(index);
+    }
     bool isVisible(std::uint32_t index, const Frustum& frustum) const {
         const BoundingSphere& sphere = spheres_[index];
         return !hidden_[index] && frustum.meets(sphere.center, sphere.radius);
@@ -79,7 +96,8 @@ class GpuInstances {
     std::vector<std::uint32_t> meshOfNode_, cageOfNode_;
     std::vector<BoundingSphere> spheres_;  ///< World.
     std::vector<Winding> windings_;
-    std::vector<bool> hidden_;
+    std::vector<bool> hidden_, isChanged_;
+    std::vector<std::uint32_t> changed_;
     RecordBuffer<glm::vec4> records_;
 };
 

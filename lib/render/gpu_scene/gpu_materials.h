@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/gpu_scene/record_buffer.h"
+#include "render/layout.h"
 
 #include <candela/scene.h>
 
@@ -26,6 +27,12 @@ class GpuMaterials {
     std::size_t upload() { return records_.upload(); }
 
     const gl::BufferTexture& records() const { return records_.texture(); }
+
+    /// The record of a material as shaders read it.
+    std::span<const glm::uvec4> record(std::uint32_t index) const {
+        return records_.texels().subspan(std::size_t{index} * layout::MATERIAL_TEXELS,
+                                         layout::MATERIAL_TEXELS);
+    }
 
   private:
     /// Which texture coordinates all surfaces of a material have.

@@ -23,6 +23,13 @@ struct DetailVertex {
     glm::vec4 color{1.0f};
 };
 
+std::vector<glm::vec3> positionsIn(const gl::Buffer& surface, std::size_t first, std::size_t count) {
+    const auto vertices = surface.read<SurfaceVertex>(first, count);
+    std::vector<glm::vec3> positions(count);
+    for (std::size_t i = 0; i < count; ++i) positions[i] = vertices[i].position;
+    return positions;
+}
+
 // A tangent or a coordinate pair starts at the first float, a colour at the fifth.
 constexpr std::array<float, 8> detail{0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f, 1.0f, 1.0f};
 constexpr std::size_t colorOffset = 4 * sizeof(float);
@@ -68,7 +75,7 @@ GpuMeshes::GpuMeshes(std::span<const Mesh> meshes, Detail detail) : detail_(deta
 void GpuMeshes::place(std::span<const Mesh> meshes) {
     for (const Mesh& mesh : meshes) {
         MeshPlace place{static_cast<std::uint32_t>(indexCount_), static_cast<std::int32_t>(vertexCount_),
-                        boundingSphere(mesh.positions)};
+                        static_cast<std::uint32_t>(mesh.positions.size()), boundingSphere(mesh.positions)};
         places_.push_back(place);
         vertexCount_ += mesh.positions.size();
         indexCount_ += mesh.indices.size();
@@ -110,6 +117,30 @@ void GpuMeshes::uploadDetail(std::span<const Mesh> meshes) {
         }
     }
     details_ = gl::Buffer::immutable("mesh details", std::span<const DetailVertex>(vertices));
+}
+
+std::vector<glm::vec3> GpuMeshes::readPositions(std::uint32_t mesh) const {
+    return positionsIn(surface_, static_cast<std::size_t>(places_[mesh].baseVertex),
+                       places_[mesh].vertexCount);
+}
+
+std::vector<glm::vec3> GpuMeshes::readPositions(std::uint32_t mesh, const DeformedStreams& deformed) const {
+    return positionsIn(deformed.surface, 0, places_[mesh].vertexCount);
+}
+
+std::vector<std::uint32_t> GpuMeshes::readIndices(const IndexRange& range) const {
+    return indices_.read<std::uint32_t>(range.first, range.count);
+}
+
+std::vector<GpuMeshes::AlphaVertex> GpuMeshes::readAlphaVertices(std::uint32_t mesh) const {
+    const MeshPlace& place = places_[mesh];
+    std::vector<AlphaVertex> vertices(place.vertexCount);
+    if (detail_ != Detail::everything) return vertices;
+    const auto details =
+        details_.read<DetailVertex>(static_cast<std::size_t>(place.baseVertex), place.vertexCount);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        vertices[i] = {details[i].uv0, details[i].uv1, details[i].color.a};
+    return vertices;
 }
 
 void GpuMeshes::describe(const gl::VertexArray& vertexArray, const gl::Buffer& draws,

@@ -41,6 +41,7 @@ class DefaultDetail {
 struct MeshPlace {
     std::uint32_t firstIndex = 0;
     std::int32_t baseVertex = 0;
+    std::uint32_t vertexCount = 0;
     BoundingSphere sphere;
 };
 
@@ -61,6 +62,19 @@ class GpuMeshes {
     GpuMeshes(std::span<const Mesh> meshes, Detail detail);
 
     const std::vector<MeshPlace>& places() const { return places_; }
+
+    // Read back from the device.
+
+    std::vector<glm::vec3> readPositions(std::uint32_t mesh) const;
+    /// The same of vertices that replace those of the mesh.
+    std::vector<glm::vec3> readPositions(std::uint32_t mesh, const DeformedStreams& deformed) const;
+    std::vector<std::uint32_t> readIndices(const IndexRange& range) const;
+    /// What the alpha of a vertex is read with; the defaults where the scene has no detail.
+    struct AlphaVertex {
+        glm::vec2 uv0{0.0f}, uv1{0.0f};
+        float alpha = 1.0f;  ///< Of the vertex colour.
+    };
+    std::vector<AlphaVertex> readAlphaVertices(std::uint32_t mesh) const;
 
     /// Binds the streams to a vertex array whose draw attribute reads `draws` (uvec2 an instance).
     void describe(const gl::VertexArray& vertexArray, const gl::Buffer& draws,

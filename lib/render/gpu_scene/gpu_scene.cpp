@@ -1,5 +1,6 @@
 #include "gl/state_guard.h"
 #include "render/gpu_scene/gpu_scene_state.h"
+#include "render/occlusion/occlusion_scene.h"
 
 #include <candela/error.h>
 
@@ -86,7 +87,7 @@ DeformationReport GpuScene::deformationReport() const {
 }
 
 OcclusionReport GpuScene::occlusionReport() const {
-    return state().occlusionReport;
+    return state().occlusion ? state().occlusion->report() : OcclusionReport{};
 }
 
 std::uint64_t GpuScene::triangleCount() const {

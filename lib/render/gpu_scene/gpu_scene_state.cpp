@@ -2,6 +2,7 @@
 
 #include "base/error_context.h"
 #include "gl/state_guard.h"
+#include "render/occlusion/occlusion_scene.h"
 #include "scene/geometry/axes.h"
 #include "scene/model/animation.h"
 #include "scene/validate/scene_rules.h"
@@ -97,6 +98,8 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
     listNodeLights();
 }
 
+GpuScene::State::~State() = default;
+
 void GpuScene::State::addDraws(const Scene& scene) {
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
         if (const std::optional<std::uint32_t> mesh = instances[i].mesh) {
@@ -190,6 +193,9 @@ void GpuScene::State::setMaterial(std::uint32_t index, const Material& material)
     std::optional<gl::StateGuard> pixelStorage;
     if (hasTextures(material)) pixelStorage.emplace(*binding, "a GpuScene");
     draws.setMaterial(index, material, images);
+    const bool masks =
+        material.alphaMode == AlphaMode::mask || sceneState.materials[index].alphaMode == AlphaMode::mask;
+    if (masks) ++maskVersion;
     sceneState.materials[index] = material;
     materials.set(index, material);
     cages.setMaterial(index, material);
@@ -265,9 +271,9 @@ void GpuScene::State::place(std::uint32_t instance, const glm::mat4& worldFromLo
     if (instances.winding(instance) != last) draws.setWinding(instance, instances.winding(instance));
 }
 
-void GpuScene::State::updateCages(const CameraView& view, int width, int height) {
+void GpuScene::State::updateCages(const CameraView& view, int width, int height, VertexScope scope) {
     if (!hasCages()) return;
-    for (const std::uint32_t surface : cages.update(view, width, height, draws.records())) {
+    for (const std::uint32_t surface : cages.update({view, width, height}, scope, draws.records())) {
         for (const std::uint32_t cageInstance : cages.instancesOf(surface)) {
             const std::uint32_t node = cages.instances()[cageInstance].node;
             draws.setRanges(*instances.cageOf(node), cages.surface(surface).ranges());
@@ -275,14 +281,20 @@ void GpuScene::State::updateCages(const CameraView& view, int width, int height)
     }
 }
 
-void GpuScene::State::updateDeformations(const Frustum& frustum) {
+void GpuScene::State::updateDeformations(const Frustum& frustum, VertexScope scope) {
     stale_.clear();
     for (std::uint32_t i = 0; i < deformations.size(); ++i) {
         const std::uint32_t instance = *instances.meshOf(deformations.placement(i).node);
-        if (deformations.isStale(i) && instances.isVisible(instance, frustum)) stale_.push_back(i);
+        const bool needed = scope == VertexScope::everywhere || instances.isVisible(instance, frustum);
+        if (deformations.isStale(i) && needed) stale_.push_back(i);
     }
     lastUpdate.deformed = stale_.size();
     if (!stale_.empty()) deformations.deform(stale_);
+}
+
+void GpuScene::State::updateOcclusion() {
+    if (!occlusion) occlusion = std::make_unique<OcclusionScene>();
+    occlusion->update(*this);
 }
 
 void GpuScene::State::cull(const Frustum& frustum, DrawSelection& selection) const {

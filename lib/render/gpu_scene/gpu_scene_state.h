@@ -15,15 +15,19 @@
 
 #include <candela/gpu_scene.h>
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace candela {
 
+class OcclusionScene;
+
 /// What a `GpuScene` holds. Edits only mark what they change; `update` does the work, in proportion to that.
 struct GpuScene::State {
     State(const Context& context, const Scene& scene, const GpuSceneOptions& options);
+    ~State();
 
     void setTransform(std::uint32_t node, const glm::mat4& local);
     void setTime(double seconds);
@@ -38,12 +42,14 @@ struct GpuScene::State {
     void update();
     /// Brings the cages to the levels for a frame of `width` × `height` pixels, and their vertices to their
     /// points. To be called after `update` and before `cull`; does nothing in a scene without cages.
-    void updateCages(const CameraView& view, int width, int height);
+    void updateCages(const CameraView& view, int width, int height, VertexScope scope);
     bool hasCages() const { return !cages.empty(); }
     /// Deforms the meshes in view whose vertices are not up to date. To be called after `update` and before
     /// `cull`; does nothing in a scene without deformed meshes.
-    void updateDeformations(const Frustum& frustum);
+    void updateDeformations(const Frustum& frustum, VertexScope scope);
     bool hasDeformations() const { return !deformations.empty(); }
+    /// Brings `occlusion` in step with the scene. To be called after both, for vertices everywhere.
+    void updateOcclusion();
     /// Selects the draws whose bounding spheres the frustum meets. To be called after `update`.
     void cull(const Frustum& frustum, DrawSelection& selection) const;
 
@@ -70,7 +76,9 @@ struct GpuScene::State {
     /// pixels; meshes without vertices. The nodes' transforms as they are now are in `transforms`.
     Scene sceneState;
     std::uint64_t triangles = 0;
-    OcclusionReport occlusionReport;  ///< As of the last frame with shadows.
+    /// Created by the first frame with shadows.
+    std::unique_ptr<OcclusionScene> occlusion;
+    std::uint64_t maskVersion = 1;  ///< Grows when a material that masks by alpha changes.
 
     NodeTransforms transforms;
     GpuMeshes meshes;

@@ -7,6 +7,7 @@
 #include "render/gpu_scene/gpu_lights.h"
 
 #include <candela/brdf.h>
+#include <candela/frame_data.h>
 
 #include <array>
 #include <cstdint>
@@ -16,6 +17,7 @@
 
 namespace candela {
 
+class OcclusionScene;
 class PairCounter;
 
 /// What a lighting technique works on. The frame's uniform block and the textures of `bindForLighting` are
@@ -26,6 +28,8 @@ struct LightingInputs {
     const Frustum& frustum;
     const layout::FrameUniforms& uniforms;
     BrdfModel brdf;
+    /// What hides lights; null in a frame without shadows. The G-buffer has the shadow word with it.
+    const OcclusionScene* occlusion;
     bool emissionDrawn;  ///< `targets.radiance` holds emission; else its content is that of `radianceLoadOp`.
 };
 
@@ -42,6 +46,9 @@ class LightingTechnique {
 
     /// Bytes of the lists of lights of the last rendered frame.
     virtual std::uint64_t lightListBytes() const = 0;
+
+    /// Occlusion rays of the last rendered frame.
+    virtual ShadowCounts shadowCounts() const { return {}; }
 
     /// How often the last rendered frame ran the BRDF of a point or spot light at a pixel. May draw again
     /// with `counter`; never part of a timed frame.

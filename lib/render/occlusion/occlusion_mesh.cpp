@@ -1,5 +1,10 @@
 #include "render/occlusion/occlusion_mesh.h"
 
+#include "base/error_context.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,6 +52,17 @@ bool isCutOut(const OcclusionMesh& mesh, std::uint32_t cutout, const glm::vec3& 
         alpha *= shared::sampleAlpha(image, sampling, uv);
     }
     return alpha < triangle.cutoff;
+}
+
+std::size_t OcclusionMesh::bytes() const {
+    return positions.size() * sizeof(glm::vec3) + triangles.size() * sizeof(glm::uvec3) +
+           cutouts.size() * sizeof(CutoutTriangle);
+}
+
+bool isInvertible(const glm::mat4& worldFromLocal) {
+    if (!allFinite(worldFromLocal)) return false;
+    return std::isfinite(1.0 / glm::determinant(glm::dmat3(worldFromLocal))) &&
+           allFinite(glm::inverse(worldFromLocal));
 }
 
 }  // namespace candela

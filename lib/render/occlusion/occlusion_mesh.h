@@ -41,6 +41,8 @@ struct OcclusionMesh {
     std::vector<std::shared_ptr<const AlphaImage>> images;  ///< Those that `cutouts` read.
 
     std::size_t opaqueCount() const { return triangles.size() - cutouts.size(); }
+    /// Memory, without the images.
+    std::size_t bytes() const;
 };
 
 /// Does a ray pass through a cut-out triangle of the mesh, `cutouts[cutout]`, at the point that `weights` of
@@ -54,5 +56,8 @@ struct OcclusionInstance {
     glm::mat4 worldFromLocal{1.0f};
     bool castsShadow = true;  ///< False: hidden, or its node casts no shadow.
 };
+
+/// Can rays be taken into the space of an instance? Not where the matrix is singular or not finite.
+bool isInvertible(const glm::mat4& worldFromLocal);
 
 }  // namespace candela

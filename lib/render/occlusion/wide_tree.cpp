@@ -285,7 +285,7 @@ WideTree build(std::size_t count, unsigned maxLeaf, const BoxOf& boxOf) {
 
 Bounds boundsOf(const WideNode& node) {
     Bounds bounds = inverted;
-    for (unsigned lane = 0; lane < WideNode::width; ++lane) enclose(bounds, node.bounds(lane));
+    for (unsigned lane = 0; lane < WideNode::width; ++lane) enclose(bounds, childBounds(node, lane));
     return bounds;
 }
 
@@ -304,8 +304,8 @@ void refitTree(WideTree& tree, const BoxOf& boxOf) {
         for (unsigned lane = 0; lane < WideNode::width && node->child[lane] != WideNode::noChild; ++lane) {
             const std::uint32_t child = node->child[lane];
             setBounds(*node, lane,
-                      WideNode::isLeaf(child) ? leafBounds(tree.leaves[child & ~WideNode::leafFlag])
-                                              : boundsOf(tree.nodes[child]));
+                      candela::isLeaf(child) ? leafBounds(tree.leaves[child & ~WideNode::leafFlag])
+                                             : boundsOf(tree.nodes[child]));
         }
     }
     if (!tree.empty()) tree.bounds = boundsOf(tree.nodes.front());
@@ -326,6 +326,11 @@ void fillBlock(const WideTree& tree, const WideTree::Leaf& leaf, const TriangleS
 }
 
 }  // namespace
+
+Bounds childBounds(const WideNode& node, unsigned lane) {
+    return {{node.minX[lane], node.minY[lane], node.minZ[lane]},
+            {node.maxX[lane], node.maxY[lane], node.maxZ[lane]}};
+}
 
 std::size_t WideTree::bytes() const {
     return nodes.size() * sizeof(WideNode) + leaves.size() * sizeof(Leaf) +

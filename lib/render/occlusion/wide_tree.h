@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/occlusion/wide_node.h"
+
 #include <candela/scene.h>
 
 #include <glm/vec3.hpp>
@@ -11,22 +13,12 @@
 
 namespace candela {
 
-/// A node of a `WideTree`: at most eight children with their boxes, laid out for vectors of eight.
-struct alignas(32) WideNode {
-    static constexpr unsigned width = 8;
-    static constexpr std::uint32_t leafFlag = 0x80000000u;
-    static constexpr std::uint32_t noChild = 0xffffffffu;
+inline bool isLeaf(std::uint32_t child) {
+    return (child & WideNode::leafFlag) != 0;
+}
 
-    /// The box of a missing child is inverted: `min` is the largest float and `max` the lowest one.
-    float minX[width], minY[width], minZ[width], maxX[width], maxY[width], maxZ[width];
-    /// The index of a node; `leafFlag` plus the index of a leaf; or `noChild`. Missing children come last.
-    std::uint32_t child[width];
-
-    static bool isLeaf(std::uint32_t child) { return (child & leafFlag) != 0; }
-    Bounds bounds(unsigned lane) const {
-        return {{minX[lane], minY[lane], minZ[lane]}, {maxX[lane], maxY[lane], maxZ[lane]}};
-    }
-};
+/// The box of a child.
+Bounds childBounds(const WideNode& node, unsigned lane);
 
 /// A bounding volume hierarchy with up to eight children a node, over primitives of which only the boxes
 /// count.
@@ -67,14 +59,6 @@ WideTree buildWideTree(const TriangleSpan& triangles);
 /// out.
 void refit(WideTree& tree, std::span<const Bounds> boxes);
 void refit(WideTree& tree, const TriangleSpan& triangles);
-
-/// The triangles of a leaf, laid out for vectors of eight. After the last triangle the first one is repeated.
-struct alignas(32) TriangleBlock {
-    static constexpr unsigned width = 8;
-
-    float x[3][width], y[3][width], z[3][width];  ///< Of the corners.
-    std::uint32_t triangle[width];                ///< Its index in the mesh.
-};
 
 /// One block for each leaf of the tree, which was built of these triangles; `blocks` is replaced.
 void fillTriangleBlocks(const WideTree& tree, const TriangleSpan& triangles,

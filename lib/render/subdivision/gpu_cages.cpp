@@ -159,17 +159,18 @@ void GpuCages::setTangents(LimitSurface& surface) const {
     surface.setTangents(needed ? LimitSurface::Tangents::needed : LimitSurface::Tangents::none);
 }
 
-std::span<const std::uint32_t> GpuCages::update(const CameraView& view, int width, int height,
+std::span<const std::uint32_t> GpuCages::update(const View& view, VertexScope scope,
                                                 const gl::Buffer& drawRecords) {
-    const bool known =
-        view_ && sameView(view_->camera, view) && view_->width == width && view_->height == height;
-    if (!known) requestLevels({view, width, height});
+    const bool known = view_ && sameView(view_->camera, view.camera) && view_->width == view.width &&
+                       view_->height == view.height;
+    if (!known) requestLevels(view);
     releveled_.clear();
     for (std::uint32_t i = 0; i < surfaces_.size(); ++i) {
-        if (requests_[i].inView && surfaces_[i]->setLevel(levelFor(i), drawRecords, defaultDetail_))
+        const bool needed = scope == VertexScope::everywhere || requests_[i].inView;
+        if (needed && surfaces_[i]->setLevel(levelFor(i), drawRecords, defaultDetail_))
             releveled_.push_back(i);
     }
-    evaluateStale();
+    evaluateStale(scope);
     return releveled_;
 }
 
@@ -209,9 +210,10 @@ std::uint32_t GpuCages::levelFor(std::uint32_t index) const {
     return nextLevel(surface.level(), idealLevel(*longest, settings_.edgePixels), maxLevel);
 }
 
-void GpuCages::evaluateStale() {
+void GpuCages::evaluateStale(VertexScope scope) {
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        if (requests_[i].inView && surfaces_[i]->isStale()) surfaces_[i]->evaluate(evaluator_);
+        const bool needed = scope == VertexScope::everywhere || requests_[i].inView;
+        if (needed && surfaces_[i]->isStale()) surfaces_[i]->evaluate(evaluator_);
     }
 }
 

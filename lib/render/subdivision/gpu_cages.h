@@ -55,11 +55,13 @@ class GpuCages {
     /// Surfaces have tangents where any material of the cage has a normal texture.
     void setMaterial(std::uint32_t index, const Material& material);
 
-    /// Chooses the levels for a picture of `width` × `height` pixels and evaluates the surfaces in view that
-    /// are not up to date. Returns the surfaces whose levels have changed. `drawRecords` are those of the
+    /// Chooses the levels for a view and evaluates the surfaces of the scope that are not up to date. Returns the surfaces whose levels have changed. `drawRecords` are those of the
     /// draw list.
-    std::span<const std::uint32_t> update(const CameraView& view, int width, int height,
-                                          const gl::Buffer& drawRecords);
+    struct View {
+        CameraView camera;
+        int width = 0, height = 0;  ///< Pixels.
+    };
+    std::span<const std::uint32_t> update(const View& view, VertexScope scope, const gl::Buffer& drawRecords);
 
     /// Lines of the cage `instances()[cageInstance]`, for the instance `instance` of the scene.
     CageLines lines(CageLineKind kind, std::uint32_t cageInstance, std::uint32_t instance);
@@ -71,11 +73,6 @@ class GpuCages {
         bool inView = false;
         std::optional<float> longestEdge;  ///< Pixels.
     };
-    struct View {
-        CameraView camera;
-        int width = 0, height = 0;
-    };
-
     void addInstances();
     void listJoints();
     void listAnimated();
@@ -87,7 +84,7 @@ class GpuCages {
     void requestLevel(const LodView& view, const Instance& instance);
     std::uint32_t levelFor(std::uint32_t surface) const;
     bool isLodClamped(std::uint32_t surface) const;
-    void evaluateStale();
+    void evaluateStale(VertexScope scope);
 
     const Scene& scene_;
     SubdivisionSettings settings_;

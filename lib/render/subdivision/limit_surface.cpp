@@ -73,6 +73,19 @@ void LimitSurface::evaluate(EvaluatorBackend& evaluator) {
     if (tangents_ == Tangents::needed) request.uvDerivatives = table_->uvDerivatives(tables_->cage());
     evaluator.evaluate(request);
     stale_ = false;
+    ++version_;
+}
+
+std::vector<glm::vec3> LimitSurface::readPositions() const {
+    return buffers_.surface.read<glm::vec3>(0, vertexCount());
+}
+
+std::vector<std::uint32_t> LimitSurface::readIndices(const IndexRange& range) const {
+    return table_->indices().read<std::uint32_t>(range.first, range.count);
+}
+
+std::vector<glm::vec2> LimitSurface::readUvs() const {
+    return table_->uvs() == nullptr ? std::vector<glm::vec2>{} : table_->uvs()->read<glm::vec2>(0, vertexCount());
 }
 
 CageLines LimitSurface::lines(CageLineKind kind, std::uint32_t instance) {

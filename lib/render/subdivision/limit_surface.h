@@ -46,6 +46,16 @@ class LimitSurface {
     /// Computes the vertices from the points.
     void evaluate(EvaluatorBackend& evaluator);
 
+    /// How often the vertices have been computed.
+    std::uint64_t version() const { return version_; }
+
+    // Read back from the device, as of the last `evaluate`.
+
+    std::vector<glm::vec3> readPositions() const;
+    std::vector<std::uint32_t> readIndices(const IndexRange& range) const;
+    /// One a vertex; empty where the cage has no texture coordinates.
+    std::vector<glm::vec2> readUvs() const;
+
     /// As of the last `evaluate`.
     const LimitBuffers& buffers() const { return buffers_; }
     GLuint vertexArray() const { return vertexArray_.name(); }
@@ -61,6 +71,7 @@ class LimitSurface {
     std::optional<std::uint32_t> level_;
     GpuStencilTable* table_;
     bool described_ = false, stale_ = true;
+    std::uint64_t version_ = 0;
     Tangents tangents_ = Tangents::none;
     gl::Buffer pointBuffer_{"cage points", gl::BufferUsage::dynamic};
     LimitBuffers buffers_;

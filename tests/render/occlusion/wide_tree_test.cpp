@@ -86,8 +86,8 @@ class Walk {
             EXPECT_FALSE(ended) << "a child after a missing one";
             EXPECT_GT(child, index) << "a child before its parent";
             const Bounds own =
-                WideNode::isLeaf(child) ? leaf(child & ~WideNode::leafFlag) : this->node(child, depth + 1);
-            EXPECT_TRUE(equal(own, node.bounds(lane))) << "node " << index << " lane " << lane;
+                isLeaf(child) ? leaf(child & ~WideNode::leafFlag) : this->node(child, depth + 1);
+            EXPECT_TRUE(equal(own, childBounds(node, lane))) << "node " << index << " lane " << lane;
             all.add(own);
         }
         return all;
@@ -228,7 +228,7 @@ TEST(WideTree, RefitOfWhatHasNotMovedChangesNothing) {
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         for (unsigned lane = 0; lane < WideNode::width; ++lane) {
             ASSERT_EQ(tree.nodes[i].child[lane], before.nodes[i].child[lane]);
-            ASSERT_TRUE(equal(tree.nodes[i].bounds(lane), before.nodes[i].bounds(lane)));
+            ASSERT_TRUE(equal(childBounds(tree.nodes[i], lane), childBounds(before.nodes[i], lane)));
         }
     }
 }

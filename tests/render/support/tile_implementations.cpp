@@ -58,7 +58,7 @@ std::vector<float> radianceOf(const Context& context, const TileImplementation& 
     scene.setLights(picture.lights);
     const gl::StateGuard guard(*context.state().binding, "a test");
     const GBufferTargets targets(picture.width, picture.height);
-    const GeometryPass geometry;
+    GeometryPass geometry;
     const gl::Texture albedo = makeAlbedoTexture();
     CameraView view = picture.view;
     // As the renderer does: behind every surface of the test scenes.
@@ -79,7 +79,7 @@ std::vector<float> radianceOf(const Context& context, const TileImplementation& 
         geometry.render({state, draws, targets, start});
         bindForLighting(targets, state.lights, albedo);
         implementation.technique->render(
-            {targets, state.lights, frustum, uniforms, picture.brdf, draws.emits()}, timer);
+            {targets, state.lights, frustum, uniforms, picture.brdf, nullptr, draws.emits()}, timer);
     }
     return readColor(targets.radiance, picture.width, picture.height);
 }

@@ -3,8 +3,10 @@
 #include "base/thread_pool.h"
 #include "render/gbuffer/readback.h"
 #include "render/gbuffer/srgb.h"
+#include "render/occlusion/occlusion_scene.h"
 #include "shading/directional_albedo.h"
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -40,6 +42,25 @@ void CpuTiles::Worker::reserve(std::size_t lights) {
     }
 }
 
+void CpuTiles::Worker::reserveShadows(std::size_t lights, std::size_t directionals) {
+    constexpr std::uint32_t triangleGroups = 4096;  // Under 2 MB.
+    ShadowScratch& shadows = scratch->shadows;
+    if (!triangles) triangles = std::make_unique<TrianglesSeen[]>(triangleGroups);
+    if (occlusion.size() < lights + directionals) {
+        occlusion.resize(lights + directionals);
+        lightOfSlot.resize(lights);
+        pixels.resize(2 * (lights + directionals));
+    }
+    const std::size_t all = occlusion.size();
+    shadows.triangles = triangles.get();
+    shadows.capacity = triangleGroups;
+    shadows.locals = occlusion.data();
+    shadows.directionals = occlusion.data() + (all - directionals);
+    shadows.lightOfSlot = lightOfSlot.data();
+    shadows.visible = pixels.data();
+    shadows.hidden = pixels.data() + all;
+}
+
 void CpuTiles::readTargets(const LightingInputs& inputs) {
     const GBufferTargets& targets = inputs.targets;
     const std::size_t pixels =
@@ -49,6 +70,10 @@ void CpuTiles::readTargets(const LightingInputs& inputs) {
     radiance_.resize(4 * pixels);
     readWords(targets, 0, surfaces_);
     readDepth(targets, depth_);
+    if (inputs.occlusion != nullptr) {
+        shadowWords_.resize(pixels);
+        readWords(targets, 1, shadowWords_);
+    }
     if (inputs.emissionDrawn) readColor(targets.radiance, targets.width, targets.height, radiance_);
 }
 
@@ -78,6 +103,9 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     frame.height = inputs.targets.height;
     frame.surfaces = surfaces_.data();
     frame.depth = depth_.data();
+    frame.shadowWords = inputs.occlusion == nullptr ? nullptr : shadowWords_.data();
+    frame.occlusion = inputs.occlusion == nullptr ? nullptr : &inputs.occlusion->view();
+    frame.pixelSide = glm::length(glm::vec3(uniforms.rayStepY));
     frame.radiance = radiance_.data();
     frame.loadRadiance = inputs.emissionDrawn;
     const LightReaches& reaches = lights.reaches();
@@ -95,7 +123,10 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
 }
 
 void CpuTiles::shadeTiles(const TileFrame& frame, BrdfModel brdf, ThreadPool& pool) {
-    for (Worker& worker : workers_) worker.reserve(bins_.longest());
+    for (Worker& worker : workers_) {
+        worker.reserve(bins_.longest());
+        if (frame.occlusion != nullptr) worker.reserveShadows(bins_.longest(), frame.directionalCount);
+    }
     const auto shade = kernel_.shade[static_cast<std::size_t>(brdf)];
     pool.run(bins_.order().size(), [&](std::size_t i, unsigned worker) {
         const std::uint32_t tile = bins_.order()[i];
@@ -111,7 +142,10 @@ void CpuTiles::render(const LightingInputs& inputs, gl::PassTimer& timer) {
     readTargets(inputs);
     const std::shared_ptr<ThreadPool> pool = ThreadPool::shared();
     workers_.resize(pool->size());
-    for (Worker& worker : workers_) worker.scratch->pairsEvaluated = 0;
+    for (Worker& worker : workers_) {
+        worker.scratch->pairsEvaluated = 0;
+        worker.scratch->shadows.raysAsked = worker.scratch->shadows.raysTraced = 0;
+    }
     listBytes_ = 0;
     TileFrame frame = frameOf(inputs);
     std::uint32_t binned = 0;
@@ -131,6 +165,16 @@ std::uint64_t CpuTiles::countEvaluated(const LightingInputs&, PairCounter&) {
     std::uint64_t pairs = 0;
     for (const Worker& worker : workers_) pairs += worker.scratch->pairsEvaluated;
     return pairs;
+}
+
+ShadowCounts CpuTiles::shadowCounts() const {
+    ShadowCounts counts;
+    for (const Worker& worker : workers_) {
+        counts.raysAsked += worker.scratch->shadows.raysAsked;
+        counts.raysTraced += worker.scratch->shadows.raysTraced;
+    }
+    counts.raysSaved = counts.raysAsked - counts.raysTraced;
+    return counts;
 }
 
 }  // namespace candela

@@ -25,6 +25,7 @@ class CpuTiles final : public LightingTechnique {
     void render(const LightingInputs& inputs, gl::PassTimer& timer) override;
     std::uint64_t countEvaluated(const LightingInputs& inputs, PairCounter& counter) override;
     std::uint64_t lightListBytes() const override { return listBytes_; }
+    ShadowCounts shadowCounts() const override;
 
   private:
     /// A worker's lists, in one allocation each.
@@ -32,8 +33,13 @@ class CpuTiles final : public LightingTechnique {
         std::unique_ptr<TileScratch> scratch = std::make_unique<TileScratch>();
         std::vector<float> floats;
         std::vector<std::uint32_t> indices;
+        std::unique_ptr<TrianglesSeen[]> triangles;
+        std::vector<LightOcclusion> occlusion;
+        std::vector<std::uint32_t> lightOfSlot;
+        std::vector<std::uint16_t> pixels;
 
         void reserve(std::size_t lights);
+        void reserveShadows(std::size_t lights, std::size_t directionals);
     };
 
     void readTargets(const LightingInputs& inputs);
@@ -45,6 +51,7 @@ class CpuTiles final : public LightingTechnique {
     std::uint64_t listBytes_ = 0;
     std::vector<Worker> workers_;
     std::vector<std::uint32_t> surfaces_;
+    std::vector<std::uint32_t> shadowWords_;
     std::vector<float> depth_, radiance_;
     std::array<float, 256> srgbDecode_;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/occlusion/occlusion_view.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -23,7 +25,8 @@ struct TileFrame {
     float halfExtent[2], edgeScale[2], base[2];    ///< As in `ViewFrustum`.
     bool orthographic;
     float nearOverFar,
-        depthScale;  ///< Of a perspective view: near / far plane (0 without one), and 1 less that.
+        depthScale;   ///< Of a perspective view: near / far plane (0 without one), and 1 less that.
+    float pixelSide;  ///< Of a pixel, metres: at the distance of one metre in a perspective view.
     float farPlane, depthRange;  ///< Of an orthographic view: far plane, and far - near plane.
     int width, height;
     const std::uint32_t* surfaces;  ///< Two words a pixel: `GBufferTexel`.
@@ -35,6 +38,9 @@ struct TileFrame {
     const float* records;   ///< Eight floats a light: see `GpuLights`.
     const float* cones;     ///< Four floats a spot.
     std::uint32_t pointCount, localCount, directionalCount;
+
+    const std::uint32_t* shadowWords;  ///< One a pixel; null in a frame without shadows.
+    const OcclusionView* occlusion;    ///< Null in a frame without shadows.
 
     const float* srgbDecode;   ///< 256 values.
     const float* albedoTable;  ///< See directional_albedo.h.
@@ -50,13 +56,35 @@ struct LightColumns {
     std::uint32_t* index;
 };
 
+/// What may hide one light from a box of pixels: a run of `ShadowScratch::triangles`.
+struct LightOcclusion {
+    std::uint32_t first, count;
+};
+
+/// The memory of a worker for shadows. Slots are the lights of a box of `shadowLevel`, in the order of its
+/// list.
+struct ShadowScratch {
+    TrianglesSeen* triangles;
+    std::uint32_t capacity;  ///< Of `triangles`.
+    LightOcclusion* locals;  ///< One a slot.
+    std::uint32_t* lightOfSlot;
+    LightOcclusion* directionals;  ///< One a directional light.
+    std::uint16_t* visible;        ///< Scratch of a block: for each light the pixels that it reaches.
+    std::uint16_t* hidden;         ///< And the pixels that would be lit if nothing were in between.
+    std::uint64_t raysAsked, raysTraced;
+};
+
 /// The memory of a worker. Each level has room for all lights of the tile and `listPadding` more.
 struct TileScratch {
     LightColumns levels[boxLevels + 1];
     float boxes[boxLevels][(tileSize / blockSize) * (tileSize / blockSize)][6];
     bool occupied[boxLevels][(tileSize / blockSize) * (tileSize / blockSize)];
     std::uint64_t pairsEvaluated = 0;
+    ShadowScratch shadows = {};  ///< Filled in frames with shadows.
 };
+
+/// The level of the boxes from which the triangles are gathered that may hide a light: 16 × 16 pixels.
+constexpr int shadowLevel = 2;
 
 /// The 32-bit words of a worker's memory for each light of a tile: five columns at each level.
 constexpr int scratchWordsPerLight = 5 * (boxLevels + 1);

@@ -1,19 +1,19 @@
 #pragma once
 
-// The kernels of the technique `tiles` on the CPU. Each render/kernels_*.cpp includes this once and is compiled
-// for its own instruction set, with CANDELA_TILE_KERNEL naming the table it defines. Everything here has
-// internal linkage, and no inline function of a library is used: the linker keeps only one copy of an inline
-// function, which may be compiled for an instruction set that the processor lacks.
+// The kernels of the technique `tiles` on the CPU. Each render/kernels_*.cpp includes this once and is
+// compiled for its own instruction set, with CANDELA_TILE_KERNEL naming the table it defines. Everything here
+// has internal linkage, and no inline function of a library is used: the linker keeps only one copy of an
+// inline function, which may be compiled for an instruction set that the processor lacks.
 
 #include "render/lighting/tiled/tile_kernel.h"
 
 #include "render/lighting/tiled/tile_shading.h"
+#include "render/lighting/tiled/tile_shadows.h"
 
 namespace candela {
 namespace {
 
 constexpr int blocksPerTile = tileSize / blockSize;
-constexpr float infinity = 1.0e30f;  // farther than any surface
 
 // ---- Boxes
 
@@ -217,25 +217,126 @@ void shadeBlock(const TileFrame& frame, int left, int bottom, const std::uint32_
     }
 }
 
+/// Finds which pixels of the block each light of the slots reaches, with `visible` and `hidden` of the
+/// scratch.
+template <int brdf>
+void findVisible(const TileFrame& frame, const BlockPixels& pixels, const ShadowBlock& block,
+                 const std::uint32_t* slots, std::uint32_t count, ShadowScratch& scratch) {
+    const std::uint32_t surface = surfaceBits(pixels);
+    ShadingPoint points[pixelsPerBlock / laneCount];
+    for (int group = 0; group < pixelsPerBlock / laneCount; ++group)
+        points[group] = shadingPointAt<brdf>(frame, pixels, group * laneCount);
+    const auto litBits = [&](const auto& litBy) {
+        std::uint32_t bits = 0;
+        for (int group = 0; group < pixelsPerBlock / laneCount; ++group)
+            bits |= litBy(points[group]) << group * laneCount;
+        return bits & surface;
+    };
+    const auto finish = [&](std::uint32_t i, const float* record, const LightSource& light,
+                            LightOcclusion occlusion, std::uint32_t lit) {
+        std::uint32_t hidden = 0;
+        if (castsShadow(record) && lit != 0) {
+            scratch.raysAsked += static_cast<std::uint64_t>(__builtin_popcount(lit));
+            hidden = hiddenPixels(frame, light, occlusion, block, lit, scratch);
+        }
+        scratch.visible[i] = static_cast<std::uint16_t>(lit & ~hidden);
+        scratch.hidden[i] = static_cast<std::uint16_t>(hidden);
+    };
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t light = scratch.lightOfSlot[slots[i]];
+        const float* record = frame.records + 8 * std::uint64_t{light};
+        const LocalLight local = localLightOf(record);
+        const std::uint32_t lit =
+            light < frame.pointCount
+                ? litBits([&](const ShadingPoint& point) { return litByPoint(point, local); })
+                : litBits([&](const ShadingPoint& point) {
+                      return litBySpot(
+                          point, local,
+                          lightConeOf(frame.cones + 4 * std::uint64_t{light - frame.pointCount}));
+                  });
+        finish(i, record, pointSource(record), scratch.locals[slots[i]], lit);
+    }
+    for (std::uint32_t i = 0; i < frame.directionalCount; ++i) {
+        const float* record = frame.records + 8 * (std::uint64_t{frame.localCount} + i);
+        const std::uint32_t lit =
+            litBits([&](const ShadingPoint& point) { return litByDirectional(point, splat3(record)); });
+        finish(count + i, record, {{record[0], record[1], record[2]}, false}, scratch.directionals[i], lit);
+    }
+}
+
+/// As `shadeBlock`, for the lights of `slots`, with shadows.
+template <int brdf>
+void shadeBlockWithShadows(const TileFrame& frame, int left, int bottom, const std::uint32_t* slots,
+                           std::uint32_t count, const EndBox& listBox, std::uint32_t used,
+                           ShadowScratch& scratch) {
+    const BlockPixels pixels = fetchPixels(frame, left, bottom);
+    ShadowBlock block{rayEnds(frame, pixels, left, bottom), emptyEndBox(), listBox, used};
+    enclose(block.box, pixels, block.ends);
+    addRounding(block.box);
+    findVisible<brdf>(frame, pixels, block, slots, count, scratch);
+    for (int first = 0; first < pixelsPerBlock; first += laneCount) {
+        const ShadingPoint point = shadingPointAt<brdf>(frame, pixels, first);
+        constexpr std::uint32_t group = (1u << (laneCount - 1) << 1) - 1;
+        Vec3 sum(0.0f);
+        const auto add = [&](std::uint32_t i, Vec3 radiance) {
+            const bool partly = (scratch.hidden[i] >> first & group) != 0;
+            sum = sum + (partly ? masked(radiance, lanesOf(scratch.visible[i], first)) : radiance);
+        };
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if ((scratch.visible[i] >> first & group) == 0) continue;
+            const std::uint32_t light = scratch.lightOfSlot[slots[i]];
+            const LocalLight local = localLightOf(frame.records + 8 * std::uint64_t{light});
+            if (light < frame.pointCount) {
+                add(i, pointLightRadiance(brdf, point, local));
+            } else {
+                const float* cone = frame.cones + 4 * std::uint64_t{light - frame.pointCount};
+                add(i, spotLightRadiance(brdf, point, local, lightConeOf(cone)));
+            }
+        }
+        for (std::uint32_t i = 0; i < frame.directionalCount; ++i) {
+            if ((scratch.visible[count + i] >> first & group) == 0) continue;
+            const float* record = frame.records + 8 * (std::uint64_t{frame.localCount} + i);
+            add(count + i, directionalLightRadiance(brdf, point, splat3(record), splat3(record + 4)));
+        }
+        addRadiance(frame, pixels, left, bottom, first, sum);
+    }
+}
+
+/// The boxes whose lists of triangles are in the scratch.
+struct ShadowNode {
+    EndBox box = {};
+    std::uint32_t used = 0;
+};
+
 /// The node of the box tree at `level`, with the lights that met its parent.
 template <int brdf>
 void shadeNode(const TileFrame& frame, int left, int bottom, int level, int x, int y,
-               std::uint32_t parentCount, TileScratch& scratch) {
+               std::uint32_t parentCount, ShadowNode shadows, TileScratch& scratch) {
     const int side = blocksPerTile >> level, at = y * side + x;
     if (!scratch.occupied[level][at]) return;
     const LightColumns& list = scratch.levels[level];
     const std::uint32_t count =
         filter(scratch.levels[level + 1], parentCount, scratch.boxes[level][at], list);
     if (count == 0 && frame.directionalCount == 0) return;
+    const int nodeLeft = left + (x * blockSize << level), nodeBottom = bottom + (y * blockSize << level);
+    if (level == shadowLevel && frame.occlusion != nullptr) {
+        shadows.box = endBoxOf(frame, nodeLeft, nodeBottom, 1 << level);
+        shadows.used = listOccluders(frame, shadows.box, list, count, scratch.shadows);
+    }
     if (level > 0) {
         for (int child = 0; child < 4; ++child) {
             shadeNode<brdf>(frame, left, bottom, level - 1, 2 * x + child % 2, 2 * y + child / 2, count,
-                            scratch);
+                            shadows, scratch);
         }
         return;
     }
     scratch.pairsEvaluated += std::uint64_t{count} * pixelsPerBlock;
-    shadeBlock<brdf>(frame, left + x * blockSize, bottom + y * blockSize, list.index, count);
+    if (frame.occlusion != nullptr) {
+        shadeBlockWithShadows<brdf>(frame, nodeLeft, nodeBottom, list.index, count, shadows.box, shadows.used,
+                                    scratch.shadows);
+    } else {
+        shadeBlock<brdf>(frame, nodeLeft, nodeBottom, list.index, count);
+    }
 }
 
 /// Prefetches the tile's part of the G-buffer: blocks read a few bytes of many rows, a pattern that the
@@ -268,7 +369,7 @@ void shade(const TileFrame& frame, int tileX, int tileY, const std::uint32_t* li
     prefetchTile(frame, left, bottom);
     makeBoxes(frame, left, bottom, scratch);
     gatherLights(frame, lights, count, scratch.levels[boxLevels]);
-    shadeNode<brdf>(frame, left, bottom, boxLevels - 1, 0, 0, count, scratch);
+    shadeNode<brdf>(frame, left, bottom, boxLevels - 1, 0, 0, count, {}, scratch);
 }
 
 }  // namespace

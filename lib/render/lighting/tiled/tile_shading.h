@@ -38,6 +38,7 @@ inline Floats fastDivide(Floats a, Floats b) {
 
 #include "shared/light_bounds.h"
 #include "shared/shading.h"
+#include "shared/shadow_ray.h"
 
 /// As shaders/lib/lighting.glsl reads the table.
 inline Floats directionalAlbedo(AlbedoTable table, Floats nDotV, Floats alpha) {

@@ -1,0 +1,274 @@
+#pragma once
+
+// Shadows in the kernels of `tiles`. For a box of 16 × 16 pixels and each of its lights, the triangles are
+// listed that may hide the light from the box. For a block of pixels and a light these are tested again, and
+// what remains against each ray. Where the list is full, or triangles are alpha-masked, the rays are traced.
+// Included only by tile_kernel_code.h.
+
+#include "render/lighting/tiled/tile_kernel.h"
+#include "render/lighting/tiled/tile_shading.h"
+#include "render/occlusion/block_occlusion_code.h"
+
+namespace candela {
+namespace {
+
+static_assert(raysPerBlock == pixelsPerBlock);
+
+constexpr float infinity = 1.0e30f;  // farther than any surface
+
+/// A value of `LightOcclusion::first`: the triangles did not fit.
+constexpr std::uint32_t listOverflow = 0xffffffffu;
+/// Triangle groups that one light may list for a box.
+constexpr std::uint32_t maxListLength = 64;
+
+// ---- Ray ends
+
+inline Floats halfToFloat(Ints half) {
+    // The exponent's bias differs by 112; the product makes denormal halves right, too.
+    const Ints bits = (half & 0x7fff) << 13;
+    Floats value;
+    __builtin_memcpy(&value, &bits, sizeof value);
+    return value * 5.192296858534828e33f;  // 2^112
+}
+
+/// The inverse of `packShadowWord` of shaders/shared/gbuffer_encoding.h.
+inline Vec3 unpackGeometricNormal(Ints word) {
+    const Floats x = (__builtin_convertvector((word >> 16) & 0xff, Floats) - 128.0f) * (1.0f / 127.0f);
+    const Floats y = (__builtin_convertvector((word >> 24) & 0xff, Floats) - 128.0f) * (1.0f / 127.0f);
+    const Floats z = 1.0f - abs(x) - abs(y);
+    const Ints lower = z < 0.0f;
+    const Vec3 n{select(lower, octahedralFold(y, x), x), select(lower, octahedralFold(x, y), y), z};
+    return n * inversesqrt(dot(n, n));
+}
+
+/// The side of a pixel at a surface, metres.
+inline Floats pixelExtent(const TileFrame& frame, Vec3 position) {
+    if (frame.orthographic) return splat(frame.pixelSide);
+    return dot(position - splat3(frame.eye), splat3(frame.forward)) * frame.pixelSide;
+}
+
+/// The ends of the block's rays. Undefined where there is no surface.
+inline BlockVectors rayEnds(const TileFrame& frame, const BlockPixels& pixels, int left, int bottom) {
+    std::uint32_t words[pixelsPerBlock];
+    for (int i = 0; i < pixelsPerBlock; ++i) {
+        const int x = left + i % blockSize, y = bottom + i / blockSize;
+        const bool inside = x < frame.width && y < frame.height;
+        words[i] = inside ? frame.shadowWords[static_cast<std::int64_t>(y) * frame.width + x] : 0;
+    }
+    BlockVectors ends;
+    for (int first = 0; first < pixelsPerBlock; first += laneCount) {
+        const Ints word = loadWords(words + first);
+        const Vec3 position = positionOf(frame, pixels, first);
+        const Vec3 end = shadowRayEnd(position, wayToEye(frame, position), unpackGeometricNormal(word),
+                                      halfToFloat(word), pixelExtent(frame, position));
+        store(ends.x + first, end.x), store(ends.y + first, end.y), store(ends.z + first, end.z);
+    }
+    return ends;
+}
+
+/// A bit for each pixel with a surface.
+inline std::uint32_t surfaceBits(const BlockPixels& pixels) {
+    std::uint32_t bits = 0;
+    for (int first = 0; first < pixelsPerBlock; first += laneCount)
+        bits |= laneBits(isSurface(pixels, first)) << first;
+    return bits;
+}
+
+inline void enclose(EndBox& box, const BlockPixels& pixels, const BlockVectors& ends) {
+    const Floats high = splat(infinity);
+    for (int first = 0; first < pixelsPerBlock; first += laneCount) {
+        const Ints surface = isSurface(pixels, first);
+        const Vec3 end = ends.lanes(first);
+        const Floats axes[] = {end.x, end.y, end.z};
+        for (int axis = 0; axis < 3; ++axis) {
+            const float low = minOfLanes(select(surface, axes[axis], high));
+            const float top = -minOfLanes(select(surface, -axes[axis], high));
+            box.min[axis] = low < box.min[axis] ? low : box.min[axis];
+            box.max[axis] = top > box.max[axis] ? top : box.max[axis];
+        }
+    }
+}
+
+inline EndBox emptyEndBox() {
+    return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+}
+
+/// Grows the box by more than the tests against it round, and less than ray ends are off the surface.
+inline void addRounding(EndBox& box) {
+    float largest = 0.0f;
+    for (int axis = 0; axis < 3; ++axis) {
+        largest = max(largest, max(-box.min[axis], box.min[axis]));
+        largest = max(largest, max(-box.max[axis], box.max[axis]));
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] -= 0.25f * SHADOW_MARGIN_ROUNDING * largest;
+        box.max[axis] += 0.25f * SHADOW_MARGIN_ROUNDING * largest;
+    }
+}
+
+/// Around the ray ends of the pixels of a node of the box tree.
+inline EndBox endBoxOf(const TileFrame& frame, int left, int bottom, int blocks) {
+    EndBox box = emptyEndBox();
+    for (int y = 0; y < blocks; ++y) {
+        for (int x = 0; x < blocks; ++x) {
+            const BlockPixels pixels = fetchPixels(frame, left + x * blockSize, bottom + y * blockSize);
+            enclose(box, pixels, rayEnds(frame, pixels, left + x * blockSize, bottom + y * blockSize));
+        }
+    }
+    addRounding(box);
+    return box;
+}
+
+// ---- Lists
+
+inline LightSource pointSource(const float* record) {
+    return {{record[0], record[1], record[2]}, true};
+}
+
+inline bool castsShadow(const float* record) {
+    return record[7] != 0.0f;
+}
+
+/// The origin of the triangles that a light sees: see `TrianglesSeen`.
+struct ListOrigin {
+    float at[3];
+};
+
+inline ListOrigin originOf(const LightSource& light, const EndBox& box) {
+    ListOrigin origin;
+    for (int axis = 0; axis < 3; ++axis)
+        origin.at[axis] = light.isPoint ? light.place[axis] : 0.5f * (box.min[axis] + box.max[axis]);
+    return origin;
+}
+
+/// Lists what may hide the light from the box, behind the first `used` triangle groups.
+inline LightOcclusion gatherFor(const TileFrame& frame, const LightSource& light, const EndBox& box,
+                                ShadowScratch& scratch, std::uint32_t& used) {
+    const std::uint32_t room = scratch.capacity - used;
+    TriangleList list{scratch.triangles + used, 0, room < maxListLength ? room : maxListLength};
+    if (!gatherTriangles(*frame.occlusion, light, originOf(light, box).at, box, list))
+        return {listOverflow, 0};
+    const LightOcclusion result{used, list.count};
+    used += list.count;
+    return result;
+}
+
+/// Fills the slots of a box: the lights of `list`, whose indices become slots.
+inline std::uint32_t listOccluders(const TileFrame& frame, const EndBox& box, const LightColumns& list,
+                                   std::uint32_t count, ShadowScratch& scratch) {
+    std::uint32_t used = 0;
+    for (std::uint32_t slot = 0; slot < count; ++slot) {
+        const std::uint32_t light = list.index[slot];
+        const float* record = frame.records + 8 * std::uint64_t{light};
+        scratch.lightOfSlot[slot] = light;
+        scratch.locals[slot] = castsShadow(record) ? gatherFor(frame, pointSource(record), box, scratch, used)
+                                                   : LightOcclusion{0, 0};
+        list.index[slot] = slot;
+    }
+    for (std::uint32_t i = 0; i < frame.directionalCount; ++i) {
+        const float* record = frame.records + 8 * (std::uint64_t{frame.localCount} + i);
+        const LightSource light{{record[0], record[1], record[2]}, false};
+        scratch.directionals[i] =
+            castsShadow(record) ? gatherFor(frame, light, box, scratch, used) : LightOcclusion{0, 0};
+    }
+    return used;
+}
+
+// ---- Rays of a block
+
+struct ShadowBlock {
+    BlockVectors ends;  ///< World.
+    EndBox box;
+    EndBox listBox;      ///< Of the box whose lists are used.
+    std::uint32_t used;  ///< Triangle groups of these lists.
+};
+
+/// Traces the rays of `rays` (a bit each) one by one.
+inline std::uint32_t traceRays(const TileFrame& frame, const LightSource& light, const ShadowBlock& block,
+                               const float* start, std::uint32_t rays) {
+    RayPacket packet;
+    const float* ends[] = {block.ends.x, block.ends.y, block.ends.z};
+    for (int i = 0; i < raysPerBlock; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            packet.origin[axis][i] = light.isPoint ? light.place[axis] : ends[axis][i];
+            packet.direction[axis][i] = light.isPoint ? ends[axis][i] - light.place[axis] : light.place[axis];
+        }
+        packet.tMin[i] = light.isPoint ? start[i] : 0.0f;
+        packet.tMax[i] = light.isPoint ? 1.0f : infinity;
+        packet.active[i] = (rays >> i & 1) != 0 ? -1 : 0;
+    }
+    return frame.occlusion->trace(frame.occlusion->rays, packet);
+}
+
+/// The pixels of `lit` (a bit each) from which a light is hidden.
+inline std::uint32_t hiddenPixels(const TileFrame& frame, const LightSource& light, LightOcclusion occlusion,
+                                  const ShadowBlock& block, std::uint32_t lit, ShadowScratch& scratch) {
+    if (occlusion.count == 0 && occlusion.first != listOverflow) return 0;
+    const EndBox* box = &block.listBox;
+    if (occlusion.first == listOverflow) {
+        std::uint32_t used = block.used;
+        occlusion = gatherFor(frame, light, block.box, scratch, used);
+        box = &block.box;
+        if (occlusion.count == 0 && occlusion.first != listOverflow) return 0;
+    }
+    const ListOrigin origin = originOf(light, *box);
+    BlockVectors ends;
+    float start[raysPerBlock];
+    for (int first = 0; first < raysPerBlock; first += laneCount) {
+        const Vec3 end = block.ends.lanes(first) - splat3(origin.at);
+        store(ends.x + first, end.x), store(ends.y + first, end.y), store(ends.z + first, end.z);
+        store(start + first, shadowRayStart(splat3(light.place), end));
+    }
+    if (occlusion.first == listOverflow) {
+        scratch.raysTraced += static_cast<std::uint64_t>(__builtin_popcount(lit));
+        return traceRays(frame, light, block, start, lit);
+    }
+    const CenteredBox centered = centeredBox(block.box, origin.at);
+    std::uint32_t hidden = 0;
+    bool tested = false, masked = false;
+    for (std::uint32_t i = 0; i < occlusion.count && (lit & ~hidden) != 0; ++i) {
+        const TrianglesSeen& seen = scratch.triangles[occlusion.first + i];
+        const std::uint32_t candidates = candidatesFor(seen, centered);
+        tested = tested || candidates != 0;
+        masked = masked || (candidates & seen.masked) != 0;
+        for (std::uint32_t bits = candidates & ~seen.masked; bits != 0; bits &= bits - 1)
+            hidden |= raysHidden(seen, __builtin_ctz(bits), ends, light.isPoint ? start : nullptr);
+    }
+    hidden &= lit;
+    if (tested) scratch.raysTraced += static_cast<std::uint64_t>(__builtin_popcount(lit));
+    if (masked && hidden != lit) hidden |= traceRays(frame, light, block, start, lit & ~hidden);
+    return hidden;
+}
+
+// ---- Which pixels a light would light
+
+inline std::uint32_t litByPoint(const ShadingPoint& point, const LocalLight& light) {
+    const Vec3 d = light.position - point.position;
+    return laneBits((dot(d, d) * light.inverseRange2 < 1.0f) & (dot(point.normal, d) > 0.0f));
+}
+
+inline std::uint32_t litBySpot(const ShadingPoint& point, const LocalLight& light, const LightCone& cone) {
+    const Vec3 d = light.position - point.position;
+    const Vec3 l = d * inversesqrt(max(dot(d, d), 1.0e-24f));
+    return litByPoint(point, light) & laneBits(cone.offset - dot(l, cone.axis) > 0.0f);
+}
+
+inline std::uint32_t litByDirectional(const ShadingPoint& point, Vec3 l) {
+    return laneBits(dot(point.normal, l) > 0.0f);
+}
+
+/// All bits of a lane where its bit is set.
+inline Ints lanesOf(std::uint32_t bits, int first) {
+    Ints mask;
+    for (int lane = 0; lane < laneCount; ++lane)
+        mask[lane] = static_cast<std::int32_t>(bits >> (first + lane) & 1);
+    return mask != 0;
+}
+
+inline Vec3 masked(Vec3 value, Ints mask) {
+    return {select(mask, value.x, Floats{}), select(mask, value.y, Floats{}),
+            select(mask, value.z, Floats{})};
+}
+
+}  // namespace
+}  // namespace candela

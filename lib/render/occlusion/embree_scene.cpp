@@ -1,0 +1,266 @@
+#include "render/occlusion/embree_scene.h"
+
+#include "base/thread_pool.h"
+
+#include <candela/error.h>
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace candela {
+
+namespace {
+
+struct ReleaseScene {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+struct ReleaseGeometry {
+    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+struct ReleaseDevice {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+using Scene3 = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
+using Geometry3 = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, ReleaseGeometry>;
+using Device3 = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
+
+/// Embree reads vertices as vectors of 16 bytes, beyond the last one too.
+constexpr std::size_t vertexPadding = 1;
+
+/// A mesh and its own tree.
+struct MeshTree {
+    std::shared_ptr<const OcclusionMesh> mesh;
+    Scene3 scene;
+    Geometry3 opaque, cutouts;         ///< Null where the mesh has none.
+    std::vector<std::uint32_t> users;  ///< Its instances.
+};
+
+struct InstanceEntry {
+    std::uint32_t mesh = 0;
+    Geometry3 geometry;
+    bool enabled = true;
+};
+
+/// The rays of a packet to which the mesh's cut-out shows a hole go on.
+void passThroughHoles(const RTCFilterFunctionNArguments* arguments) {
+    const auto& mesh = *static_cast<const OcclusionMesh*>(arguments->geometryUserPtr);
+    for (unsigned i = 0; i < arguments->N; ++i) {
+        if (arguments->valid[i] != -1) continue;
+        const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, i);
+        const float u = RTCHitN_u(arguments->hit, arguments->N, i),
+                    v = RTCHitN_v(arguments->hit, arguments->N, i);
+        if (isCutOut(mesh, triangle, {1.0f - u - v, u, v})) arguments->valid[i] = 0;
+    }
+}
+
+bool sameTriangles(const OcclusionMesh& a, const OcclusionMesh& b) {
+    return a.positions.size() == b.positions.size() && a.cutouts.size() == b.cutouts.size() &&
+           a.triangles == b.triangles;
+}
+
+/// Denormal numbers slow Embree's traversal down.
+class FlushDenormals {
+  public:
+#if defined(__x86_64__)
+    FlushDenormals() : before_(_mm_getcsr()) {
+        _mm_setcsr(before_ | 0x8040);
+    }
+    ~FlushDenormals() {
+        _mm_setcsr(before_);
+    }
+#else
+    FlushDenormals() = default;
+#endif
+    FlushDenormals(const FlushDenormals&) = delete;
+    FlushDenormals& operator=(const FlushDenormals&) = delete;
+
+  private:
+    unsigned before_ = 0;
+};
+
+}  // namespace
+
+struct EmbreeScene::State {
+    Device3 device;
+    std::atomic<std::int64_t> bytes{0};
+    std::vector<MeshTree> meshes;
+    std::vector<InstanceEntry> instances;
+    Scene3 top;
+
+    /// Throws where the last calls have failed.
+    void check(const std::string& what) const {
+        const RTCError code = rtcGetDeviceError(device.get());
+        if (code == RTC_ERROR_NONE) return;
+        const auto kind = code == RTC_ERROR_OUT_OF_MEMORY ? ErrorKind::limit : ErrorKind::environment;
+        throw Error(kind, "", "Embree cannot " + what + " (error " + std::to_string(code) + ")");
+    }
+
+    void writeVertices(RTCGeometry geometry, const OcclusionMesh& mesh) const {
+        auto* into = static_cast<float*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0));
+        std::memcpy(into, mesh.positions.data(), mesh.positions.size() * sizeof(glm::vec3));
+        rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+    }
+
+    Geometry3 makeTriangles(const OcclusionMesh& mesh, std::span<const glm::uvec3> triangles) const {
+        Geometry3 geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+        const void* vertices =
+            rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                    sizeof(glm::vec3), mesh.positions.size() + vertexPadding);
+        void* indices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                sizeof(glm::uvec3), triangles.size());
+        if (vertices == nullptr || indices == nullptr) check("hold a mesh");
+        std::memcpy(indices, triangles.data(), triangles.size_bytes());
+        writeVertices(geometry.get(), mesh);
+        return geometry;
+    }
+
+    void build(MeshTree& tree) const {
+        const OcclusionMesh& mesh = *tree.mesh;
+        tree.scene.reset(rtcNewScene(device.get()));
+        rtcSetSceneFlags(tree.scene.get(), RTC_SCENE_FLAG_ROBUST);
+        const std::span<const glm::uvec3> triangles(mesh.triangles);
+        tree.opaque.reset();
+        tree.cutouts.reset();
+        if (mesh.opaqueCount() > 0) tree.opaque = makeTriangles(mesh, triangles.first(mesh.opaqueCount()));
+        if (!mesh.cutouts.empty()) {
+            tree.cutouts = makeTriangles(mesh, triangles.subspan(mesh.opaqueCount()));
+            rtcSetGeometryOccludedFilterFunction(tree.cutouts.get(), passThroughHoles);
+        }
+        for (const Geometry3* geometry : {&tree.opaque, &tree.cutouts}) {
+            if (!*geometry) continue;
+            rtcCommitGeometry(geometry->get());
+            rtcAttachGeometry(tree.scene.get(), geometry->get());
+        }
+    }
+
+    void refit(MeshTree& tree) const {
+        for (const Geometry3* geometry : {&tree.opaque, &tree.cutouts}) {
+            if (!*geometry) continue;
+            writeVertices(geometry->get(), *tree.mesh);
+            rtcSetGeometryBuildQuality(geometry->get(), RTC_BUILD_QUALITY_REFIT);
+            rtcCommitGeometry(geometry->get());
+        }
+    }
+};
+
+EmbreeScene::EmbreeScene() : state_(std::make_unique<State>()) {
+    const std::string configuration = "threads=" + std::to_string(ThreadPool::shared()->size());
+    state_->device.reset(rtcNewDevice(configuration.c_str()));
+    if (!state_->device) {
+        throw Error(ErrorKind::environment, "",
+                    "Embree does not start (error " + std::to_string(rtcGetDeviceError(nullptr)) +
+                        "); shadows need it");
+    }
+    rtcSetDeviceMemoryMonitorFunction(
+        state_->device.get(),
+        [](void* bytes, ssize_t change, bool) {
+            static_cast<std::atomic<std::int64_t>*>(bytes)->fetch_add(change, std::memory_order_relaxed);
+            return true;
+        },
+        &state_->bytes);
+    state_->top.reset(rtcNewScene(state_->device.get()));
+    rtcSetSceneFlags(state_->top.get(),
+                     static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC));
+    rtcSetSceneBuildQuality(state_->top.get(), RTC_BUILD_QUALITY_LOW);
+}
+
+EmbreeScene::~EmbreeScene() = default;
+
+void EmbreeScene::setMesh(std::uint32_t index, std::shared_ptr<const OcclusionMesh> mesh) {
+    if (index == state_->meshes.size()) state_->meshes.emplace_back();
+    MeshTree& tree = state_->meshes[index];
+    const bool refitted = tree.mesh && sameTriangles(*tree.mesh, *mesh);
+    const std::shared_ptr<const OcclusionMesh> before = std::exchange(tree.mesh, std::move(mesh));
+    if (refitted) {
+        state_->refit(tree);
+    } else {
+        state_->build(tree);
+    }
+    if (tree.cutouts) rtcSetGeometryUserData(tree.cutouts.get(), const_cast<OcclusionMesh*>(tree.mesh.get()));
+    rtcCommitScene(tree.scene.get());
+    state_->check("build the tree of a mesh");
+    // The upper tree has read the bounds of the mesh, and its scene where that is a new one.
+    for (const std::uint32_t user : tree.users) {
+        const InstanceEntry& instance = state_->instances[user];
+        rtcSetGeometryInstancedScene(instance.geometry.get(), tree.scene.get());
+        rtcCommitGeometry(instance.geometry.get());
+    }
+}
+
+void EmbreeScene::setInstance(std::uint32_t index, const OcclusionInstance& instance) {
+    const bool isNew = index == state_->instances.size();
+    if (isNew) {
+        InstanceEntry& added = state_->instances.emplace_back();
+        added.geometry.reset(rtcNewGeometry(state_->device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+        rtcAttachGeometryByID(state_->top.get(), added.geometry.get(), index);
+    }
+    InstanceEntry& entry = state_->instances[index];
+    if (isNew || entry.mesh != instance.mesh) {
+        if (!isNew) std::erase(state_->meshes[entry.mesh].users, index);
+        state_->meshes[instance.mesh].users.push_back(index);
+        rtcSetGeometryInstancedScene(entry.geometry.get(), state_->meshes[instance.mesh].scene.get());
+    }
+    entry.mesh = instance.mesh;
+    const bool enabled = instance.castsShadow && isInvertible(instance.worldFromLocal);
+    if (enabled) {
+        rtcSetGeometryTransform(entry.geometry.get(), 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
+                                &instance.worldFromLocal);
+    }
+    if (enabled != entry.enabled) (enabled ? rtcEnableGeometry : rtcDisableGeometry)(entry.geometry.get());
+    entry.enabled = enabled;
+    rtcCommitGeometry(entry.geometry.get());
+}
+
+void EmbreeScene::commit() {
+    rtcCommitScene(state_->top.get());
+    state_->check("build the tree of the instances");
+}
+
+std::uint64_t EmbreeScene::bytes() const {
+    return static_cast<std::uint64_t>(std::max<std::int64_t>(state_->bytes.load(), 0));
+}
+
+std::uint32_t EmbreeScene::trace(const RayPacket& packet) const {
+    static_assert(RayPacket::size == 16);
+    RTCRay16 rays;
+    static_assert(sizeof rays.org_x == sizeof packet.origin[0]);
+    std::memcpy(rays.org_x, packet.origin[0], sizeof rays.org_x);
+    std::memcpy(rays.org_y, packet.origin[1], sizeof rays.org_y);
+    std::memcpy(rays.org_z, packet.origin[2], sizeof rays.org_z);
+    std::memcpy(rays.dir_x, packet.direction[0], sizeof rays.dir_x);
+    std::memcpy(rays.dir_y, packet.direction[1], sizeof rays.dir_y);
+    std::memcpy(rays.dir_z, packet.direction[2], sizeof rays.dir_z);
+    std::memcpy(rays.tnear, packet.tMin, sizeof rays.tnear);
+    std::memcpy(rays.tfar, packet.tMax, sizeof rays.tfar);
+    std::fill_n(rays.time, 16, 0.0f);
+    std::fill_n(rays.mask, 16, ~0u);
+    std::fill_n(rays.id, 16, 0u);
+    std::fill_n(rays.flags, 16, 0u);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    const FlushDenormals flush;
+    rtcOccluded16(packet.active, state_->top.get(), &context, &rays);
+    std::uint32_t hit = 0;
+    // A ray that meets something ends at minus infinity.
+    for (int i = 0; i < 16; ++i) hit |= (packet.active[i] != 0 && rays.tfar[i] < 0.0f ? 1u : 0u) << i;
+    return hit;
+}
+
+std::uint32_t EmbreeScene::tracePacket(const void* scene, const RayPacket& packet) {
+    return static_cast<const EmbreeScene*>(scene)->trace(packet);
+}
+
+}  // namespace candela

@@ -1,0 +1,137 @@
+#include "render/occlusion/mesh_readback.h"
+
+#include "render/layout.h"
+
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace candela {
+
+namespace {
+
+bool isMasked(const GpuScene::State& scene, const DrawnPart& part) {
+    return part.material < scene.sceneState.materials.size() &&
+           scene.sceneState.materials[part.material].alphaMode == AlphaMode::mask;
+}
+
+AlphaWrap alphaWrap(Wrap wrap) {
+    if (wrap == Wrap::clampToEdge) return AlphaWrap::clampToEdge;
+    return wrap == Wrap::mirroredRepeat ? AlphaWrap::mirroredRepeat : AlphaWrap::repeat;
+}
+
+/// What is read of an instance.
+struct Source {
+    const GpuScene::State& scene;
+    std::uint32_t instance;
+    DrawGeometry geometry;
+
+    const LimitSurface& surface() const { return scene.cages.surface(geometry.index); }
+    std::uint32_t mesh() const { return *scene.instances[instance].mesh; }
+
+    std::vector<glm::vec3> positions() const {
+        switch (geometry.kind) {
+            case DrawGeometry::Kind::cage:
+                return surface().readPositions();
+            case DrawGeometry::Kind::deformedMesh:
+                return scene.meshes.readPositions(
+                    mesh(), {scene.deformations.buffers(geometry.index).surface, nullptr});
+            default:
+                return scene.meshes.readPositions(mesh());
+        }
+    }
+    std::vector<std::uint32_t> indices(const IndexRange& range) const {
+        return geometry.kind == DrawGeometry::Kind::cage ? surface().readIndices(range)
+                                                         : scene.meshes.readIndices(range);
+    }
+    std::vector<GpuMeshes::AlphaVertex> alphaVertices(std::size_t count) const {
+        if (geometry.kind != DrawGeometry::Kind::cage) return scene.meshes.readAlphaVertices(mesh());
+        std::vector<GpuMeshes::AlphaVertex> vertices(count);
+        const std::vector<glm::vec2> uvs = surface().readUvs();
+        for (std::size_t i = 0; i < uvs.size(); ++i) vertices[i].uv0 = uvs[i];
+        return vertices;
+    }
+};
+
+std::vector<glm::uvec3> trianglesOf(const std::vector<std::uint32_t>& indices) {
+    std::vector<glm::uvec3> triangles(indices.size() / 3);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        triangles[i] = {indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]};
+    return triangles;
+}
+
+/// Makes the cut-outs of one material.
+class CutoutMaker {
+  public:
+    CutoutMaker(const GpuScene::State& scene, std::uint32_t materialIndex, OcclusionMesh& mesh,
+                AlphaImages& images) {
+        const Material& material = scene.sceneState.materials[materialIndex];
+        const std::span<const glm::uvec4> record = scene.materials.record(materialIndex);
+        factor_ = material.baseColor.a;
+        triangle_.cutoff = std::bit_cast<float>(record[layout::MATERIAL_FACTORS].w);
+        for (int row = 0; row < 2; ++row) {
+            const glm::uvec4& words = record[static_cast<std::size_t>(layout::MATERIAL_UV_ROWS + row)];
+            rows_[row] = {std::bit_cast<float>(words.x), std::bit_cast<float>(words.y),
+                          std::bit_cast<float>(words.z)};
+        }
+        triangle_.image = CutoutTriangle::noImage;
+        if (!material.baseColorTexture) return;
+        const Texture& texture = *material.baseColorTexture;
+        usesSecondSet_ = texture.uvSet == 1;
+        triangle_.wrapS = alphaWrap(texture.wrapS);
+        triangle_.wrapT = alphaWrap(texture.wrapT);
+        triangle_.nearest = texture.magFilter == Filter::nearest;
+        triangle_.image = static_cast<std::uint32_t>(mesh.images.size());
+        std::shared_ptr<const AlphaImage>& image = images[texture.image];
+        if (!image) image = std::make_shared<AlphaImage>(scene.images.readAlpha(texture.image));
+        mesh.images.push_back(image);
+    }
+
+    CutoutTriangle make(const glm::uvec3& corners,
+                        const std::vector<GpuMeshes::AlphaVertex>& vertices) const {
+        CutoutTriangle triangle = triangle_;
+        for (int corner = 0; corner < 3; ++corner) {
+            const GpuMeshes::AlphaVertex& vertex = vertices[corners[corner]];
+            const glm::vec3 uv(usesSecondSet_ ? vertex.uv1 : vertex.uv0, 1.0f);
+            triangle.uv[corner] = {glm::dot(rows_[0], uv), glm::dot(rows_[1], uv)};
+            triangle.alpha[corner] = factor_ * vertex.alpha;
+        }
+        return triangle;
+    }
+
+  private:
+    CutoutTriangle triangle_;
+    glm::vec3 rows_[2];
+    float factor_ = 1.0f;
+    bool usesSecondSet_ = false;
+};
+
+}  // namespace
+
+bool hasMaskedPart(const GpuScene::State& scene, std::uint32_t instance) {
+    return std::ranges::any_of(scene.draws.partsOf(instance),
+                               [&](const DrawnPart& part) { return isMasked(scene, part); });
+}
+
+OcclusionMesh readOcclusionMesh(const GpuScene::State& scene, std::uint32_t instance, AlphaImages& images) {
+    const Source source{scene, instance, scene.draws.geometryOf(instance)};
+    OcclusionMesh mesh;
+    mesh.positions = source.positions();
+    std::vector<DrawnPart> parts = scene.draws.partsOf(instance);
+    const auto masked =
+        std::ranges::stable_partition(parts, [&](const DrawnPart& part) { return !isMasked(scene, part); });
+    const std::vector<GpuMeshes::AlphaVertex> vertices =
+        masked.empty() ? std::vector<GpuMeshes::AlphaVertex>{} : source.alphaVertices(mesh.positions.size());
+    for (auto part = parts.begin(); part != parts.end(); ++part) {
+        const std::vector<glm::uvec3> triangles = trianglesOf(source.indices(part->indices));
+        mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
+        if (part < masked.begin()) continue;
+        const CutoutMaker maker(scene, part->material, mesh, images);
+        for (const glm::uvec3& corners : triangles) mesh.cutouts.push_back(maker.make(corners, vertices));
+    }
+    return mesh;
+}
+
+}  // namespace candela

@@ -1,0 +1,192 @@
+#include "render/occlusion/occlusion_scene.h"
+
+#include "render/gpu_scene/gpu_scene_state.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <numeric>
+#include <optional>
+
+namespace candela {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+std::uint64_t versionOf(const GpuScene::State& scene, const DrawGeometry& geometry) {
+    switch (geometry.kind) {
+        case DrawGeometry::Kind::deformedMesh:
+            return scene.deformations.version(geometry.index);
+        case DrawGeometry::Kind::cage:
+            return scene.cages.surface(geometry.index).version();
+        default:
+            return 1;
+    }
+}
+
+glm::mat4 worldFromLocal(const GpuScene::State& scene, std::uint32_t index) {
+    const Instance& instance = scene.instances[index];
+    if (!instance.mesh) return scene.cages.instances()[instance.cageInstance].worldFromPoints;
+    if (const std::optional<std::uint32_t> deformed = scene.deformations.ofNode(instance.node))
+        return scene.deformations.placement(*deformed).worldFromLocal;
+    return scene.transforms.world()[instance.node];
+}
+
+/// An instance that shows the geometry. That of a limit surface may show another one by now.
+std::optional<std::uint32_t> instanceShowing(const GpuScene::State& scene, const DrawGeometry& geometry,
+                                             std::uint32_t first) {
+    if (geometry.kind != DrawGeometry::Kind::cage) return first;
+    const std::span<const std::uint32_t> users = scene.cages.instancesOf(geometry.index);
+    if (users.empty()) return std::nullopt;
+    return scene.instances.cageOf(scene.cages.instances()[users.front()].node);
+}
+
+/// A box around the transformed box, with more than the rounding of its corners and of rays' positions.
+Bounds transformed(const Bounds& box, const glm::mat4& matrix) {
+    Bounds result;
+    if (box.empty()) return result;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                          corner & 4 ? box.max.z : box.min.z);
+        const glm::vec3 q(matrix * glm::vec4(p, 1.0f));
+        result.add({q, q});
+    }
+    constexpr float rounding = 1.0e-6f;
+    const glm::vec3 largest = glm::max(glm::abs(result.min), glm::abs(result.max));
+    const float margin = rounding * std::max({largest.x, largest.y, largest.z});
+    return {result.min - margin, result.max + margin};
+}
+
+/// Three rows of four numbers.
+void writeRows(float (&rows)[12], const glm::mat4& matrix) {
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 4; ++column) rows[4 * row + column] = matrix[column][row];
+    }
+}
+
+}  // namespace
+
+void OcclusionScene::update(GpuScene::State& scene) {
+    const Clock::time_point start = Clock::now();
+    std::vector<std::uint32_t> changed = scene.instances.takeChanged();
+    if (instances_.size() != scene.instances.size()) {
+        instances_.resize(scene.instances.size());
+        changed.resize(scene.instances.size());
+        std::iota(changed.begin(), changed.end(), 0u);
+    }
+    for (const std::uint32_t index : changed) instances_[index].mesh = meshOf(scene, index);
+    updateMeshes(scene);
+    for (const std::uint32_t index : changed) updateInstance(scene, index);
+    if (!changed.empty() || meshesChanged_) {
+        embree_.commit();
+        updateView();
+    }
+    updateMilliseconds_ = millisecondsSince(start);
+}
+
+/// Adds the mesh of an instance where no other shows it.
+std::uint32_t OcclusionScene::meshOf(const GpuScene::State& scene, std::uint32_t instance) {
+    const DrawGeometry geometry = scene.draws.geometryOf(instance);
+    const bool shared = geometry.kind == DrawGeometry::Kind::meshes;
+    const MeshKey key{geometry, shared ? scene.instances[instance].mesh.value_or(0) : 0};
+    const auto [entry, added] = meshIndices_.try_emplace(key, static_cast<std::uint32_t>(meshes_.size()));
+    if (added) {
+        meshes_.emplace_back().geometry = geometry;
+        meshes_.back().instance = instance;
+    }
+    return entry->second;
+}
+
+void OcclusionScene::updateMeshes(const GpuScene::State& scene) {
+    meshesChanged_ = false;
+    for (std::uint32_t i = 0; i < meshes_.size(); ++i) {
+        MeshEntry& mesh = meshes_[i];
+        const std::uint64_t version = versionOf(scene, mesh.geometry);
+        bool stale = mesh.version != version;
+        if (mesh.maskVersion != scene.maskVersion) {
+            const bool masked = hasMaskedPart(scene, mesh.instance);
+            stale = stale || masked || mesh.isMasked;
+            mesh.isMasked = masked;
+            mesh.maskVersion = scene.maskVersion;
+        }
+        if (!stale) continue;
+        mesh.version = version;
+        build(scene, i);
+        meshesChanged_ = true;
+    }
+}
+
+void OcclusionScene::build(const GpuScene::State& scene, std::uint32_t index) {
+    MeshEntry& entry = meshes_[index];
+    const std::optional<std::uint32_t> instance = instanceShowing(scene, entry.geometry, entry.instance);
+    if (!instance) return;
+    const Clock::time_point start = Clock::now();
+    const auto mesh = std::make_shared<OcclusionMesh>(readOcclusionMesh(scene, *instance, alphaImages_));
+    const TriangleSpan triangles{mesh->positions, mesh->triangles};
+    if (entry.mesh && entry.mesh->triangles == mesh->triangles) {
+        refit(entry.tree, triangles);
+    } else {
+        entry.tree = buildWideTree(triangles);
+    }
+    fillTriangleBlocks(entry.tree, triangles, entry.blocks);
+    entry.mesh = mesh;
+    embree_.setMesh(index, mesh);
+    entry.buildMilliseconds = millisecondsSince(start);
+}
+
+void OcclusionScene::updateInstance(const GpuScene::State& scene, std::uint32_t index) {
+    InstanceEntry& instance = instances_[index];
+    instance.casts =
+        !scene.instances.isHidden(index) && scene.sceneState.nodes[scene.instances[index].node].castsShadow;
+    instance.worldFromLocal = worldFromLocal(scene, index);
+    embree_.setInstance(index, {instance.mesh, instance.worldFromLocal, instance.casts});
+}
+
+/// The tree over instances is built anew: that takes less than refitting would cost rays.
+void OcclusionScene::updateView() {
+    std::vector<Bounds> boxes(instances_.size());
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        const InstanceEntry& instance = instances_[i];
+        if (instance.casts && isInvertible(instance.worldFromLocal))
+            boxes[i] = transformed(meshes_[instance.mesh].tree.bounds, instance.worldFromLocal);
+    }
+    top_ = buildWideTree(boxes, 1);
+    instanceViews_.clear();
+    for (const WideTree::Leaf& leaf : top_.leaves) {
+        const InstanceEntry& instance = instances_[top_.primitives[leaf.first]];
+        const MeshEntry& mesh = meshes_[instance.mesh];
+        OcclusionInstanceView& view = instanceViews_.emplace_back();
+        writeRows(view.worldFromLocal, instance.worldFromLocal);
+        writeRows(view.localFromWorld, glm::inverse(instance.worldFromLocal));
+        view.nodes = mesh.tree.nodes.data();
+        view.blocks = mesh.blocks.data();
+        view.opaqueCount = static_cast<std::uint32_t>(mesh.mesh->opaqueCount());
+    }
+    view_ = {top_.empty() ? nullptr : top_.nodes.data(), instanceViews_.data(), &embree_,
+             EmbreeScene::tracePacket};
+}
+
+OcclusionReport OcclusionScene::report() const {
+    OcclusionReport report;
+    report.bytes = embree_.bytes() + top_.bytes();
+    for (const MeshEntry& entry : meshes_) {
+        if (!entry.mesh) continue;
+        report.triangles += entry.mesh->triangles.size();
+        report.buildMilliseconds += entry.buildMilliseconds;
+        report.bytes +=
+            entry.tree.bytes() + entry.blocks.size() * sizeof(TriangleBlock) + entry.mesh->bytes();
+    }
+    report.instances = instanceViews_.size();
+    report.updateMilliseconds = updateMilliseconds_;
+    return report;
+}
+
+}  // namespace candela

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "render/gpu_scene/draw_list.h"
+#include "render/occlusion/embree_scene.h"
+#include "render/occlusion/mesh_readback.h"
+#include "render/occlusion/occlusion_view.h"
+#include "render/occlusion/wide_tree.h"
+
+#include <candela/gpu_scene.h>
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace candela {
+
+/// What occlusion rays meet of a `GpuScene`, kept in step with it: instances that move, hide or cast no
+/// shadow, deforming meshes, refined cages and alpha masks. Meshes are read back from the device when they
+/// are first needed and when they change.
+class OcclusionScene {
+  public:
+    OcclusionScene() = default;
+    OcclusionScene(const OcclusionScene&) = delete;
+    OcclusionScene& operator=(const OcclusionScene&) = delete;
+
+    /// Brings the structure in step with `scene`, whose cages and deformed meshes are up to date, those out
+    /// of view included. The work is in proportion to what has changed since the last call.
+    void update(GpuScene::State& scene);
+
+    const EmbreeScene& rays() const { return embree_; }
+    /// Valid until the next `update`.
+    const OcclusionView& view() const { return view_; }
+    OcclusionReport report() const;
+
+  private:
+    /// What instances share: a mesh of the scene, a deformed mesh or a limit surface.
+    struct MeshEntry {
+        DrawGeometry geometry;
+        std::uint32_t instance = 0;     ///< One that shows it.
+        std::uint64_t version = 0;      ///< Of the vertices.
+        std::uint64_t maskVersion = 0;  ///< Of the materials that mask.
+        bool isMasked = false;          ///< A part has such a material.
+        double buildMilliseconds = 0.0;
+        std::shared_ptr<const OcclusionMesh> mesh;
+        WideTree tree;
+        std::vector<TriangleBlock> blocks;  ///< One for each leaf of the tree.
+    };
+    using MeshKey = std::pair<DrawGeometry, std::uint32_t>;
+
+    struct InstanceEntry {
+        std::uint32_t mesh = 0;
+        glm::mat4 worldFromLocal{1.0f};
+        bool casts = false;
+    };
+
+    std::uint32_t meshOf(const GpuScene::State& scene, std::uint32_t instance);
+    void updateMeshes(const GpuScene::State& scene);
+    void build(const GpuScene::State& scene, std::uint32_t index);
+    void updateInstance(const GpuScene::State& scene, std::uint32_t index);
+    void updateView();
+
+    EmbreeScene embree_;
+    std::vector<MeshEntry> meshes_;
+    std::map<MeshKey, std::uint32_t> meshIndices_;
+    std::vector<InstanceEntry> instances_;              ///< All of the scene.
+    WideTree top_;                                      ///< Over those that cast shadows.
+    std::vector<OcclusionInstanceView> instanceViews_;  ///< One for each leaf of `top_`.
+    OcclusionView view_{};
+    AlphaImages alphaImages_;
+    bool meshesChanged_ = false;  ///< By the last `updateMeshes`.
+    double updateMilliseconds_ = 0.0;
+};
+
+}  // namespace candela
