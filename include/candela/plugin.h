@@ -33,7 +33,7 @@ extern "C" {
 #endif
 
 #define CANDELA_PLUGIN_MAJOR 1u
-#define CANDELA_PLUGIN_MINOR 3u
+#define CANDELA_PLUGIN_MINOR 4u
 
 typedef enum candela_status { CANDELA_OK = 0, CANDELA_FAILED = 1 } candela_status;
 
@@ -277,6 +277,11 @@ typedef struct candela_light {
     float position[3];      /* in the node's space; directional: ignored */
     float direction[3]; /* in the node's space, of any length but 0: where the light goes; point: ignored */
     int32_t node;       /* index of an added node, -1: world space */
+    uint32_t unused;    /* padding of version 1.0, which is not read */
+    /* since 1.4 */
+    uint32_t casts_no_shadow; /* 1: surfaces do not keep its light from what lies behind them; or 0 */
+    float radius; /* metres, 0 or more: of the sphere that emits the light, which softens the edges of
+                   * shadows; directional: ignored */
 } candela_light;
 
 /* A node of the hierarchy. Parents are added before their children. The local matrix is `matrix` where it is
@@ -294,6 +299,8 @@ typedef struct candela_node {
     /* since 1.3: metres, added in double precision to the translation, or to that of the matrix: what a
      * float can not hold of it */
     double translation_remainder[3];
+    /* since 1.4: 1: the node's own mesh and cages cast no shadows; or 0. Its children are not affected. */
+    uint32_t casts_no_shadow;
 } candela_node;
 
 typedef enum candela_animation_path {

@@ -54,6 +54,7 @@ Node nodeFrom(const candela_node& source, const AbiReader& element, const Scene&
                 joined("translation_remainder is ", remainder, ", but a finite number was expected"));
         node.translationRemainder[axis] = remainder;
     }
+    node.castsShadow = !element.flag("casts_no_shadow", source.casts_no_shadow);
     if (source.matrix)
         node.transform = matrixFrom(source, element);
     else
@@ -126,6 +127,8 @@ Light lightFrom(const candela_light& source, const AbiReader& element, const Sce
         light.position = element.finiteVector("position", source.position);
     if (light.type != LightType::point) light.direction = unitDirection(source, element);
     light.node = element.reference("node", source.node, scene.nodes.size());
+    light.castsShadow = !element.flag("casts_no_shadow", source.casts_no_shadow);
+    light.radius = element.zeroOrMore("radius", source.radius);
     return light;
 }
 

@@ -25,7 +25,10 @@ inline constexpr std::array pastSizesOf<candela_mesh>{offsetof(candela_mesh, fac
 template <>
 inline constexpr std::array pastSizesOf<candela_camera>{offsetof(candela_camera, number)};
 template <>
-inline constexpr std::array pastSizesOf<candela_node>{offsetof(candela_node, translation_remainder)};
+inline constexpr std::array pastSizesOf<candela_light>{offsetof(candela_light, casts_no_shadow)};
+template <>
+inline constexpr std::array pastSizesOf<candela_node>{offsetof(candela_node, translation_remainder),
+                                                      offsetof(candela_node, casts_no_shadow)};
 template <>
 inline constexpr std::array pastSizesOf<candela_plugin>{offsetof(candela_plugin, subdivider)};
 

@@ -166,6 +166,7 @@ void addNode(Fuzzer& fuzz, const candela_host& host) {
     if (fuzz.oneIn(9)) fuzz.modify(node.rotation);
     fuzz.modify(node.scale);
     fuzz.modify(node.mesh);
+    if (fuzz.oneIn(9)) fuzz.modify(node.casts_no_shadow);
     std::array<float, 16> matrix = samples::identity;
     if (fuzz.oneIn(9)) fuzz.modify(matrix);
     if (fuzz.oneIn(3)) node.matrix = matrix.data();
@@ -193,6 +194,8 @@ void addLight(Fuzzer& fuzz, const candela_host& host) {
     fuzz.modify(light.position);
     fuzz.modify(light.direction);
     fuzz.modify(light.node);
+    if (fuzz.oneIn(9)) fuzz.modify(light.casts_no_shadow);
+    fuzz.modify(light.radius);
     host.add_light(host.self, &light);
 }
 

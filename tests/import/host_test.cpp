@@ -105,6 +105,7 @@ const InvalidCase invalidNodes[] = {
     {"node-matrix-projective",
      "node 1 'axle': matrix is not affine: the last number of column 2 is -1, but 0 was expected"},
     {"node-matrix-nan", "node 1 'axle': matrix 0 has the component nan, but finite numbers were expected"},
+    {"node-casts-no-shadow", "node 1 'axle': casts_no_shadow is 2, but 0 or 1 was expected"},
 };
 INSTANTIATE_TEST_SUITE_P(Nodes, HostRefuses, testing::ValuesIn(invalidNodes), nameOf);
 
@@ -122,6 +123,9 @@ const InvalidCase invalidCamerasAndLights[] = {
     {"light-outer-cone", "light 0 'lamp': outer_cone_angle is 1.6, but 0 to 1.5708 was expected"},
     {"light-direction", "light 0 'lamp': direction has the length 0"},
     {"light-node", "light 0 'lamp': node is -7, but 0 were added so far and -1 is none"},
+    {"light-casts-no-shadow", "light 0 'lamp': casts_no_shadow is 2, but 0 or 1 was expected"},
+    {"light-radius", "light 0 'lamp': radius is -0.5, but 0 or more was expected"},
+    {"light-radius-nan", "light 0 'lamp': radius is nan, but a finite number was expected"},
 };
 INSTANTIATE_TEST_SUITE_P(Views, HostRefuses, testing::ValuesIn(invalidCamerasAndLights), nameOf);
 
@@ -192,12 +196,15 @@ TEST(Host, CopiesWhatIsAdded) {
     ASSERT_EQ(scene.nodes.size(), 1u);
     EXPECT_EQ(scene.nodes[0].mesh, 0u);
     EXPECT_FALSE(scene.nodes[0].parent);
+    EXPECT_FALSE(scene.nodes[0].castsShadow);
     ASSERT_EQ(scene.cameras.size(), 1u);
     EXPECT_FALSE(scene.cameras[0].nearPlane) << "0 stands for none";
     ASSERT_EQ(scene.lights.size(), 1u);
     EXPECT_EQ(scene.lights[0].type, LightType::spot);
     EXPECT_FALSE(scene.lights[0].range) << "0 stands for none";
     EXPECT_EQ(scene.lights[0].direction, glm::vec3(0, 0, -1));
+    EXPECT_FALSE(scene.lights[0].castsShadow);
+    EXPECT_EQ(scene.lights[0].radius, 0.125f);
     ASSERT_EQ(scene.animations.size(), 1u);
     EXPECT_EQ(scene.animations[0].channels.at(0).values.size(), 6u);
 }
@@ -218,15 +225,27 @@ TEST(Host, AMeshWithoutSubmeshesIsDrawnAsAWhole) {
 
 TEST(Host, PluginsBuiltForOlderVersionsImport) {
     const PluginRegistry old({std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-0",
-                              std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-1"});
+                              std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-1",
+                              std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-3"});
     const Scene first = importScene(old, "built-for-1-0:").scene;
     EXPECT_EQ(first.meshes.at(0).indices.size(), 3u);
-    EXPECT_EQ(first.lights.size(), 1u);
+    ASSERT_EQ(first.lights.size(), 1u);
+    EXPECT_TRUE(first.lights[0].castsShadow);
+    EXPECT_TRUE(first.nodes.at(0).castsShadow);
     const Scene second = importScene(old, "built-for-1-1:").scene;
     EXPECT_EQ(second.meshes.at(0).indices.size(), 6u) << "a quad";
     EXPECT_EQ(second.cages.size(), 1u);
     ASSERT_TRUE(second.nodes.at(1).cage);
     EXPECT_EQ(second.nodes[1].cage, 0u);
+    EXPECT_TRUE(second.nodes[1].castsShadow);
+    const Scene third = importScene(old, "built-for-1-3:").scene;
+    EXPECT_EQ(third.nodes.at(0).translationRemainder, glm::dvec3(0, 0.25, 0));
+    EXPECT_EQ(third.nodes[0].skin, 0u);
+    EXPECT_TRUE(third.nodes[0].castsShadow);
+    ASSERT_EQ(third.lights.size(), 1u);
+    EXPECT_EQ(third.lights[0].node, 0u);
+    EXPECT_TRUE(third.lights[0].castsShadow);
+    EXPECT_EQ(third.lights[0].radius, 0.0f);
 }
 
 TEST(Host, RunsParallelLoops) {

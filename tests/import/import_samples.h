@@ -113,6 +113,8 @@ inline candela_light light() {
     light.outer_cone_angle = 0.5f;
     light.direction[2] = -3.0f;
     light.node = -1;
+    light.casts_no_shadow = 1;
+    light.radius = 0.125f;
     return light;
 }
 

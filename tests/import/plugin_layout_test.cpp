@@ -151,7 +151,10 @@ static_assert(offsetof(candela_light, outer_cone_angle) == 44);
 static_assert(offsetof(candela_light, position) == 48);
 static_assert(offsetof(candela_light, direction) == 60);
 static_assert(offsetof(candela_light, node) == 72);
-static_assert(sizeof(candela_light) == 80);
+static_assert(offsetof(candela_light, unused) == 76);
+static_assert(offsetof(candela_light, casts_no_shadow) == 80);
+static_assert(offsetof(candela_light, radius) == 84);
+static_assert(sizeof(candela_light) == 88);
 
 static_assert(offsetof(candela_node, struct_size) == 0);
 static_assert(offsetof(candela_node, name) == 8);
@@ -163,7 +166,8 @@ static_assert(offsetof(candela_node, matrix) == 64);
 static_assert(offsetof(candela_node, mesh) == 72);
 static_assert(offsetof(candela_node, unused) == 76);
 static_assert(offsetof(candela_node, translation_remainder) == 80);
-static_assert(sizeof(candela_node) == 104);
+static_assert(offsetof(candela_node, casts_no_shadow) == 104);
+static_assert(sizeof(candela_node) == 112);
 
 static_assert(offsetof(candela_animation_channel, node) == 0);
 static_assert(offsetof(candela_animation_channel, path) == 4);
