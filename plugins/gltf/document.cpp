@@ -200,6 +200,7 @@ Document readDocument(const Bytes& text, const Host& host) {
     document.imageExtensions = imageExtensionsOf(json);
     document.faults = compressedElements(json);
     document.cages = readCageSettings(json, host);
+    document.shadows = readShadowExtras(json, host);
     Conformity conformity = conform(json, documentSchema(), host);
     document.faults.merge(conformity.faults);
     document.lostGeometry = std::move(conformity.lostGeometry);

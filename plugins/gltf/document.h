@@ -12,6 +12,7 @@
 #include "../common/host.h"
 #include "cage_settings.h"
 #include "schema.h"
+#include "shadow_extras.h"
 
 namespace candela_plugins::gltf {
 
@@ -48,8 +49,9 @@ struct Document {
     std::vector<std::string> imageExtensions;  ///< By texture: that of an image of another format, or empty.
     std::vector<SkinSource> skins;
     std::map<std::size_t, CageSettings> cages;  ///< By mesh: those that are subdivision cages.
-    std::vector<Bytes> buffers;                 ///< Filled by `loadBuffers`; empty where it has a fault.
-    bool quantized = false;                     ///< KHR_mesh_quantization is in use.
+    ShadowExtras shadows;
+    std::vector<Bytes> buffers;  ///< Filled by `loadBuffers`; empty where it has a fault.
+    bool quantized = false;      ///< KHR_mesh_quantization is in use.
 };
 
 /// The attribute name under which `readDocument` keeps a primitive's index accessor.

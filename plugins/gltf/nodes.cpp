@@ -197,6 +197,11 @@ void repairMatrix(const std::string& element, const Host& host, std::array<float
         host.note(CANDELA_NOTE_REPAIRED, element, "matrix is not affine: its last row is left out");
 }
 
+std::uint32_t castsNoShadow(const std::map<std::size_t, bool>& flags, std::size_t index) {
+    const auto found = flags.find(index);
+    return found != flags.end() && !found->second ? 1 : 0;
+}
+
 }  // namespace
 
 AddedNodes addNodes(const Document& document, const std::vector<DrawnNode>& drawn, const MeshParts& meshes,
@@ -223,6 +228,7 @@ AddedNodes addNodes(const Document& document, const std::vector<DrawnNode>& draw
             node.matrix = matrix.data();
             setRemainder({source.matrix.begin() + 12, source.matrix.begin() + 15}, node);
         }
+        node.casts_no_shadow = castsNoShadow(document.shadows.nodes, index);
         static const std::vector<AddedMesh> nothing;
         const auto& parts = source.mesh < 0 ? nothing : meshes.at(static_cast<std::size_t>(source.mesh));
         if (!parts.empty()) node.mesh = parts.front().index;
@@ -231,6 +237,7 @@ AddedNodes addNodes(const Document& document, const std::vector<DrawnNode>& draw
         for (std::size_t part = 1; part < parts.size(); ++part) {
             candela_node child = identityNode(source.name, indices[index]);
             child.mesh = parts[part].index;
+            child.casts_no_shadow = node.casts_no_shadow;
             added.parts[index].push_back(host.add(child));
         }
     }
@@ -334,6 +341,17 @@ void readRange(const tinygltf::Light& source, const std::string& element, const 
     host.note(CANDELA_NOTE_INFORMATION, element, "range is more than any distance: taken as none");
 }
 
+/// Exporters write what a user says of a light to its node too. Where that has a mesh, it is about the mesh:
+/// a bulb need not shadow its own light.
+void readShadow(const Document& document, std::size_t index, std::size_t nodeIndex, candela_light& light) {
+    const ShadowExtras& extras = document.shadows;
+    const bool isOfNode = !extras.lights.contains(index) && document.model.nodes[nodeIndex].mesh < 0;
+    light.casts_no_shadow =
+        isOfNode ? castsNoShadow(extras.nodes, nodeIndex) : castsNoShadow(extras.lights, index);
+    const auto radius = extras.radii.find(index);
+    if (radius != extras.radii.end()) light.radius = radius->second;
+}
+
 /// The host takes no product of intensity and colour beyond this.
 void limitIntensity(const std::string& element, const Host& host, candela_light& light) {
     constexpr float max = 1e20f;
@@ -366,6 +384,7 @@ void addLights(const Document& document, const std::vector<DrawnNode>& drawn,
         readRange(source, element, host, light);
         light.direction[2] = -1.0f;
         light.node = nodes[nodeIndex];
+        readShadow(document, *index, nodeIndex, light);
         const bool isLeftOut = host.leavesOut([&] {
             requireUsable(document, element);
             if (light.type == CANDELA_LIGHT_SPOT) readCone(source.spot, element, host, light);

@@ -5,6 +5,7 @@
 
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace {
@@ -71,6 +72,21 @@ TEST_F(PanelSession, TechniqueAndBrdfAreSelectedFromLists) {
     }));
     EXPECT_EQ(session->model().options.technique, candela::Technique::fullscreen);
     EXPECT_EQ(maxDifference(session->picture(), renderedBy(session->copiedCommand())), 0);
+}
+
+TEST_F(PanelSession, ALightLosesItsShadowByItsBox) {
+    open(&OpenPanels::lights);
+    session->model().pickedLight = 3;
+    session->step(2);
+    ImGuiWindow* window = ImGui::FindWindowByName("Lights");
+    ASSERT_NE(window, nullptr);
+    ImGui::SetScrollY(window, window->ScrollMax.y);  // To the last controls of the light.
+    session->step(2);
+    const auto& lights = session->document().lights();
+    const auto castsShadow = [](const candela::WorldLight& light) { return light.castsShadow; };
+    ASSERT_TRUE(std::ranges::all_of(lights, castsShadow));
+    EXPECT_TRUE(selectIn("Lights", [&] { return !std::ranges::all_of(lights, castsShadow); }));
+    EXPECT_FALSE(session->document().changes().empty());
 }
 
 TEST_F(PanelSession, EveryPanelOpensFromTheMenu) {

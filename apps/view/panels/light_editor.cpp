@@ -91,6 +91,16 @@ bool editRange(WorldLight& light, float candela) {
     return dragNumber("range", light.range, range) || changed;
 }
 
+bool editShadow(WorldLight& light) {
+    const bool changed = ImGui::Checkbox("casts shadows", &light.castsShadow);
+    if (light.type == LightType::directional) return changed;
+    const NumberRange range{
+        .max = farthest, .speed = dragShare * std::max(light.radius, 0.1f), .format = "%.4g m"};
+    const bool resized = dragNumber("radius", light.radius, range);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("of the sphere that emits the light: softens its shadows");
+    return resized || changed;
+}
+
 bool editHue(glm::vec3& hue, LightEditing& editing) {
     using enum LightEditing::ColorBy;
     if (ImGui::RadioButton("RGB", editing.colorBy == rgb)) editing.colorBy = rgb;
@@ -163,5 +173,6 @@ bool editLight(WorldLight& light, LightEditing& editing) {
     changed = editRange(light, splitColor(light.intensity).strength) || changed;
     changed = editDirection(light, editing) || changed;
     changed = editCones(light) || changed;
+    changed = editShadow(light) || changed;
     return editType(light) || changed;
 }

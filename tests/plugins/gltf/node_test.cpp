@@ -189,5 +189,83 @@ TEST(Light, sharedByTwoNodesIsTwoLights) {
     EXPECT_EQ(scene.lights[1].node, 1u);
 }
 
+TEST(Light, ofGltfCastsShadowsAndIsAPoint) {
+    const candela::Light light = load(fileWithLights(R"({"type":"point"})", 1)).scene.lights.at(0);
+    EXPECT_TRUE(light.castsShadow);
+    EXPECT_EQ(light.radius, 0.0f);
+}
+
+TEST(Light, extrasSayWhetherItCastsShadowsAndItsRadius) {
+    const candela::ImportedScene imported = load(fileWithLights(R"(
+        {"type":"point","extras":{"castShadow":false,"radius":0.25}},
+        {"type":"spot","spot":{},"extras":{"castShadow":true,"radius":0}},
+        {"type":"directional","extras":{"castShadow":0}},
+        {"type":"point","extras":{"castShadow":1,"radius":2}},
+        {"type":"point","extras":[false]},
+        {"type":"point","extras":7})",
+                                                                6));
+    const std::vector<candela::Light>& lights = imported.scene.lights;
+    ASSERT_EQ(lights.size(), 6u);
+    const bool casts[] = {false, true, false, true, true, true};
+    const float radii[] = {0.25f, 0.0f, 0.0f, 2.0f, 0.0f, 0.0f};
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        EXPECT_EQ(lights[i].castsShadow, casts[i]) << i;
+        EXPECT_EQ(lights[i].radius, radii[i]) << i;
+    }
+    EXPECT_TRUE(imported.report.notes.empty());
+}
+
+TEST(Light, extrasOfANodeWithoutAMeshAreThoseOfItsLight) {
+    GltfFile file;
+    addTriangle(file);
+    file.add("meshes", R"({"primitives":[{"attributes":{"POSITION":0}}]})");
+    const auto addNode = [&](const std::string& members, int light) {
+        file.add("nodes", "{" + members + R"("extras":{"castShadow":false},"extensions":{
+            "KHR_lights_punctual":{"light":)" +
+                              std::to_string(light) + "}}}");
+    };
+    addNode("", 0);
+    addNode(R"("mesh":0,)", 0);
+    addNode("", 1);
+    file.set("extensions", R"({"KHR_lights_punctual":{"lights":[{"type":"point"},
+                               {"type":"point","extras":{"castShadow":true}}]}})");
+    file.set("extensionsUsed", R"(["KHR_lights_punctual"])");
+    const candela::Scene scene = load(file).scene;
+    ASSERT_EQ(scene.lights.size(), 3u);
+    EXPECT_FALSE(scene.lights[0].castsShadow);
+    EXPECT_TRUE(scene.lights[1].castsShadow) << "a bulb that shadows nothing";
+    EXPECT_FALSE(scene.nodes[1].castsShadow);
+    EXPECT_TRUE(scene.lights[2].castsShadow) << "its own extras go first";
+}
+
+TEST(Node, extrasSayWhetherItCastsShadows) {
+    GltfFile file;
+    addTriangle(file);
+    // Primitives of different attributes become meshes of their own, which children of the node show.
+    file.add("meshes", R"({"primitives":[{"attributes":{"POSITION":0}},
+                                         {"attributes":{"POSITION":0,"NORMAL":1}}]})");
+    file.add("nodes", R"({"name":"glass","mesh":0,"extras":{"castShadow":false}})");
+    file.add("nodes", R"({"name":"wall","mesh":0,"extras":{"castShadow":true,"other":"text"}})");
+    file.add("nodes", R"({"name":"plain","mesh":0,"extras":"castShadow"})");
+    const candela::ImportedScene imported = load(file);
+    int shadowless = 0;
+    for (const candela::Node& node : imported.scene.nodes) {
+        EXPECT_EQ(node.castsShadow, node.name != "glass") << node.name;
+        shadowless += node.castsShadow ? 0 : 1;
+    }
+    EXPECT_EQ(shadowless, 2) << "all parts of its mesh";
+}
+
+TEST(Node, aSubdivisionCageTakesTheExtrasOfItsNode) {
+    GltfFile file;
+    addTriangle(file);
+    file.add("meshes",
+             R"({"primitives":[{"attributes":{"POSITION":0}}],"extras":{"candela_subdivision":{}}})");
+    file.add("nodes", R"({"mesh":0,"extras":{"castShadow":false}})");
+    const candela::Scene scene = load(file).scene;
+    ASSERT_TRUE(scene.nodes.at(0).cage.has_value());
+    EXPECT_FALSE(scene.nodes[0].castsShadow);
+}
+
 }  // namespace
 }  // namespace candela_test

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <map>
+
+#include "../common/host.h"
+
+namespace candela_plugins::gltf {
+
+/// What the extras of nodes and of the lights of KHR_lights_punctual say of shadows, by the index of the node
+/// or light (docs/shadows.md, "From glTF"). glTF has no other place for it.
+struct ShadowExtras {
+    std::map<std::size_t, bool> nodes;   ///< "castShadow" of a node.
+    std::map<std::size_t, bool> lights;  ///< "castShadow" of a light.
+    std::map<std::size_t, float> radii;  ///< "radius" of a light, metres, 0 or more.
+};
+
+/// `document` need not be well-formed elsewhere. A wrong value is left out, with a note that names element
+/// and key.
+ShadowExtras readShadowExtras(const nlohmann::json& document, const Host& host);
+
+}  // namespace candela_plugins::gltf
