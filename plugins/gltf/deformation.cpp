@@ -71,8 +71,6 @@ Influences readInfluences(const Document& document, const tinygltf::Primitive& p
                           const InfluenceLimits& limits, const std::string& element, const Host& host) {
     const std::size_t perVertex = std::size_t(sets) * jointsPerSet;
     Influences influences;
-    influences.joints.resize(limits.vertices * perVertex);
-    influences.weights.resize(limits.vertices * perVertex);
     WeightRepairs repairs;
     for (std::uint32_t set = 0; set < sets; ++set) {
         const auto read = [&](const std::string& name, const AttributeForm& form) {
@@ -80,6 +78,9 @@ Influences readInfluences(const Document& document, const tinygltf::Primitive& p
         };
         const std::vector<float> joints = read(jointsName(set), jointsForm);
         const std::vector<float> weights = read(weightsName(set), weightsForm);
+        // Reading has checked that the file holds as many vertices.
+        influences.joints.resize(limits.vertices * perVertex);
+        influences.weights.resize(limits.vertices * perVertex);
         for (std::size_t i = 0; i < weights.size(); ++i) {
             repairs.negative |= weights[i] < 0.0f;
             if (weights[i] <= 0.0f) continue;

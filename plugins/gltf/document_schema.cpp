@@ -91,10 +91,11 @@ const ObjectSchema asset{"asset", {required(text("version"))}};
 const ObjectSchema buffer{.noun = "buffer",
                           .properties = {text("name"), essential(text("uri")), size("byteLength")},
                           .stub = R"({"uri":""})"};
+// The largest byteStride times the largest count of an accessor does not overflow 64 bits.
 const ObjectSchema bufferView{
     .noun = "bufferView",
     .properties = {text("name"), required(index("buffer", Target::buffers)), essential(size("byteOffset")),
-                   required(size("byteLength")), essential(size("byteStride"))},
+                   required(size("byteLength")), essential(integer("byteStride"))},
     .stub = R"({"buffer":0,"byteLength":0})"};
 
 const ObjectSchema sparseIndices{"indices",

@@ -339,11 +339,13 @@ class MeshImporter {
         parts_[entry->second].add(document_, primitive, material, key, deformers, element);
     }
 
-    /// Attributes other than the position that cannot be read are left out.
+    /// Attributes other than the position that cannot be read are left out. The position is checked first:
+    /// the rest is read for as many vertices as it has.
     Accessors usableAccessors(const tinygltf::Primitive& primitive, const std::string& element) const {
         Accessors accessors = accessorsOf(primitive, uvSetsOf(primitive));
-        requireAccessor(document_, accessors[position], element + ", attribute POSITION");
         const std::size_t vertices = elementCount(document_, accessors[position]);
+        checkAttribute(document_, accessors[position], streams[position].attribute, positionForm, vertices,
+                       element);
         for (std::size_t s = normal; s < streamCount; ++s) {
             if (accessors[s] < 0) continue;
             const bool isLeftOut = host_.leavesOut([&] {

@@ -68,6 +68,31 @@ std::vector<Case> refusedDocuments() {
              return file.text();
          }(),
          {"mesh 0, primitive 0, attribute POSITION", "accessor 0 has no bufferView and 4000000000 elements"}},
+        // Joints are not allocated for vertices that the file does not hold.
+        {"hugeSkinnedPosition",
+         [] {
+             GltfFile file;
+             file.addAccessor(file.addView(Bytes(36)), "VEC3", 5126, 4294967294u);
+             file.addData<std::uint8_t>("VEC4", Bytes(12));
+             file.addData<float>("VEC4", std::vector<float>(12, 1.0f));
+             file.addMeshNode(R"("attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2})", "wheel");
+             file.add("nodes", R"({"mesh":0,"skin":0})");
+             file.add("skins", R"({"joints":[0]})");
+             return file.text();
+         }(),
+         {"mesh 0 'wheel', primitive 0, attribute POSITION",
+          "accessor 0 has elements that end at byte 51539607528 of a bufferView of 36"}},
+        // 4096 strides are 2^64 bytes, which is 0 in 64 bits.
+        {"hugeStride",
+         [] {
+             GltfFile file;
+             file.addAccessor(file.addView(Bytes(36), R"("byteStride":4503599627370496)"), "VEC3", 5126,
+                              4097);
+             file.addMeshNode(R"("attributes":{"POSITION":0})");
+             return file.text();
+         }(),
+         {"mesh 0, primitive 0, attribute POSITION", "bufferView 0, byteStride",
+          "is 4.50359963e+15, expected 0 to 2147483647"}},
         {"noElements",
          [] {
              GltfFile file;
