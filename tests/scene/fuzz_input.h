@@ -13,6 +13,7 @@ class FuzzInput {
   public:
     explicit FuzzInput(std::uint32_t seed) : engine_(seed) {}
 
+    /// Less than `count`, which is 1 or more.
     std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(engine_()) % count; }
     bool once(std::uint32_t in) { return below(in) == 0; }
 
@@ -32,9 +33,16 @@ class FuzzInput {
         vector[static_cast<int>(below(static_cast<std::uint32_t>(vector.length())))] = number();
     }
 
+    /// An element of `values`, which is not empty.
     template <typename Value>
     Value& pick(std::vector<Value>& values) {
         return values[below(static_cast<std::uint32_t>(values.size()))];
+    }
+
+    /// Sets an element, where there is one.
+    template <typename Value>
+    void setOne(std::vector<Value>& values, Value value) {
+        if (!values.empty()) pick(values) = value;
     }
 
   private:

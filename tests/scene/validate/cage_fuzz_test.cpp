@@ -19,13 +19,14 @@ namespace {
 void corruptTopology(Cage& cage, FuzzInput& fuzz) {
     switch (fuzz.below(7)) {
         case 0:
-            fuzz.pick(cage.faceSizes) = fuzz.index();
+            fuzz.setOne(cage.faceSizes, fuzz.index());
             break;
         case 1:
-            fuzz.pick(cage.faceVertices) = fuzz.index();
+            fuzz.setOne(cage.faceVertices, fuzz.index());
             break;
         case 2:
-            std::swap(fuzz.pick(cage.faceVertices), fuzz.pick(cage.faceVertices));
+            if (!cage.faceVertices.empty())
+                std::swap(fuzz.pick(cage.faceVertices), fuzz.pick(cage.faceVertices));
             break;
         case 3:
             cage.faceVertices.resize(fuzz.below(30));
@@ -71,10 +72,10 @@ void corruptMotion(Cage& cage, FuzzInput& fuzz) {
             cage.influenceCount = fuzz.index();
             break;
         case 1:
-            if (!cage.joints.empty()) fuzz.pick(cage.joints) = fuzz.index();
+            fuzz.setOne(cage.joints, fuzz.index());
             break;
         case 2:
-            if (!cage.jointWeights.empty()) fuzz.pick(cage.jointWeights) = fuzz.number();
+            fuzz.setOne(cage.jointWeights, fuzz.number());
             break;
         case 3:
             cage.morphTargets.resize(fuzz.below(4));
@@ -106,7 +107,7 @@ void corruptInstance(Node& node, FuzzInput& fuzz) {
 void corruptSkin(Skin& skin, FuzzInput& fuzz) {
     switch (fuzz.below(4)) {
         case 0:
-            fuzz.pick(skin.joints) = fuzz.index();
+            fuzz.setOne(skin.joints, fuzz.index());
             break;
         case 1:
             skin.joints.resize(1 + fuzz.below(3));
@@ -132,7 +133,7 @@ void corruptChannel(AnimationChannel& channel, FuzzInput& fuzz) {
             channel.interpolation = static_cast<Interpolation>(fuzz.below(4));
             break;
         default:
-            fuzz.pick(channel.values) = fuzz.number();
+            fuzz.setOne(channel.values, fuzz.number());
             break;
     }
 }
