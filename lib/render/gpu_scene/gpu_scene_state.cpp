@@ -215,6 +215,8 @@ void GpuScene::State::setVisibility(std::uint32_t node, Visibility visibility) {
 void GpuScene::State::setCastsShadow(std::uint32_t node, ShadowCasting casting) {
     requireIndex("node", node, sceneState.nodes.size());
     sceneState.nodes[node].castsShadow = casting == ShadowCasting::on;
+    if (const std::optional<std::uint32_t> mesh = instances.meshOf(node)) instances.markChanged(*mesh);
+    if (const std::optional<std::uint32_t> cage = instances.cageOf(node)) instances.markChanged(*cage);
 }
 
 void GpuScene::State::update() {

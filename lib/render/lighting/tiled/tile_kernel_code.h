@@ -278,25 +278,29 @@ void shadeBlockWithShadows(const TileFrame& frame, int left, int bottom, const s
         const ShadingPoint point = shadingPointAt<brdf>(frame, pixels, first);
         constexpr std::uint32_t group = (1u << (laneCount - 1) << 1) - 1;
         Vec3 sum(0.0f);
-        const auto add = [&](std::uint32_t i, Vec3 radiance) {
+        // The intensity is masked, not the radiance: the sum is then contracted as that of `shadeBlock`, and
+        // the image where nothing is hidden is the same bit for bit.
+        const auto visiblePart = [&](std::uint32_t i, Vec3 intensity) {
             const bool partly = (scratch.hidden[i] >> first & group) != 0;
-            sum = sum + (partly ? masked(radiance, lanesOf(scratch.visible[i], first)) : radiance);
+            return partly ? masked(intensity, lanesOf(scratch.visible[i], first)) : intensity;
         };
         for (std::uint32_t i = 0; i < count; ++i) {
             if ((scratch.visible[i] >> first & group) == 0) continue;
             const std::uint32_t light = scratch.lightOfSlot[slots[i]];
-            const LocalLight local = localLightOf(frame.records + 8 * std::uint64_t{light});
+            LocalLight local = localLightOf(frame.records + 8 * std::uint64_t{light});
+            local.intensity = visiblePart(i, local.intensity);
             if (light < frame.pointCount) {
-                add(i, pointLightRadiance(brdf, point, local));
+                sum = sum + pointLightRadiance(brdf, point, local);
             } else {
                 const float* cone = frame.cones + 4 * std::uint64_t{light - frame.pointCount};
-                add(i, spotLightRadiance(brdf, point, local, lightConeOf(cone)));
+                sum = sum + spotLightRadiance(brdf, point, local, lightConeOf(cone));
             }
         }
         for (std::uint32_t i = 0; i < frame.directionalCount; ++i) {
             if ((scratch.visible[count + i] >> first & group) == 0) continue;
             const float* record = frame.records + 8 * (std::uint64_t{frame.localCount} + i);
-            add(count + i, directionalLightRadiance(brdf, point, splat3(record), splat3(record + 4)));
+            sum = sum + directionalLightRadiance(brdf, point, splat3(record),
+                                                 visiblePart(count + i, splat3(record + 4)));
         }
         addRadiance(frame, pixels, left, bottom, first, sum);
     }
