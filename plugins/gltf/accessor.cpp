@@ -13,9 +13,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF buffers are read without byte swapping");
 
-// An accessor without a bufferView has a size that the size of the file does not limit.
-constexpr std::uint64_t maxElementsWithoutView = std::uint64_t(1) << 24;
-
 constexpr Encoding indexEncodings[] = {uint8, uint16, uint32};
 
 bool contains(Encodings encodings, const Encoding& encoding) {

@@ -28,6 +28,10 @@ inline constexpr Encoding uint32{TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, false};
 
 using Encodings = std::span<const Encoding>;
 
+/// An accessor without a bufferView has a size that the size of the file does not limit: one with more
+/// elements cannot be read.
+inline constexpr std::uint64_t maxElementsWithoutView = std::uint64_t(1) << 24;
+
 /// Numbers an element of an accessor has: 1 for SCALAR, 2 to 4 for vectors, 4, 9, 16 for matrices.
 int componentCount(const tinygltf::Accessor& accessor);
 

@@ -99,15 +99,6 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
     all.insert(all.end(), more.begin(), more.end());
 }
 
-/// Primitives with the same key share their vertices.
-using VertexKey = std::pair<std::map<std::string, int>, std::vector<std::map<std::string, int>>>;
-
-VertexKey vertexKey(const tinygltf::Primitive& primitive) {
-    VertexKey key{primitive.attributes, primitive.targets};
-    key.first.erase(indicesAttribute);
-    return key;
-}
-
 class SourceReader {
   public:
     SourceReader(const Document& document, const Layout& layout, const Host& host)
@@ -133,7 +124,7 @@ class SourceReader {
 
   private:
     VertexRange rangeOf(const Part& part) {
-        const auto [entry, isNew] = ranges_.try_emplace(vertexKey(part.primitive));
+        const auto [entry, isNew] = ranges_.try_emplace(vertexAccessors(part.primitive));
         if (isNew) entry->second = readVertices(part);
         return entry->second;
     }
@@ -193,7 +184,7 @@ class SourceReader {
     Layout layout_;
     const Host& host_;
     CageSource source_;
-    std::map<VertexKey, VertexRange> ranges_;
+    std::map<VertexAccessors, VertexRange> ranges_;
 };
 
 }  // namespace

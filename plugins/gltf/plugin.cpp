@@ -13,6 +13,7 @@
 #include "mesh_deformations.h"
 #include "meshes.h"
 #include "nodes.h"
+#include "primitives.h"
 
 namespace candela_plugins::gltf {
 
@@ -44,6 +45,7 @@ void importFile(const std::string& name, const Host& host) {
     Document document = readDocument(container.json, host);
     Storage storage;
     loadBuffers(document, container, storage, host);
+    limitAbsentElements(document);
     const std::vector<DrawnNode> drawn = drawnNodes(document, host);
     host.progress(documentRead);
 

@@ -1,6 +1,7 @@
 #include "primitives.h"
 
 #include <numeric>
+#include <set>
 
 #include "../common/failure.h"
 #include "document.h"
@@ -52,6 +53,83 @@ std::vector<float> readAttribute(const Document& document, int accessor, const s
     requireCount(document, accessor, vertices, where);
     const Encodings allowed = allowedEncodings(document, form);
     return readFloats(document, accessor, static_cast<int>(form.components), allowed, where, finiteness);
+}
+
+VertexAccessors vertexAccessors(const tinygltf::Primitive& primitive) {
+    VertexAccessors accessors{primitive.attributes, primitive.targets};
+    accessors.attributes.erase(indicesAttribute);
+    return accessors;
+}
+
+namespace {
+
+constexpr std::uint64_t maxAbsentElements = std::uint64_t(1) << 28;
+
+/// How many elements primitives read that the file does not hold.
+class AbsentElements {
+  public:
+    explicit AbsentElements(const Document& document) : accessors_(document.model.accessors) {}
+
+    std::uint64_t count(const tinygltf::Primitive& primitive) {
+        const std::uint64_t all = ofAttributes(primitive.attributes) + ofTargets(primitive);
+        if (all == 0 || known_.insert(vertexAccessors(primitive)).second) return all;
+        return ofAccessor(accessorOf(primitive, indicesAttribute));
+    }
+
+  private:
+    /// Accessors that are too large are refused when they are read.
+    std::uint64_t ofAccessor(int accessor) const {
+        if (accessor < 0) return 0;
+        const tinygltf::Accessor& source = accessors_.at(static_cast<std::size_t>(accessor));
+        return source.bufferView < 0 && source.count <= maxElementsWithoutView ? source.count : 0;
+    }
+
+    std::uint64_t ofAttributes(const std::map<std::string, int>& attributes) const {
+        std::uint64_t count = 0;
+        for (const auto& [name, accessor] : attributes) count += ofAccessor(accessor);
+        return count;
+    }
+
+    std::size_t sizeOf(const std::map<std::string, int>& attributes) const {
+        const auto position = attributes.find("POSITION");
+        if (position == attributes.end()) return 0;
+        return accessors_.at(static_cast<std::size_t>(position->second)).count;
+    }
+
+    /// A morph target gets an offset for each vertex, also where it is left out.
+    std::uint64_t ofTargets(const tinygltf::Primitive& primitive) const {
+        const std::size_t vertices = sizeOf(primitive.attributes);
+        std::uint64_t count = 0;
+        for (const auto& target : primitive.targets)
+            count += ofAttributes(target) + (sizeOf(target) == vertices ? 0 : vertices);
+        return count;
+    }
+
+    const std::vector<tinygltf::Accessor>& accessors_;
+    std::set<VertexAccessors> known_;
+};
+
+}  // namespace
+
+void limitAbsentElements(Document& document) {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < document.model.meshes.size(); ++i) {
+        const tinygltf::Mesh& mesh = document.model.meshes[i];
+        AbsentElements absent(document);
+        for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+            const std::uint64_t count = absent.count(mesh.primitives[p]);
+            if (count <= maxAbsentElements - sum) {
+                sum += count;
+                continue;
+            }
+            const std::string element =
+                elementName("mesh", i, mesh.name) + ", primitive " + std::to_string(p);
+            document.faults.emplace(
+                element, Failure{element, "reads " + std::to_string(count) +
+                                              " elements that the file does not hold, expected at most " +
+                                              std::to_string(maxAbsentElements) + " in all primitives"});
+        }
+    }
 }
 
 std::vector<std::uint32_t> readCorners(const Document& document, const tinygltf::Primitive& primitive,

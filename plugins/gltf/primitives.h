@@ -1,6 +1,8 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,21 @@ void checkAttribute(const Document& document, int accessor, const std::string& a
 std::vector<float> readAttribute(const Document& document, int accessor, const std::string& attribute,
                                  const AttributeForm& form, std::size_t vertices, const std::string& element,
                                  Finiteness finiteness = Finiteness::required);
+
+/// The accessors of the vertices of a primitive: of its attributes, and of each of its morph targets.
+/// Primitives of a mesh with the same ones share their vertices.
+struct VertexAccessors {
+    std::map<std::string, int> attributes;
+    std::vector<std::map<std::string, int>> targets;
+
+    auto operator<=>(const VertexAccessors&) const = default;
+};
+
+VertexAccessors vertexAccessors(const tinygltf::Primitive& primitive);
+
+/// Primitives may read elements that the file does not hold, of accessors without a bufferView and of absent
+/// morph offsets; together at most 2^28 for all primitives. Those beyond that become faults of `document`.
+void limitAbsentElements(Document& document);
 
 /// The vertices that a primitive names, in its order: its indices, or all its vertices.
 std::vector<std::uint32_t> readCorners(const Document& document, const tinygltf::Primitive& primitive,

@@ -68,6 +68,29 @@ std::vector<Case> refusedDocuments() {
              return file.text();
          }(),
          {"mesh 0, primitive 0, attribute POSITION", "accessor 0 has no bufferView and 4000000000 elements"}},
+        // 16 targets of 2^24 offsets are as much as a file may leave out; the positions are more.
+        {"hugeTargets",
+         [] {
+             GltfFile file;
+             file.addAccessor(-1, "VEC3", 5126, 1u << 24);
+             std::string targets = R"({"POSITION":0})";
+             for (int i = 1; i < 16; ++i) targets += R"(,{"POSITION":0})";
+             file.addMeshNode(R"("attributes":{"POSITION":0},"targets":[)" + targets + "]", "wheel");
+             return file.text();
+         }(),
+         {"mesh 0 'wheel', primitive 0",
+          "reads 285212672 elements that the file does not hold, expected at most 268435456"}},
+        {"hugeAbsentTargets",
+         [] {
+             GltfFile file;
+             file.addAccessor(-1, "VEC3", 5126, 1u << 24);
+             file.addData<float>("VEC3", {0, 0, 1});
+             std::string targets = R"({"POSITION":1})";
+             for (int i = 1; i < 16; ++i) targets += R"(,{"POSITION":1})";
+             file.addMeshNode(R"("attributes":{"POSITION":0},"targets":[)" + targets + "]", "wheel");
+             return file.text();
+         }(),
+         {"mesh 0 'wheel', primitive 0", "reads 285212672 elements that the file does not hold"}},
         // Joints are not allocated for vertices that the file does not hold.
         {"hugeSkinnedPosition",
          [] {
@@ -180,6 +203,24 @@ TEST(RefusedFile, glb) {
         EXPECT_EQ(imported.scene.meshes.size(), 1u);
         EXPECT_TRUE(hasNote(imported, part)) << part;
     }
+}
+
+// The limit is that of all primitives, and what the file holds is drawn.
+TEST(RefusedFile, elementsThatTheFileDoesNotHoldAreLimited) {
+    GltfFile file = triangleFile();
+    const std::string most = std::to_string(file.addAccessor(-1, "VEC2", 5126, 1u << 24));
+    const std::string more = std::to_string(file.addAccessor(-1, "VEC3", 5126, 3));
+    std::string targets = R"({"POSITION":)" + most + "}";
+    for (int i = 1; i < 15; ++i) targets += R"(,{"POSITION":)" + most + "}";
+    // Counts as 2^28 elements, and is left out for its VEC2 before any is read.
+    file.addMeshNode(R"("attributes":{"POSITION":)" + most + R"(},"targets":[)" + targets + "]", "most");
+    file.addMeshNode(R"("attributes":{"POSITION":)" + more + "}", "more");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_EQ(imported.scene.meshes.size(), 1u);
+    EXPECT_EQ(imported.report.notes.size(), 2u);
+    EXPECT_TRUE(hasNote(imported, "mesh 1 'most', primitive 0, attribute POSITION"));
+    EXPECT_TRUE(
+        hasNote(imported, "mesh 2 'more', primitive 0: reads 3 elements that the file does not hold"));
 }
 
 TEST(RefusedFile, deepNestingDoesNotCrash) {
