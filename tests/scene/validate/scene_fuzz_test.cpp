@@ -72,7 +72,7 @@ void corruptNode(Node& node, FuzzInput& fuzz) {
 }
 
 void corruptLight(Light& light, FuzzInput& fuzz) {
-    switch (fuzz.below(7)) {
+    switch (fuzz.below(8)) {
         case 0:
             fuzz.corrupt(light.color);
             break;
@@ -90,6 +90,9 @@ void corruptLight(Light& light, FuzzInput& fuzz) {
             break;
         case 5:
             fuzz.corrupt(light.direction);
+            break;
+        case 6:
+            light.radius = fuzz.number();
             break;
         default:
             light.node = fuzz.index();
