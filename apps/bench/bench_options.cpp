@@ -1,6 +1,7 @@
 #include "bench_options.h"
 
 #include "common/parse.h"
+#include "common/shadow_stats.h"
 #include "crowd_bench.h"
 
 #include <candela/version.h>
@@ -21,6 +22,7 @@ constexpr const char* footer =
     "  candela-bench --lights 64,1024,16384 --technique all --json r.json --plot r.svg\n"
     "                                                               every technique, as a plot too\n"
     "  candela-bench --baseline --lights 4096 --json r.json         with textbook baselines\n"
+    "  candela-bench --shadows on,off --json r.json                 what shadows cost\n"
     "\n"
     "The table's columns are explained in docs/benchmarks.md.\n"
     "\n"
@@ -54,15 +56,31 @@ void parseTechniques(const std::string& text, BenchOptions& options) {
     }
 }
 
+candela::Shadows defaultShadows() {
+    return drawnShadows(candela::FrameSettings{}.shadows);
+}
+
+std::vector<candela::Shadows> parseShadowList(const std::string& text) {
+    std::vector<candela::Shadows> list;
+    for (const std::string& part : splitAtCommas(text)) {
+        const candela::Shadows shadows = parseShadows(part);
+        if (std::ranges::find(list, shadows) != list.end())
+            throw UsageError("--shadows \"" + text + "\": " + part + " is given twice");
+        list.push_back(shadows);
+    }
+    return list;
+}
+
 void checkTogether(const BenchOptions& options) {
     if (options.json.empty()) throw UsageError("--json is missing: name the file to write the results to");
     if (options.scene.empty()) throw UsageError("--scene \"\": expected a name or a file");
     const bool measuresLights = !options.lights.empty() || options.compares || options.plot || options.view ||
-                                options.baseline == Baseline::with;
+                                options.baseline == Baseline::with || !options.shadows.empty();
     if ((options.scene == cageScene || isCrowd(options.scene)) && measuresLights)
         throw UsageError(
             "--scene " + options.scene +
-            " measures no lights: leave --lights, --technique all, --plot, --view and --baseline out");
+            " measures no lights: leave --lights, --technique all, --shadows, --plot, --view and --baseline "
+            "out");
     if (options.baseline == Baseline::with && options.brdf != candela::BrdfModel::course)
         throw UsageError("--baseline draws with the model course only: leave --brdf out");
 }
@@ -90,14 +108,21 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
            "What runs the technique tiles: auto (by device), cpu or compute. Default: auto")
         ->type_name("WORD");
     app.add_option_function<std::string>(
+           "--shadows", [&](const std::string& text) { options.shadows = parseShadowList(text); },
+           std::string("on, off, or both, drawn alternately, so that their ratio is that of one run.\n"
+                       "Default: ") +
+               candela::toString(defaultShadows()))
+        ->type_name("LIST");
+    app.add_option_function<std::string>(
            "--brdf", [&](const std::string& text) { options.brdf = parseBrdf(text); },
            "Reflection model: course or gltf. Default: course")
         ->type_name("WORD");
     app.add_flag_callback(
         "--baseline", [&] { options.baseline = Baseline::with; },
         "Also measure textbook deferred renderers (textbook_volumes,\n"
-        "textbook_fullscreen) and bare, which draws the geometry alone. One that cannot\n"
-        "draw the scene is reported as failed");
+        "textbook_fullscreen), bare, which draws the geometry alone, and with --shadows\n"
+        "on a cube shadow map a light, for at most a minute. One that cannot draw the\n"
+        "scene is reported as failed");
     app.add_option_function<std::string>(
            "--size",
            [&](const std::string& text) { std::tie(options.width, options.height) = parseSize(text); },
@@ -156,5 +181,6 @@ std::optional<BenchOptions> parseBenchOptions(int argc, const char* const* argv)
     }
     options.json = json;
     checkTogether(options);
+    if (options.shadows.empty()) options.shadows = {defaultShadows()};
     return options;
 }

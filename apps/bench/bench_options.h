@@ -23,6 +23,8 @@ struct BenchOptions {
     std::vector<candela::Technique> techniques{candela::Technique::automatic};
     bool compares = false;  ///< --technique all: pictures are compared and must agree.
     candela::TileBackend tileBackend = candela::TileBackend::automatic;
+    /// `on` and `off` as given; without --shadows what `candela::FrameSettings` has.
+    std::vector<candela::Shadows> shadows;
     candela::BrdfModel brdf = candela::BrdfModel::course;
     Baseline baseline = Baseline::without;
     int width = 1280, height = 720;

@@ -1,3 +1,4 @@
+#include "common/shadow_stats.h"
 #include "common/timing.h"
 #include "gl_drawing.h"
 #include "programs.h"
@@ -9,7 +10,7 @@ namespace {
 class CandelaProgram final : public Program {
   public:
     CandelaProgram(const candela::Context& context, const BenchScene& scene, const BenchOptions& options,
-                   candela::Technique technique)
+                   candela::Technique technique, candela::Shadows shadows)
         : clock_(context),
           renderer_(context),
           scene_(context, scene.scene),
@@ -20,6 +21,7 @@ class CandelaProgram final : public Program {
         view_ = scene.view;
         settings_ = {options.width, options.height, options.brdf, technique};
         settings_.tileBackend = options.tileBackend;
+        settings_.shadows = shadows;
     }
 
     FrameTimes draw() override {
@@ -31,6 +33,7 @@ class CandelaProgram final : public Program {
     }
 
     void count(Result& result) override {
+        result.occlusion = shadowStats(*frame_, scene_, settings_.shadows);
         const candela::PairCounts pairs = frame_->countPairs();
         result.technique = candela::toString(frame_->technique());
         if (const auto backend = frame_->tileBackend()) result.tileBackend = candela::toString(*backend);
@@ -89,6 +92,7 @@ class CandelaProgram final : public Program {
 }  // namespace
 
 std::unique_ptr<Program> makeCandelaProgram(const candela::Context& context, const BenchScene& scene,
-                                            const BenchOptions& options, candela::Technique technique) {
-    return std::make_unique<CandelaProgram>(context, scene, options, technique);
+                                            const BenchOptions& options, candela::Technique technique,
+                                            candela::Shadows shadows) {
+    return std::make_unique<CandelaProgram>(context, scene, options, technique, shadows);
 }

@@ -10,6 +10,18 @@ struct Vertex {
     glm::vec3 position, normal;
 };
 
+/// Of the vertices that a submesh draws.
+candela::Bounds submeshBounds(const candela::Mesh& mesh, const candela::Submesh& submesh,
+                              const glm::mat4& world) {
+    candela::Bounds bounds;
+    for (std::uint32_t i = 0; i < submesh.indexCount; ++i) {
+        const glm::vec3 position =
+            world * glm::vec4(mesh.positions[mesh.indices[submesh.firstIndex + i]], 1.0f);
+        bounds.add({position, position});
+    }
+    return bounds;
+}
+
 GLuint compileStage(GLenum stage, const std::string& text) {
     const GLuint shader = glCreateShader(stage);
     const char* texts[] = {text.c_str()};
@@ -89,6 +101,7 @@ SceneGeometry::SceneGeometry(const candela::Scene& scene) {
                               submesh.indexCount,
                               (std::uintptr_t{firstIndex[mesh]} + submesh.firstIndex) * sizeof(std::uint32_t),
                               static_cast<std::int32_t>(firstVertex[mesh])});
+            bounds_.push_back(submeshBounds(scene.meshes[mesh], submesh, world[n]));
         }
     }
     glCreateBuffers(1, &vertices_);
@@ -117,12 +130,26 @@ SceneGeometry::~SceneGeometry() {
 void SceneGeometry::draw() const {
     glBindVertexArray(vertexArray_);
     for (const Draw& draw : draws_) {
-        glUniformMatrix4fv(0, 1, GL_FALSE, &draw.world[0][0]);
         glUniform3f(1, draw.color.r, draw.color.g, draw.color.b);
         glUniform2f(2, draw.metallicRoughness.x, draw.metallicRoughness.y);
-        glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(draw.count), GL_UNSIGNED_INT,
-                                 reinterpret_cast<const void*>(draw.offset), draw.baseVertex);
+        drawElements(draw);
     }
+}
+
+std::uint64_t SceneGeometry::draw(std::span<const std::uint32_t> draws) const {
+    glBindVertexArray(vertexArray_);
+    std::uint64_t triangles = 0;
+    for (const std::uint32_t index : draws) {
+        drawElements(draws_[index]);
+        triangles += draws_[index].count / 3;
+    }
+    return triangles;
+}
+
+void SceneGeometry::drawElements(const Draw& draw) const {
+    glUniformMatrix4fv(0, 1, GL_FALSE, &draw.world[0][0]);
+    glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(draw.count), GL_UNSIGNED_INT,
+                             reinterpret_cast<const void*>(draw.offset), draw.baseVertex);
 }
 
 glm::mat4 textbookClipFromWorld(const candela::CameraView& view, int width, int height) {

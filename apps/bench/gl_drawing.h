@@ -6,6 +6,7 @@
 #include <epoxy/gl.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,12 @@ class SceneGeometry {
 
     void draw() const;
 
+    /// World boxes of the draws, metres; empty ones where a mesh has no vertices.
+    const std::vector<candela::Bounds>& bounds() const { return bounds_; }
+    /// Draws these of the draws, by their indices in `bounds`, with the world matrix alone. Returns how many
+    /// triangles these are.
+    std::uint64_t draw(std::span<const std::uint32_t> draws) const;
+
   private:
     struct Draw {
         glm::mat4 world;
@@ -62,7 +69,10 @@ class SceneGeometry {
         std::uintptr_t offset;
         std::int32_t baseVertex;
     };
+    void drawElements(const Draw& draw) const;
+
     std::vector<Draw> draws_;
+    std::vector<candela::Bounds> bounds_;
     GLuint vertexArray_ = 0, vertices_ = 0, indices_ = 0;
 };
 

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -42,6 +43,17 @@ std::vector<candela::Technique> techniquesFor(const BenchScene& scene, const Ben
 
 using ProgramMaker = std::function<std::unique_ptr<Program>()>;
 
+/// A row of the report before it is measured.
+struct Row {
+    std::string technique;
+    std::optional<candela::Shadows> shadows;
+    ProgramMaker make, makeReference;  ///< The latter may be empty.
+};
+
+Subject subjectOf(const Row& row) {
+    return {row.technique, row.shadows, row.make(), row.makeReference ? row.makeReference() : nullptr};
+}
+
 class Bench {
   public:
     Bench(const BenchOptions& options, const candela::Context& context)
@@ -52,11 +64,12 @@ class Bench {
     void measureScene(const BenchScene& scene) {
         const std::vector<candela::Technique> techniques = techniquesFor(scene, options_);
         // The last technique is the reference of all: `fullscreen` where it is affordable.
-        reference_.reset();
+        references_.clear();
         const std::size_t first = results_.size();
-        for (auto technique = techniques.rbegin(); technique != techniques.rend(); ++technique)
-            addCandela(scene, *technique);
-        std::reverse(results_.begin() + static_cast<std::ptrdiff_t>(first), results_.end());
+        for (auto technique = techniques.rbegin(); technique != techniques.rend(); ++technique) {
+            const std::vector<Result> rows = measureRows(scene, candelaRows(scene, *technique));
+            results_.insert(results_.begin() + static_cast<std::ptrdiff_t>(first), rows.begin(), rows.end());
+        }
         if (options_.baseline == Baseline::with) addBaselines(scene, Result(results_[first]));
     }
 
@@ -64,62 +77,106 @@ class Bench {
     void clearProgress() { progress_.clear(); }
 
   private:
-    void addCandela(const BenchScene& scene, candela::Technique technique) {
-        const ProgramMaker make = [&] { return makeCandelaProgram(context_, scene, options_, technique); };
-        if (!scene.referenceLights) return add(scene, toString(technique), make);
-        BenchScene fewer = scene;
-        fewer.lights.resize(*scene.referenceLights);
-        add(scene, toString(technique), make,
-            [&] { return makeCandelaProgram(context_, fewer, options_, technique); });
+    /// Of one technique, with shadows, without, or both.
+    std::vector<Row> candelaRows(const BenchScene& scene, candela::Technique technique) const {
+        std::vector<Row> rows;
+        for (const candela::Shadows shadows : options_.shadows) {
+            const auto make = [this, technique, shadows](const BenchScene& lit) {
+                return makeCandelaProgram(context_, lit, options_, technique, shadows);
+            };
+            Row row{toString(technique), shadows, [make, &scene] { return make(scene); }, {}};
+            if (scene.referenceLights) {
+                row.makeReference = [make, &scene] {
+                    BenchScene fewer = scene;
+                    fewer.lights.resize(*scene.referenceLights);
+                    return make(fewer);
+                };
+            }
+            rows.push_back(row);
+        }
+        return rows;
     }
 
     void addBaselines(const BenchScene& scene, const Result& own) {
-        const auto addTextbook = [&](TextbookLighting lighting, const char* name) {
-            add(scene, name, [&] { return makeTextbookProgram(context_, scene, options_, lighting); });
+        const auto addBaseline = [&](const char* name, const ProgramMaker& make) {
+            const std::vector<Result> rows = measureRows(scene, {{name, {}, make, {}}});
+            results_.insert(results_.end(), rows.begin(), rows.end());
+        };
+        const auto addTextbook = [&](const char* name, TextbookLighting lighting) {
+            addBaseline(name, [&] { return makeTextbookProgram(context_, scene, options_, lighting); });
             // Lit pairs are a property of the scene, whichever program draws it.
             results_.back().pairsLit = own.pairsLit;
             results_.back().lightsVisible = own.lightsVisible;
         };
-        addTextbook(TextbookLighting::volumes, "textbook_volumes");
+        addTextbook("textbook_volumes", TextbookLighting::volumes);
         if (isAffordable(candela::Technique::fullscreen, scene, options_))
-            addTextbook(TextbookLighting::fullscreen, "textbook_fullscreen");
-        add(scene, "bare", [&] { return makeBareProgram(context_, scene, options_); });
+            addTextbook("textbook_fullscreen", TextbookLighting::fullscreen);
+        addBaseline("bare", [&] { return makeBareProgram(context_, scene, options_); });
+        if (std::ranges::find(options_.shadows, candela::Shadows::on) != options_.shadows.end())
+            addShadowMaps(scene);
     }
 
-    /// Measures one program. What it throws becomes the result's error, so that other results are kept.
-    void add(const BenchScene& scene, const std::string& name, const ProgramMaker& make,
-             const ProgramMaker& makeReference = {}) {
-        progress_.show("measuring " + scene.name + " with " + std::to_string(scene.lights.size()) +
-                       " lights: " + name);
-        Result result;
+    void addShadowMaps(const BenchScene& scene) {
+        const char* name = "cube_shadow_maps";
+        showProgress(scene, name);
         try {
-            const std::unique_ptr<Program> program = make();
-            const std::unique_ptr<Program> reference = makeReference ? makeReference() : nullptr;
-            result = measure(*program, reference.get(), scene, options_, name);
-            checkImage(result, program->radiance(), scene);
+            results_.push_back(measureShadowMaps(context_, scene, options_));
+            results_.back().technique = name;
         } catch (const candela::Error& error) {
-            result.scene = scene.name;
-            result.lights = scene.lights.size();
-            result.technique = name;
-            result.width = options_.width;
-            result.height = options_.height;
-            result.error = error.what();
+            results_.push_back(failedResult(scene, {name, {}, {}, {}}, error));
         }
-        results_.push_back(result);
     }
 
+    /// Measures programs alternately. What one throws becomes the error of each, so that other results are
+    /// kept.
+    std::vector<Result> measureRows(const BenchScene& scene, const std::vector<Row>& rows) {
+        showProgress(scene, rows.front().technique);
+        try {
+            std::vector<Subject> subjects;
+            for (const Row& row : rows) subjects.push_back(subjectOf(row));
+            std::vector<Result> results = measure(subjects, scene, options_);
+            for (std::size_t i = 0; i < rows.size(); ++i)
+                checkImage(results[i], subjects[i].program->radiance(), scene);
+            return results;
+        } catch (const candela::Error& error) {
+            std::vector<Result> results;
+            for (const Row& row : rows) results.push_back(failedResult(scene, row, error));
+            return results;
+        }
+    }
+
+    Result failedResult(const BenchScene& scene, const Row& row, const candela::Error& error) const {
+        Result result;
+        result.scene = scene.name;
+        result.lights = scene.lights.size();
+        result.technique = row.technique;
+        result.shadows = row.shadows;
+        result.width = options_.width;
+        result.height = options_.height;
+        result.error = error.what();
+        return result;
+    }
+
+    /// Pictures with shadows and without have references of their own; the textbook programs draw none.
     void checkImage(Result& result, std::vector<float> rgb, const BenchScene& scene) {
         if (rgb.empty()) return;
-        if (reference_)
-            return compareImages(result, rgb, *reference_, allowedDifference(result.technique, scene));
-        if (options_.compares || options_.baseline == Baseline::with)
-            reference_ = ReferenceImage{result.technique, std::move(rgb)};
+        const candela::Shadows shadows = result.shadows.value_or(candela::Shadows::off);
+        const auto reference = references_.find(shadows);
+        if (reference != references_.end())
+            return compareImages(result, rgb, reference->second, allowedDifference(result.technique, scene));
+        if (isCandela(result) && (options_.compares || options_.baseline == Baseline::with))
+            references_[shadows] = ReferenceImage{result.technique, std::move(rgb)};
+    }
+
+    void showProgress(const BenchScene& scene, const std::string& name) {
+        progress_.show("measuring " + scene.name + " with " + std::to_string(scene.lights.size()) +
+                       " lights: " + name);
     }
 
     const BenchOptions& options_;
     const candela::Context& context_;
     Progress progress_;
-    std::optional<ReferenceImage> reference_;
+    std::map<candela::Shadows, ReferenceImage> references_;
     std::vector<Result> results_;
 };
 

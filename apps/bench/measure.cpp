@@ -59,6 +59,40 @@ double shortestRange(const BenchScene& scene) {
     return static_cast<double>(shortest);
 }
 
+/// Times of the frames of one subject, milliseconds.
+struct Samples {
+    std::vector<double> frames, reference;
+    std::map<std::string, std::vector<double>> passes;
+
+    /// Draws a frame.
+    void add(const Subject& subject) {
+        const FrameTimes times = subject.program->draw();
+        frames.push_back(times.frame);
+        for (const candela::PassTime& pass : times.passes) passes[pass.name].push_back(pass.milliseconds);
+        if (subject.reference) reference.push_back(lightingOf(subject.reference->draw()));
+    }
+};
+
+Result medians(const Samples& samples, const BenchScene& scene) {
+    Result result;
+    result.scene = scene.name;
+    result.lights = scene.lights.size();
+    result.frames = static_cast<int>(samples.frames.size());
+    result.frame = median(samples.frames);
+    const auto pass = [&](const char* name) -> std::optional<double> {
+        const auto found = samples.passes.find(name);
+        return found != samples.passes.end() ? std::optional(median(found->second)) : std::nullopt;
+    };
+    result.geometry = pass("geometry");
+    result.lighting = pass("lighting");
+    result.display = pass("display");
+    if (!samples.reference.empty()) {
+        result.reference = ReferenceLights{scene.referenceLights.value_or(0), median(samples.reference)};
+        result.copy = measureCopy(scene.lights);
+    }
+    return result;
+}
+
 std::size_t nonFiniteCount(const std::vector<float>& values) {
     return static_cast<std::size_t>(std::ranges::count_if(values, [](float v) { return !std::isfinite(v); }));
 }
@@ -112,39 +146,24 @@ FrameTimes PassClock::times() {
     return times;
 }
 
-Result measure(Program& program, Program* reference, const BenchScene& scene, const BenchOptions& options,
-               const std::string& technique) {
-    program.draw();
-    if (reference != nullptr) reference->draw();
-    std::vector<double> frames, referenceTimes;
-    std::map<std::string, std::vector<double>> passes;
+std::vector<Result> measure(const std::vector<Subject>& subjects, const BenchScene& scene,
+                            const BenchOptions& options) {
+    std::vector<Samples> samples(subjects.size());
+    for (const Subject& subject : subjects) Samples().add(subject);
     const Clock::time_point start = Clock::now();
-    while (!isEnough(frames.size(), 1.0e-3 * millisecondsSince(start), options)) {
-        const FrameTimes times = program.draw();
-        frames.push_back(times.frame);
-        for (const candela::PassTime& pass : times.passes) passes[pass.name].push_back(pass.milliseconds);
-        if (reference != nullptr) referenceTimes.push_back(lightingOf(reference->draw()));
+    while (!isEnough(samples.front().frames.size(), 1.0e-3 * millisecondsSince(start), options))
+        for (std::size_t i = 0; i < subjects.size(); ++i) samples[i].add(subjects[i]);
+    std::vector<Result> results;
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
+        results.push_back(medians(samples[i], scene));
+        Result& result = results.back();
+        result.technique = subjects[i].technique;
+        result.shadows = subjects[i].shadows;
+        result.width = options.width;
+        result.height = options.height;
+        subjects[i].program->count(result);
     }
-    Result result;
-    result.scene = scene.name;
-    result.lights = scene.lights.size();
-    result.technique = technique;
-    result.width = options.width;
-    result.height = options.height;
-    result.frames = static_cast<int>(frames.size());
-    result.frame = median(frames);
-    const auto pass = [&](const char* name) -> std::optional<double> {
-        return passes.contains(name) ? std::optional(median(passes.at(name))) : std::nullopt;
-    };
-    result.geometry = pass("geometry");
-    result.lighting = pass("lighting");
-    result.display = pass("display");
-    if (reference != nullptr) {
-        result.reference = ReferenceLights{scene.referenceLights.value_or(0), median(referenceTimes)};
-        result.copy = measureCopy(scene.lights);
-    }
-    program.count(result);
-    return result;
+    return results;
 }
 
 double allowedDifference(const std::string& technique, const BenchScene& scene) {

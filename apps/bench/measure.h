@@ -10,6 +10,8 @@
 #include <epoxy/gl.h>
 
 #include <chrono>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,12 +62,19 @@ class Program {
     virtual std::vector<float> radiance() = 0;
 };
 
-/// Draws the program's frames and takes medians: after one frame that is not counted, `options.frames`
-/// frames; fewer, but at least three, when they take over ten seconds, and fewer than three over a minute.
-/// `reference`, if any, draws the scene's first `referenceLights` lights alternately with `program`, so that
-/// other load on the machine affects both.
-Result measure(Program& program, Program* reference, const BenchScene& scene, const BenchOptions& options,
-               const std::string& technique);
+/// A program to measure, and what its row says of it.
+struct Subject {
+    std::string technique;
+    std::optional<candela::Shadows> shadows;
+    std::unique_ptr<Program> program;
+    std::unique_ptr<Program> reference;  ///< Draws the scene's first `referenceLights` lights; or null.
+};
+
+/// Draws frames of all subjects and their references alternately, so that other load on the machine affects
+/// all, and takes medians: after one frame that is not counted, `options.frames` frames; fewer, but at least
+/// three, when they take over ten seconds, and fewer than three over a minute. One result for each subject.
+std::vector<Result> measure(const std::vector<Subject>& subjects, const BenchScene& scene,
+                            const BenchOptions& options);
 
 /// The radiance that the others of its scene are compared with.
 struct ReferenceImage {

@@ -43,8 +43,9 @@ std::vector<Line> linesOf(const std::vector<Result>& results) {
     std::vector<Line> lines;
     for (const Result& result : results) {
         if (!result.lighting || result.lights == 0 || *result.lighting <= 0.0) continue;
-        auto line = std::ranges::find(lines, result.technique, &Line::name);
-        if (line == lines.end()) line = lines.insert(lines.end(), {result.technique, {}});
+        const std::string name = rowName(result);
+        auto line = std::ranges::find(lines, name, &Line::name);
+        if (line == lines.end()) line = lines.insert(lines.end(), {name, {}});
         line->points.emplace_back(static_cast<double>(result.lights), *result.lighting);
     }
     for (Line& line : lines) std::ranges::sort(line.points);

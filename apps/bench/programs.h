@@ -6,9 +6,10 @@
 
 #include <memory>
 
-/// candela itself, with one technique.
+/// candela itself, with one technique, with shadows (`on`) or without (`off`).
 std::unique_ptr<Program> makeCandelaProgram(const candela::Context& context, const BenchScene& scene,
-                                            const BenchOptions& options, candela::Technique technique);
+                                            const BenchOptions& options, candela::Technique technique,
+                                            candela::Shadows shadows);
 
 /// How a textbook renderer applies lights to pixels.
 enum class TextbookLighting {
@@ -27,3 +28,10 @@ std::unique_ptr<Program> makeTextbookProgram(const candela::Context& context, co
 /// read-back: a lower bound of a frame.
 std::unique_ptr<Program> makeBareProgram(const candela::Context& context, const BenchScene& scene,
                                          const BenchOptions& options);
+
+/// Draws the cube shadow maps of the lights in view, one after the other, as a textbook renderer does before
+/// it lights a frame: 256 x 256 depths a face, of the meshes in range of the light and in view of the face.
+/// Stops after a minute. Throws `candela::Error` (unsupported) for a scene with lights other than point
+/// lights with a range, or without a light in view.
+Result measureShadowMaps(const candela::Context& context, const BenchScene& scene,
+                         const BenchOptions& options);

@@ -7,6 +7,7 @@
 #include <sys/utsname.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <iomanip>
@@ -61,12 +62,62 @@ std::string shareText(const Result& result) {
 }
 
 Json failedRow(const Result& result) {
-    return {{"scene", result.scene}, {"lights", result.lights}, {"technique", result.technique},
-            {"width", result.width}, {"height", result.height}, {"error", *result.error}};
+    Json row{{"scene", result.scene},
+             {"lights", result.lights},
+             {"technique", result.technique},
+             {"width", result.width},
+             {"height", result.height}};
+    if (result.shadows) row["shadows"] = candela::toString(*result.shadows);
+    row["error"] = *result.error;
+    return row;
+}
+
+/// What shadows cost: a row with them against the row of the same technique without.
+struct ShadowCost {
+    double frameRatio = 0.0, lightingRatio = 0.0;
+    std::optional<double> millisecondsPerLight;  ///< Of a light in view; more than 0.
+    std::optional<double> shadowMapRatio;        ///< How many times as long a cube shadow map takes.
+};
+
+bool isOfSameLights(const Result& a, const Result& b) {
+    return a.scene == b.scene && a.lights == b.lights;
+}
+
+/// None for other rows, and where the row without shadows was not measured.
+std::optional<ShadowCost> shadowCost(const Result& on, const std::vector<Result>& results) {
+    if (on.error || on.shadows != candela::Shadows::on) return std::nullopt;
+    const auto off = std::ranges::find_if(results, [&](const Result& other) {
+        return !other.error && other.shadows == candela::Shadows::off && isOfSameLights(other, on) &&
+               other.technique == on.technique;
+    });
+    if (off == results.end() || off->frame <= 0.0 || off->lighting.value_or(0.0) <= 0.0) return std::nullopt;
+    ShadowCost cost{on.frame / off->frame, *on.lighting / *off->lighting, {}, {}};
+    const double more = on.frame - off->frame;
+    if (more <= 0.0 || on.lightsVisible.value_or(0) == 0) return cost;
+    cost.millisecondsPerLight = more / static_cast<double>(*on.lightsVisible);
+    const auto maps = std::ranges::find_if(results, [&](const Result& other) {
+        return !other.error && other.shadowMaps && isOfSameLights(other, on);
+    });
+    if (maps != results.end())
+        cost.shadowMapRatio = maps->shadowMaps->millisecondsPerLight() / *cost.millisecondsPerLight;
+    return cost;
+}
+
+Json costJson(const ShadowCost& cost) {
+    Json json{{"frame_ratio", cost.frameRatio}, {"lighting_ratio", cost.lightingRatio}};
+    put(json, "ms_per_light", cost.millisecondsPerLight);
+    put(json, "shadow_map_ratio", cost.shadowMapRatio);
+    return json;
+}
+
+Json shadowMapsJson(const ShadowMaps& maps) {
+    return {{"lights", maps.lights},
+            {"ms_per_light", maps.millisecondsPerLight()},
+            {"triangles_per_light", maps.triangles / maps.lights}};
 }
 
 // The first eleven keys are a contract: other programs read them.
-Json rowOf(const Result& result) {
+Json rowOf(const Result& result, const std::vector<Result>& results) {
     if (result.error) return failedRow(result);
     Json row{{"scene", result.scene},
              {"lights", result.lights},
@@ -91,6 +142,10 @@ Json rowOf(const Result& result) {
         row["reference_lighting_ms"] = result.reference->lighting;
     }
     put(row, "copy_ms", result.copy);
+    if (result.shadows) row["shadows"] = candela::toString(*result.shadows);
+    if (result.occlusion) row["occlusion"] = shadowJson(*result.occlusion);
+    if (const auto cost = shadowCost(result, results)) row["shadow_cost"] = costJson(*cost);
+    if (result.shadowMaps) row["shadow_maps"] = shadowMapsJson(*result.shadowMaps);
     if (result.difference)
         row["difference"] = {{"from", result.difference->from},
                              {"max", result.difference->max},
@@ -101,7 +156,7 @@ Json rowOf(const Result& result) {
 /// The cost of the lights beyond those of the reference.
 std::string referenceText(const Result& result) {
     const double more = result.lighting.value_or(0.0) - result.reference->lighting;
-    std::string text = result.technique + ", " + std::to_string(result.lights) + " lights against " +
+    std::string text = rowName(result) + ", " + std::to_string(result.lights) + " lights against " +
                        std::to_string(result.reference->lights) + ": " + fixedText(more, 3) + " ms more";
     if (result.reference->lights > 0)
         text += ", " + fixedText(100.0 * more / result.reference->lighting, 1) + " %";
@@ -109,6 +164,36 @@ std::string referenceText(const Result& result) {
         text += ", " + fixedText(more / *result.copy, 2) + " plain copies of their array (" +
                 fixedText(result.copy, 3) + " ms)";
     return text + "\n";
+}
+
+std::string shadowText(const Result& result, const std::vector<Result>& results) {
+    std::string text;
+    const auto add = [&](const std::string& line) {
+        text += rowName(result) + ", " + std::to_string(result.lights) + " lights: " + line + "\n";
+    };
+    if (const auto& maps = result.shadowMaps)
+        add(std::to_string(maps->lights) + " drawn, " + fixedText(maps->millisecondsPerLight(), 3) +
+            " ms a light");
+    if (result.occlusion) {
+        const candela::ShadowCounts& rays = result.occlusion->rays;
+        const candela::OcclusionReport& structure = result.occlusion->structure;
+        add(millionsText(rays.raysAsked) + " M rays asked, " + millionsText(rays.raysTraced) + " M traced, " +
+            millionsText(rays.raysSaved) + " M saved; structure of " + std::to_string(structure.triangles) +
+            " triangles, " + std::to_string(structure.instances) + " instances, " +
+            fixedText(static_cast<double>(structure.bytes) * 1.0e-6, 1) + " MB, built in " +
+            fixedText(structure.buildMilliseconds, 1) + " ms, updated in " +
+            fixedText(structure.updateMilliseconds, 2) + " ms");
+    }
+    if (const auto cost = shadowCost(result, results)) {
+        std::string line = "frame " + fixedText(cost->frameRatio, 2) + " times, lighting " +
+                           fixedText(cost->lightingRatio, 2) + " times what it takes without";
+        if (cost->millisecondsPerLight)
+            line += ", " + fixedText(*cost->millisecondsPerLight, 4) + " ms a light in view";
+        if (cost->shadowMapRatio)
+            line += "; a cube shadow map takes " + fixedText(cost->shadowMapRatio, 1) + " times as long";
+        add(line);
+    }
+    return text;
 }
 
 /// Lighting time of the textbook programs over candela's, and candela's frame time over the bare one. Empty
@@ -119,18 +204,23 @@ std::string baselineText(const Result& own, const std::vector<Result>& results) 
         if (other.error || other.lights != own.lights || isCandela(other)) continue;
         if (other.technique == "bare")
             text += ", frame " + fixedText(own.frame / other.frame, 2) + " times bare";
-        else if (own.lighting.value_or(0.0) > 0.0)
+        else if (other.lighting && own.lighting.value_or(0.0) > 0.0)
             text += ", lighting " + fixedText(*other.lighting / *own.lighting, 1) + " times as fast as " +
                     other.technique;
     }
     if (text.empty()) return text;
-    return own.technique + ", " + std::to_string(own.lights) + " lights: " + text.substr(2) + "\n";
+    return rowName(own) + ", " + std::to_string(own.lights) + " lights: " + text.substr(2) + "\n";
 }
 
 }  // namespace
 
 bool isCandela(const Result& result) {
-    return result.technique != "bare" && !result.technique.starts_with("textbook");
+    return result.technique != "bare" && result.technique != "cube_shadow_maps" &&
+           !result.technique.starts_with("textbook");
+}
+
+std::string rowName(const Result& result) {
+    return result.technique + (result.shadows == candela::Shadows::on ? ", shadows" : "");
 }
 
 std::string setupJson(const BenchOptions& options) {
@@ -150,7 +240,7 @@ std::string setupJson(const BenchOptions& options) {
 std::string resultsJson(const std::string& renderer, const std::string& setup,
                         const std::vector<Result>& results) {
     Json rows = Json::array();
-    for (const Result& result : results) rows.push_back(rowOf(result));
+    for (const Result& result : results) rows.push_back(rowOf(result, results));
     const Json json{{"renderer", renderer}, {"setup", Json::parse(setup)}, {"results", std::move(rows)}};
     constexpr int indent = 2;
     return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -169,23 +259,24 @@ std::string resultsTable(const std::vector<Result>& results) {
           "evaluated M", "lit %", "M lit/s", "difference"});
     for (const Result& r : results) {
         if (r.error) {
-            line({r.scene, std::to_string(r.lights), " " + r.technique, "failed", "-", "-", "-", "-", "-",
-                  "-", "-", "-"});
+            line({r.scene, std::to_string(r.lights), " " + rowName(r), "failed", "-", "-", "-", "-", "-", "-",
+                  "-", "-"});
             continue;
         }
-        line({r.scene, std::to_string(r.lights), " " + r.technique, fixedText(r.frame, 2),
+        line({r.scene, std::to_string(r.lights), " " + rowName(r), fixedText(r.frame, 2),
               fixedText(r.geometry, 2), fixedText(r.lighting, 2), fixedText(r.display, 2),
               millionsText(r.pairsLit), millionsText(r.pairsEvaluated), shareText(r), rateText(r),
               r.difference ? fixedText(r.difference->mean, 6) : "-"});
     }
     for (const Result& result : results) {
         if (result.error) {
-            table << result.technique << ", " << result.lights << " lights: not measured: " << *result.error
+            table << rowName(result) << ", " << result.lights << " lights: not measured: " << *result.error
                   << "\n";
             continue;
         }
         if (result.reference) table << referenceText(result);
         if (isCandela(result)) table << baselineText(result, results);
+        table << shadowText(result, results);
     }
     return table.str();
 }

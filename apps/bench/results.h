@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bench_options.h"
+#include "common/shadow_stats.h"
 
 #include <cstdint>
 #include <optional>
@@ -19,11 +20,22 @@ struct ReferenceLights {
     double lighting = 0.0;
 };
 
+/// Cube shadow maps, see `measureShadowMaps`.
+struct ShadowMaps {
+    std::uint64_t lights = 0;     ///< Those whose map was drawn.
+    std::uint64_t triangles = 0;  ///< Drawn, of all maps and faces together.
+    double milliseconds = 0.0;    ///< Of all maps together.
+
+    double millisecondsPerLight() const { return milliseconds / static_cast<double>(lights); }
+};
+
 /// The measurements of one program on one scene: a row of the report. Times are medians in milliseconds.
 struct Result {
     std::string scene;
     std::uint64_t lights = 0;
-    std::string technique;  ///< candela's, or "textbook_fullscreen", "textbook_volumes", "bare".
+    /// candela's, or "textbook_fullscreen", "textbook_volumes", "bare", "cube_shadow_maps".
+    std::string technique;
+    std::optional<candela::Shadows> shadows;  ///< Of candela's rows: `on` or `off`.
     int width = 0, height = 0;
     /// The reason why the program could not draw the scene; all that follows is then unset.
     std::optional<std::string> error;
@@ -36,7 +48,9 @@ struct Result {
     std::optional<double> setLights;  ///< Wall clock of one `GpuScene::setLights` with all lights.
     std::optional<Difference> difference;
     std::optional<ReferenceLights> reference;
-    std::optional<double> copy;  ///< A memcpy of the array of lights.
+    std::optional<double> copy;            ///< A memcpy of the array of lights.
+    std::optional<ShadowStats> occlusion;  ///< With shadows: of the frame drawn last.
+    std::optional<ShadowMaps> shadowMaps;
 };
 
 /// The setup of a run as a JSON object: {"version", "cpu", "cores", "threads", "system", "opengl", "brdf",
@@ -56,6 +70,9 @@ std::string resultsTable(const std::vector<Result>& results);
 /// Lighting time against the number of lights as an SVG image, both axes logarithmic, one line a technique.
 /// One number of lights gives points instead of lines.
 std::string plotSvg(const std::string& renderer, const std::vector<Result>& results);
+
+/// The technique, and whether it was measured with shadows: what tables and plots call the row.
+std::string rowName(const Result& result);
 
 /// Does the row belong to candela itself, not to a baseline?
 bool isCandela(const Result& result);

@@ -139,6 +139,17 @@ layout(location = 0) out vec4 pairs;
 void main() { pairs = vec4(1.0); }
 )";
 
+constexpr const char* shadowVertex = R"(#version 450 core
+layout(location = 0) in vec3 position;
+layout(location = 0) uniform mat4 world;
+layout(location = 3) uniform mat4 clipFromWorld;
+void main() { gl_Position = clipFromWorld * (world * vec4(position, 1.0)); }
+)";
+
+constexpr const char* shadowFragment = R"(#version 450 core
+void main() {}
+)";
+
 constexpr const char* displayFragment = R"(#version 450 core
 layout(binding = 0) uniform sampler2D radianceTexture;
 layout(location = 0) out vec4 code;

@@ -1,5 +1,6 @@
 #include "parse.h"
 
+#include <candela/error.h>
 #include <candela/threads.h>
 
 #include <algorithm>
@@ -126,4 +127,16 @@ candela::BrdfModel parseBrdf(const std::string& text) {
     using enum candela::BrdfModel;
     return parseWord("--brdf", text, std::array{course, gltf},
                      [](candela::BrdfModel model) { return candela::toString(model); });
+}
+
+candela::Shadows parseShadows(const std::string& text) {
+    using enum candela::Shadows;
+    const candela::Shadows shadows = parseWord("--shadows", text, std::array{on, off},
+                                               [](candela::Shadows word) { return candela::toString(word); });
+    if (shadows == on && !candela::hasShadows()) {
+        throw candela::Error(candela::ErrorKind::environment, "--shadows on",
+                             "this candela is built without shadows (the CMake option CANDELA_SHADOWS, which "
+                             "needs Embree)");
+    }
+    return shadows;
 }

@@ -48,6 +48,8 @@ candela::VertexEvaluator parseVertexEvaluator(const std::string& text);
 candela::TileBackend parseTileBackend(const std::string& text);
 candela::Technique parseTechnique(const std::string& text);
 candela::BrdfModel parseBrdf(const std::string& text);
+/// "on" or "off". Throws `candela::Error` (environment) for "on" where the library has no shadows.
+candela::Shadows parseShadows(const std::string& text);
 
 /// The one of `values` whose name is `text`. Throws `UsageError` that lists all names, after those in `more`,
 /// which the caller handles itself.

@@ -1,6 +1,7 @@
 #include "scene_options.h"
 
 #include "parse.h"
+#include "shadow_stats.h"
 
 #include <CLI/CLI.hpp>
 
@@ -63,6 +64,10 @@ constexpr const char* technique =
 constexpr const char* tiles =
     "What runs the technique tiles: auto (by device), cpu or compute (a shader).\n"
     "Default: auto";
+
+constexpr const char* shadows =
+    "Whether every light casts shadows, traced by occlusion rays: on or off.\n"
+    "Default: ";
 
 constexpr const char* rangeLoss =
     "What lights without a range may lose together at any point, as a share of\n"
@@ -260,6 +265,11 @@ void SceneOptionReader::declareLighting(CLI::App& app) {
     app.add_option_function<std::string>(
            "--tiles", [this](const std::string& text) { options_.tileBackend = parseTileBackend(text); },
            help::tiles)
+        ->type_name("WORD")
+        ->group("Lighting");
+    app.add_option_function<std::string>(
+           "--shadows", [this](const std::string& text) { options_.shadows = parseShadows(text); },
+           std::string(help::shadows) + candela::toString(drawnShadows(options_.shadows)))
         ->type_name("WORD")
         ->group("Lighting");
     app.add_option_function<std::string>(

@@ -64,6 +64,7 @@ struct SceneOptions {
     candela::BrdfModel brdf = candela::BrdfModel::course;
     candela::Technique technique = candela::Technique::automatic;
     candela::TileBackend tileBackend = candela::TileBackend::automatic;
+    candela::Shadows shadows = candela::FrameSettings{}.shadows;
     float rangeLoss = candela::GpuSceneOptions{}.rangeLoss;
     candela::SubdivisionSettings subdivision;
     candela::VertexEvaluator vertexEvaluator = candela::VertexEvaluator::automatic;

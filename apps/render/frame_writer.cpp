@@ -11,6 +11,7 @@ candela::FrameSettings frameSettings(const SceneOptions& options) {
     settings.brdf = options.brdf;
     settings.technique = options.technique;
     settings.tileBackend = options.tileBackend;
+    settings.shadows = options.shadows;
     settings.debugView = options.debug.view;
     settings.overlays = options.debug.overlays;
     return settings;

@@ -26,7 +26,9 @@ constexpr const char* stats =
     "Write what was drawn and how long it took, as JSON (- is standard output).\n"
     "Times are the wall clock of one frame, up to the finished picture in memory.\n"
     "After one drawing that is not counted, the frame is drawn 5 times; with\n"
-    "--frames each frame once. A pass's time is the median of these";
+    "--frames each frame once. A pass's time is the median of these. \"shadows\" has\n"
+    "the occlusion rays of the last frame and what they are traced in; it is null\n"
+    "without shadows";
 constexpr const char* quiet = "Say nothing but errors: no notes, no progress and no result";
 
 constexpr const char* list =

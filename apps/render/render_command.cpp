@@ -283,6 +283,7 @@ void renderFrames(const Options& options) {
     stats.lights = gpuScene.lightReport().lights;
     if (options.stats) {
         session.progress.show("counting pairs of pixel and light");
+        stats.shadows = shadowStats(frameWriter.frame(), gpuScene, options.shadows);
         stats.pairs = frameWriter.frame().countPairs();
         writeStats(session, stats);
     }

@@ -64,6 +64,7 @@ std::string statsJson(const Stats& stats) {
         {"threads", stats.threads},
         {"tile_backend", stats.tileBackend},
         {"subdivision_evaluator", stats.vertexEvaluator},
+        {"shadows", stats.shadows ? shadowJson(*stats.shadows) : Json()},
     };
     constexpr int indent = 2;
     return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";

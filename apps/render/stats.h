@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/shadow_stats.h"
 #include "frame_writer.h"
 
 #include <candela/renderer.h>
@@ -15,11 +16,12 @@ struct Stats {
     candela::Technique technique = candela::Technique::automatic;
     candela::BrdfModel brdf = candela::BrdfModel::course;
     std::uint64_t triangles = 0, materials = 0, lights = 0;
-    unsigned threads = 0;              ///< That parallel work used.
-    std::string tileBackend;           ///< "cpu" or "compute"; empty where another technique ran.
-    std::string vertexEvaluator;       ///< "cpu" or "compute"; empty without refined cages.
-    std::vector<FrameTiming> timings;  ///< One or more.
-    candela::PairCounts pairs;         ///< Of the last frame.
+    unsigned threads = 0;                ///< That parallel work used.
+    std::string tileBackend;             ///< "cpu" or "compute"; empty where another technique ran.
+    std::string vertexEvaluator;         ///< "cpu" or "compute"; empty without refined cages.
+    std::vector<FrameTiming> timings;    ///< One or more.
+    candela::PairCounts pairs;           ///< Of the last frame.
+    std::optional<ShadowStats> shadows;  ///< Of the last frame; none without shadows.
 };
 
 /// The JSON text of `stats`, with a newline at its end. Keys and their order are a contract with other

@@ -1,5 +1,7 @@
 #include "render_command_line.h"
 
+#include "common/shadow_stats.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -118,6 +120,8 @@ std::string renderCommandLine(const SceneOptions& options) {
     command.option("--technique", candela::toString(options.technique));
     if (options.tileBackend != candela::TileBackend::automatic)
         command.option("--tiles", candela::toString(options.tileBackend));
+    if (drawnShadows(options.shadows) != drawnShadows(SceneOptions{}.shadows))
+        command.option("--shadows", candela::toString(options.shadows));
     if (options.rangeLoss != candela::GpuSceneOptions{}.rangeLoss)
         command.option("--range-loss", numberText(options.rangeLoss));
     if (!options.debug.isDefault()) command.option("--show", debugViewText(options.debug));

@@ -2,6 +2,7 @@
 
 #include "common/output_file.h"
 #include "common/parse.h"
+#include "common/shadow_stats.h"
 
 #include <candela/error.h>
 
@@ -42,6 +43,7 @@ Json toJson(const ViewModel& model) {
             {"recent", model.recent},
             {"brdf", candela::toString(options.brdf)},
             {"technique", candela::toString(options.technique)},
+            {"shadows", candela::toString(drawnShadows(options.shadows))},
             {"ocio", options.ocio.value_or("")},
             {"display", options.display.display},
             {"view", options.display.view},
@@ -84,6 +86,7 @@ void takeSettings(const Json& json, const ViewOptions& given, ViewModel& model) 
     if (!given.drawingGiven) {
         options.brdf = parseBrdf(json.at("brdf").get<std::string>());
         options.technique = parseTechnique(json.at("technique").get<std::string>());
+        options.shadows = parseShadows(json.at("shadows").get<std::string>());
     }
     model.options = options;
     model.panels = panels;

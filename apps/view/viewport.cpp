@@ -56,6 +56,7 @@ candela::Frame Viewport::draw(candela::Renderer& renderer, const Inputs& inputs)
     settings.brdf = inputs.options.brdf;
     settings.technique = inputs.options.technique;
     settings.tileBackend = inputs.options.tileBackend;
+    settings.shadows = inputs.options.shadows;
     settings.debugView = inputs.options.debug.view;
     settings.overlays = inputs.options.debug.overlays;
     candela::Frame frame = renderer.render(inputs.scene, inputs.view, settings);

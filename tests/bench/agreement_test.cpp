@@ -24,8 +24,8 @@ TEST_P(BenchScenes, TechniquesAgree) {
 }
 
 TEST_P(BenchScenes, TheBaselineAgrees) {
-    const Json bench =
-        benchOf({"--scene", GetParam(), "--lights", "64", "--technique", "tiles", "--baseline"});
+    const Json bench = benchOf(
+        {"--scene", GetParam(), "--lights", "64", "--technique", "tiles", "--baseline", "--shadows", "off"});
     for (const char* name : {"textbook_volumes", "textbook_fullscreen"}) {
         const Json difference = resultsOf(bench, name).at(0)["difference"];
         EXPECT_EQ(difference["from"], "tiles");

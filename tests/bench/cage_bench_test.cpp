@@ -39,6 +39,8 @@ TEST(BenchCages, NamesTheRequestedEvaluator) {
 TEST(BenchCages, MeasuresNoLights) {
     expectUsageError(runCommand({"--scene", "cages", "--lights", "4", "--json", "r.json"}),
                      "measures no lights");
+    expectUsageError(runCommand({"--scene", "cages", "--shadows", "off", "--json", "r.json"}),
+                     "measures no lights");
 }
 
 }  // namespace

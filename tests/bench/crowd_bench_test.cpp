@@ -32,6 +32,8 @@ TEST(BenchCrowd, MovesTheCharactersOfTheScene) {
 TEST(BenchCrowd, MeasuresNoLights) {
     expectUsageError(runCommand({"--scene", "crowd:3", "--lights", "4", "--json", "r.json"}),
                      "measures no lights");
+    expectUsageError(runCommand({"--scene", "crowd:3", "--shadows", "off", "--json", "r.json"}),
+                     "measures no lights");
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ TEST(BenchResults, AutoNamesTheTechniqueUsed) {
 }
 
 TEST(BenchResults, TheBaselineIsOfTheSameScene) {
-    const Json bench = benchOf({"--lights", "64", "--technique", "volumes", "--baseline"});
+    const Json bench =
+        benchOf({"--lights", "64", "--technique", "volumes", "--baseline", "--shadows", "off"});
     ASSERT_EQ(bench["results"].size(), 4u);
     const Json volumes = bench["results"][0];
     for (const char* name : {"textbook_volumes", "textbook_fullscreen"}) {
@@ -114,7 +115,8 @@ std::string overflowingScene() {
 TEST(BenchResults, ABaselineThatCannotDrawTheSceneIsAnErrorAndOtherResultsAreKept) {
     const TemporaryFolder folder;
     folder.write("bright.gltf", overflowingScene());
-    const Json bench = benchOf({"--scene", folder / "bright.gltf", "--technique", "volumes", "--baseline"});
+    const Json bench = benchOf(
+        {"--scene", folder / "bright.gltf", "--technique", "volumes", "--baseline", "--shadows", "off"});
     ASSERT_EQ(bench["results"].size(), 4u);
     EXPECT_GT(bench["results"][0]["frame_ms"].get<double>(), 0.0);
     for (const char* name : {"textbook_volumes", "textbook_fullscreen"}) {

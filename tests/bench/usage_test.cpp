@@ -26,6 +26,9 @@ TEST(BenchUsage, EveryErrorIsNamed) {
         BadUsage{{"--json", "r.json", "--technique", "magic"}, "auto, volumes, tiles, fullscreen"},
         BadUsage{{"--json", "r.json", "--technique", "volumes,"}, "--technique"},
         BadUsage{{"--json", "r.json", "--technique", "tiles,tiles"}, "twice"},
+        BadUsage{{"--json", "r.json", "--shadows", "auto"}, "on, off"},
+        BadUsage{{"--json", "r.json", "--shadows", "off,"}, "--shadows"},
+        BadUsage{{"--json", "r.json", "--shadows", "off,off"}, "twice"},
         BadUsage{{"--json", "r.json", "--brdf", "phong"}, "course, gltf"},
         BadUsage{{"--json", "r.json", "--baseline", "--brdf", "gltf"}, "course"},
         BadUsage{{"--json", "r.json", "--size", "640"}, "WIDTHxHEIGHT"},
@@ -50,7 +53,7 @@ TEST(BenchUsage, HelpNamesEveryOption) {
     expectSuccess(result);
     for (const char* option : {"--scene", "--lights", "--technique", "--size", "--frames", "--json", "--plot",
                                "--baseline", "--device", "--plugin-path", "--brdf", "--view", "--quiet",
-                               "--threads", "--subdivision-evaluator", "--version"})
+                               "--threads", "--subdivision-evaluator", "--shadows", "--version"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 

@@ -33,7 +33,7 @@ TEST(Stats, KeysAreTheDocumentedOnes) {
     const Json stats = statsOf({"plaza:16", "--size", "64x36"});
     EXPECT_EQ(keys(stats),
               (Names{"version", "renderer", "width", "height", "technique", "brdf", "scene", "passes",
-                     "frame_ms", "counters", "threads", "tile_backend", "subdivision_evaluator"}));
+                     "frame_ms", "counters", "threads", "tile_backend", "subdivision_evaluator", "shadows"}));
     EXPECT_EQ(keys(stats["scene"]), (Names{"triangles", "materials", "lights"}));
     EXPECT_EQ(keys(stats["frame_ms"]), (Names{"median", "min", "max", "count"}));
     EXPECT_EQ(keys(stats["counters"]),
@@ -45,6 +45,33 @@ TEST(Stats, KeysAreTheDocumentedOnes) {
         EXPECT_GE(pass["ms"].get<double>(), 0.0);
     }
 }
+
+TEST(Stats, ShadowsAreNullWithoutThem) {
+    EXPECT_TRUE(statsOf({"plaza:16", "--size", "64x36", "--shadows", "off"})["shadows"].is_null());
+}
+
+#ifdef CANDELA_SHADOWS
+TEST(Stats, ShadowsHaveRaysAndStructure) {
+    const Json stats = statsOf({"plaza:16", "--size", "64x36", "--shadows", "on"});
+    const Json& shadows = stats["shadows"];
+    EXPECT_EQ(keys(shadows), (Names{"rays_asked", "rays_traced", "rays_saved", "triangles", "instances",
+                                    "bytes", "build_ms", "update_ms"}));
+    for (const char* key : {"rays_asked", "rays_traced", "rays_saved", "triangles", "instances", "bytes"})
+        EXPECT_TRUE(shadows[key].is_number_unsigned()) << key;
+    // A lit pair is one ray at most.
+    EXPECT_LE(shadows["rays_asked"], stats["counters"]["pairs_lit"]);
+    EXPECT_EQ(shadows["rays_traced"].get<int>() + shadows["rays_saved"].get<int>(), shadows["rays_asked"]);
+    EXPECT_GE(shadows["build_ms"].get<double>(), 0.0);
+    EXPECT_GE(shadows["update_ms"].get<double>(), 0.0);
+}
+#else
+TEST(Stats, ShadowsAreAnErrorWhereTheLibraryHasNone) {
+    const TemporaryFolder folder;
+    expectFault(runCommand({"plaza:16", "--shadows", "on"}, {.folder = folder.path()}), "--shadows on",
+                "CANDELA_SHADOWS");
+    EXPECT_TRUE(folder.names().empty());
+}
+#endif
 
 TEST(Stats, TileBackendIsTheOneThatRan) {
     for (const char* backend : {"cpu", "compute"}) {

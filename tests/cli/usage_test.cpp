@@ -68,6 +68,8 @@ TEST(Usage, EveryErrorIsNamed) {
         BadUsage{{"plaza:1", "-o", "a.exr", "--aov", "Z,Z"}, "twice"},
         BadUsage{{"plaza:1", "-o", "a.exr", "--aov", ""}, "--aov"},
         BadUsage{{"plaza:1", "--tiles", "gpu"}, "auto, cpu, compute"},
+        BadUsage{{"plaza:1", "--shadows", "soft"}, "on, off"},
+        BadUsage{{"plaza:1", "--shadows", "auto"}, "on, off"},
         BadUsage{{"plaza:1", "--threads", "--tiles", "many"}, "whole number from 0 to 1024"},
         BadUsage{{"plaza:1", "--threads", "1025"}, "whole number from 0 to 1024"},
         BadUsage{{"plaza:1", "--subdivision-evaluator", "gpu"}, "auto, cpu, compute"},
@@ -98,7 +100,8 @@ TEST(Usage, HelpNamesEveryOptionOfTheContract) {
                                "--device",   "--strict",
                                "--quiet",    "--list",
                                "--threads",  "--subdivision-evaluator",
-                               "Examples:",  "Exit codes:"})
+                               "--shadows",  "Examples:",
+                               "Exit codes:"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 

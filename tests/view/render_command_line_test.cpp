@@ -2,6 +2,7 @@
 
 #include "render_command_line.h"
 #include "common/program.h"
+#include "common/shadow_stats.h"
 
 #include <CLI/CLI.hpp>
 
@@ -168,6 +169,22 @@ TEST(RenderCommandLine, PreservesEnumerationsAndLists) {
     EXPECT_TRUE(read.autoExposure);
     EXPECT_EQ(read.pluginFolders, options.pluginFolders);
     EXPECT_EQ(read.display.display, "Display P3");
+}
+
+TEST(RenderCommandLine, NamesShadowsWhereTheyAreNotTheDefault) {
+    using enum candela::Shadows;
+    SceneOptions options = someScene();
+    const candela::Shadows standard = drawnShadows(options.shadows);
+    options.shadows = standard;
+    EXPECT_EQ(renderCommandLine(options).find("--shadows"), std::string::npos);
+    options.shadows = off;
+    EXPECT_EQ(drawnShadows(readBack(options).shadows), off);
+    if (!candela::hasShadows()) return;
+    options.shadows = on;
+    EXPECT_EQ(drawnShadows(readBack(options).shadows), on);
+    options.shadows = standard == on ? off : on;
+    EXPECT_NE(renderCommandLine(options).find(std::string("--shadows ") + toString(options.shadows)),
+              std::string::npos);
 }
 
 TEST(RenderCommandLine, KeepsTheLensAndTheAnimation) {

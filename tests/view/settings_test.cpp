@@ -1,6 +1,7 @@
 // view.json: written and read back, invalid files, and removal.
 
 #include "settings.h"
+#include "common/shadow_stats.h"
 #include "scoped_environment.h"
 #include "temporary_folder.h"
 
@@ -17,12 +18,19 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// Not the default, where the library has shadows.
+candela::Shadows changedShadows() {
+    using enum candela::Shadows;
+    return candela::hasShadows() && drawnShadows(SceneOptions{}.shadows) == off ? on : off;
+}
+
 ViewModel changedModel() {
     ViewModel model;
     model.options.width = 801;
     model.options.height = 603;
     model.options.brdf = candela::BrdfModel::gltf;
     model.options.technique = candela::Technique::volumes;
+    model.options.shadows = changedShadows();
     model.options.ocio = "/some/where.ocio";
     model.options.display = {"Display P3", "Raw", "a look", 1.0 / 3.0};
     model.options.subdivision.edgePixels = 3.5f;
@@ -70,6 +78,7 @@ TEST_F(SettingsTest, RoundTrip) {
     EXPECT_EQ(read.options.height, 603);
     EXPECT_EQ(read.options.brdf, candela::BrdfModel::gltf);
     EXPECT_EQ(read.options.technique, candela::Technique::volumes);
+    EXPECT_EQ(read.options.shadows, changedShadows());
     EXPECT_EQ(read.options.ocio, "/some/where.ocio");
     EXPECT_EQ(read.options.display.display, "Display P3");
     EXPECT_EQ(read.options.display.view, "Raw");
@@ -90,6 +99,7 @@ TEST_F(SettingsTest, AreOverriddenByTheCommandLine) {
     const ViewModel read = readWith(given);
     EXPECT_EQ(read.options.width, 1280);
     EXPECT_EQ(read.options.brdf, candela::BrdfModel::course);
+    EXPECT_EQ(read.options.shadows, SceneOptions{}.shadows);
     EXPECT_EQ(read.options.ocio, std::nullopt);
     EXPECT_EQ(read.options.display.view, "");
     EXPECT_EQ(read.options.subdivision.maxLevel, 5u);

@@ -1,3 +1,4 @@
+#include "common/shadow_stats.h"
 #include "panels/panel_values.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
@@ -13,6 +14,14 @@ constexpr float minEdge = 0.1f, longestEdge = 1000.0f;
 /// The level that a click on "fixed" begins with.
 constexpr std::uint32_t firstLevel = 2;
 
+void chooseShadows(candela::Shadows& shadows) {
+    using enum candela::Shadows;
+    bool casts = drawnShadows(shadows) == on;
+    ImGui::BeginDisabled(!candela::hasShadows());
+    if (ImGui::Checkbox("shadows", &casts)) shadows = casts ? on : off;
+    ImGui::EndDisabled();
+}
+
 void chooseLighting(ViewModel& model) {
     using enum candela::Technique;
     constexpr std::array techniques{automatic, volumes, tiles, fullscreen};
@@ -24,6 +33,7 @@ void chooseLighting(ViewModel& model) {
     });
     chooseOne("reflection", model.options.brdf, models,
               [](candela::BrdfModel brdf) { return candela::toString(brdf); });
+    chooseShadows(model.options.shadows);
 }
 
 void chooseDebugView(DebugViewOptions& options) {
