@@ -250,7 +250,9 @@ std::uint32_t EmbreeScene::trace(const RayPacket& packet) const {
     std::fill_n(rays.flags, 16, 0u);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    // Not RTC_INTERSECT_CONTEXT_FLAG_COHERENT: with AVX-512, the compiled packet traversal of Debian's Embree
+    // 3.13.5 stores a mask of 16 bits where it reads 64, and at times never ends.
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     const FlushDenormals flush;
     rtcOccluded16(packet.active, state_->top.get(), &context, &rays);
     std::uint32_t hit = 0;
