@@ -130,6 +130,9 @@ struct EmbreeScene::State {
         const OcclusionMesh& mesh = *tree.mesh;
         tree.scene.reset(rtcNewScene(device.get()));
         rtcSetSceneFlags(tree.scene.get(), RTC_SCENE_FLAG_ROBUST);
+        // Most rays are answered by the tests of blocks in the wide tree, which is the better one: this tree
+        // is for the remainder, and is built in a fifth of the time of a better one.
+        rtcSetSceneBuildQuality(tree.scene.get(), RTC_BUILD_QUALITY_LOW);
         const std::span<const glm::uvec3> triangles(mesh.triangles);
         tree.opaque.reset();
         tree.cutouts.reset();

@@ -18,14 +18,12 @@ struct OcclusionInstanceView {
     std::uint32_t opaqueCount;                     ///< Triangles from here on are alpha-masked.
 };
 
-/// Eight triangles as one light sees them. A point x, relative to an origin, is hidden by a triangle where
-/// dot(edge[k], x) + offset[k] >= 0 for each edge, and dot(normal, x) > distance. The origin is a point light
-/// itself, whose offsets are 0, and any point for a directional light.
-struct alignas(32) TrianglesSeen {
-    float edge[3][3][8], offset[3][8];
-    float normal[3][8], distance[8];
-    std::uint32_t candidates;  ///< A bit for each triangle that may hide the light from the box of the list.
-    std::uint32_t masked;      ///< A bit for each that is alpha-masked.
+/// Instances that may hide one light from a box of pixels.
+struct InstanceList {
+    WideNode node;        ///< Their boxes, and their numbers as children.
+    std::uint32_t count;  ///< Or `overflow`.
+
+    static constexpr std::uint32_t overflow = WideNode::width + 1;
 };
 
 /// A tree over instances: the number of a leaf is that of an instance.

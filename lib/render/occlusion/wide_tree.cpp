@@ -204,10 +204,10 @@ class Flattening {
                     " primitives that rays are traced in");
 }
 
-/// Morton order: takes a fifth of the time of a tree by surface areas.
+/// A tree by surface areas: rays and blocks of rays visit a quarter fewer nodes than in one by Morton order.
 RTCBuildArguments buildArguments(unsigned maxLeaf) {
     RTCBuildArguments arguments = rtcDefaultBuildArguments();
-    arguments.buildQuality = RTC_BUILD_QUALITY_LOW;
+    arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
     arguments.maxBranchingFactor = WideNode::width;
     arguments.minLeafSize = maxLeaf;
     arguments.maxLeafSize = maxLeaf;

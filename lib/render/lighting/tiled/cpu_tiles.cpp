@@ -43,19 +43,15 @@ void CpuTiles::Worker::reserve(std::size_t lights) {
 }
 
 void CpuTiles::Worker::reserveShadows(std::size_t lights, std::size_t directionals) {
-    constexpr std::uint32_t triangleGroups = 4096;  // Under 2 MB.
     ShadowScratch& shadows = scratch->shadows;
-    if (!triangles) triangles = std::make_unique<TrianglesSeen[]>(triangleGroups);
-    if (occlusion.size() < lights + directionals) {
-        occlusion.resize(lights + directionals);
+    if (instances.size() < lights + directionals) {
+        instances.resize(lights + directionals);
         lightOfSlot.resize(lights);
         pixels.resize(2 * (lights + directionals));
     }
-    const std::size_t all = occlusion.size();
-    shadows.triangles = triangles.get();
-    shadows.capacity = triangleGroups;
-    shadows.locals = occlusion.data();
-    shadows.directionals = occlusion.data() + (all - directionals);
+    const std::size_t all = instances.size();
+    shadows.locals = instances.data();
+    shadows.directionals = instances.data() + (all - directionals);
     shadows.lightOfSlot = lightOfSlot.data();
     shadows.visible = pixels.data();
     shadows.hidden = pixels.data() + all;

@@ -33,8 +33,7 @@ class CpuTiles final : public LightingTechnique {
         std::unique_ptr<TileScratch> scratch = std::make_unique<TileScratch>();
         std::vector<float> floats;
         std::vector<std::uint32_t> indices;
-        std::unique_ptr<TrianglesSeen[]> triangles;
-        std::vector<LightOcclusion> occlusion;
+        std::vector<InstanceList> instances;
         std::vector<std::uint32_t> lightOfSlot;
         std::vector<std::uint16_t> pixels;
 

@@ -56,21 +56,14 @@ struct LightColumns {
     std::uint32_t* index;
 };
 
-/// What may hide one light from a box of pixels: a run of `ShadowScratch::triangles`.
-struct LightOcclusion {
-    std::uint32_t first, count;
-};
-
 /// The memory of a worker for shadows. Slots are the lights of a box of `shadowLevel`, in the order of its
 /// list.
 struct ShadowScratch {
-    TrianglesSeen* triangles;
-    std::uint32_t capacity;  ///< Of `triangles`.
-    LightOcclusion* locals;  ///< One a slot.
+    InstanceList* locals;  ///< One a slot.
     std::uint32_t* lightOfSlot;
-    LightOcclusion* directionals;  ///< One a directional light.
-    std::uint16_t* visible;        ///< Scratch of a block: for each light the pixels that it reaches.
-    std::uint16_t* hidden;         ///< And the pixels that would be lit if nothing were in between.
+    InstanceList* directionals;  ///< One a directional light.
+    std::uint16_t* visible;  ///< Of a block: for each of its lights the pixels that it reaches, a bit each.
+    std::uint16_t* hidden;   ///< And those from which it is hidden.
     std::uint64_t raysAsked, raysTraced;
 };
 
@@ -83,7 +76,7 @@ struct TileScratch {
     ShadowScratch shadows = {};  ///< Filled in frames with shadows.
 };
 
-/// The level of the boxes from which the triangles are gathered that may hide a light: 16 × 16 pixels.
+/// The level of the boxes for which the instances are listed that may hide a light: 16 × 16 pixels.
 constexpr int shadowLevel = 2;
 
 /// The 32-bit words of a worker's memory for each light of a tile: five columns at each level.

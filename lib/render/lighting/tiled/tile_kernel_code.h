@@ -220,7 +220,7 @@ void shadeBlock(const TileFrame& frame, int left, int bottom, const std::uint32_
 /// Finds which pixels of the block each light of the slots reaches, with `visible` and `hidden` of the
 /// scratch.
 template <int brdf>
-void findVisible(const TileFrame& frame, const BlockPixels& pixels, const ShadowBlock& block,
+void findVisible(const TileFrame& frame, const BlockPixels& pixels, ShadowBlock& block,
                  const std::uint32_t* slots, std::uint32_t count, ShadowScratch& scratch) {
     const std::uint32_t surface = surfaceBits(pixels);
     ShadingPoint points[pixelsPerBlock / laneCount];
@@ -233,11 +233,11 @@ void findVisible(const TileFrame& frame, const BlockPixels& pixels, const Shadow
         return bits & surface;
     };
     const auto finish = [&](std::uint32_t i, const float* record, const LightSource& light,
-                            LightOcclusion occlusion, std::uint32_t lit) {
+                            const InstanceList& instances, std::uint32_t lit) {
         std::uint32_t hidden = 0;
         if (castsShadow(record) && lit != 0) {
             scratch.raysAsked += static_cast<std::uint64_t>(__builtin_popcount(lit));
-            hidden = hiddenPixels(frame, light, occlusion, block, lit, scratch);
+            hidden = hiddenPixels(frame, light, instances, block, lit, scratch);
         }
         scratch.visible[i] = static_cast<std::uint16_t>(lit & ~hidden);
         scratch.hidden[i] = static_cast<std::uint16_t>(hidden);
@@ -260,19 +260,16 @@ void findVisible(const TileFrame& frame, const BlockPixels& pixels, const Shadow
         const float* record = frame.records + 8 * (std::uint64_t{frame.localCount} + i);
         const std::uint32_t lit =
             litBits([&](const ShadingPoint& point) { return litByDirectional(point, splat3(record)); });
-        finish(count + i, record, {{record[0], record[1], record[2]}, false}, scratch.directionals[i], lit);
+        finish(count + i, record, directionalSource(record), scratch.directionals[i], lit);
     }
 }
 
 /// As `shadeBlock`, for the lights of `slots`, with shadows.
 template <int brdf>
 void shadeBlockWithShadows(const TileFrame& frame, int left, int bottom, const std::uint32_t* slots,
-                           std::uint32_t count, const EndBox& listBox, std::uint32_t used,
-                           ShadowScratch& scratch) {
+                           std::uint32_t count, ShadowScratch& scratch) {
     const BlockPixels pixels = fetchPixels(frame, left, bottom);
-    ShadowBlock block{rayEnds(frame, pixels, left, bottom), emptyEndBox(), listBox, used};
-    enclose(block.box, pixels, block.ends);
-    addRounding(block.box);
+    ShadowBlock block = shadowBlockOf(frame, pixels, left, bottom);
     findVisible<brdf>(frame, pixels, block, slots, count, scratch);
     for (int first = 0; first < pixelsPerBlock; first += laneCount) {
         const ShadingPoint point = shadingPointAt<brdf>(frame, pixels, first);
@@ -306,16 +303,10 @@ void shadeBlockWithShadows(const TileFrame& frame, int left, int bottom, const s
     }
 }
 
-/// The boxes whose lists of triangles are in the scratch.
-struct ShadowNode {
-    EndBox box = {};
-    std::uint32_t used = 0;
-};
-
 /// The node of the box tree at `level`, with the lights that met its parent.
 template <int brdf>
 void shadeNode(const TileFrame& frame, int left, int bottom, int level, int x, int y,
-               std::uint32_t parentCount, ShadowNode shadows, TileScratch& scratch) {
+               std::uint32_t parentCount, TileScratch& scratch) {
     const int side = blocksPerTile >> level, at = y * side + x;
     if (!scratch.occupied[level][at]) return;
     const LightColumns& list = scratch.levels[level];
@@ -324,20 +315,18 @@ void shadeNode(const TileFrame& frame, int left, int bottom, int level, int x, i
     if (count == 0 && frame.directionalCount == 0) return;
     const int nodeLeft = left + (x * blockSize << level), nodeBottom = bottom + (y * blockSize << level);
     if (level == shadowLevel && frame.occlusion != nullptr) {
-        shadows.box = endBoxOf(frame, nodeLeft, nodeBottom, 1 << level);
-        shadows.used = listOccluders(frame, shadows.box, list, count, scratch.shadows);
+        fillSlots(frame, endBoxOf(frame, nodeLeft, nodeBottom, 1 << level), list, count, scratch.shadows);
     }
     if (level > 0) {
         for (int child = 0; child < 4; ++child) {
             shadeNode<brdf>(frame, left, bottom, level - 1, 2 * x + child % 2, 2 * y + child / 2, count,
-                            shadows, scratch);
+                            scratch);
         }
         return;
     }
     scratch.pairsEvaluated += std::uint64_t{count} * pixelsPerBlock;
     if (frame.occlusion != nullptr) {
-        shadeBlockWithShadows<brdf>(frame, nodeLeft, nodeBottom, list.index, count, shadows.box, shadows.used,
-                                    scratch.shadows);
+        shadeBlockWithShadows<brdf>(frame, nodeLeft, nodeBottom, list.index, count, scratch.shadows);
     } else {
         shadeBlock<brdf>(frame, nodeLeft, nodeBottom, list.index, count);
     }
@@ -373,7 +362,7 @@ void shade(const TileFrame& frame, int tileX, int tileY, const std::uint32_t* li
     prefetchTile(frame, left, bottom);
     makeBoxes(frame, left, bottom, scratch);
     gatherLights(frame, lights, count, scratch.levels[boxLevels]);
-    shadeNode<brdf>(frame, left, bottom, boxLevels - 1, 0, 0, count, {}, scratch);
+    shadeNode<brdf>(frame, left, bottom, boxLevels - 1, 0, 0, count, scratch);
 }
 
 }  // namespace

@@ -16,11 +16,6 @@ static_assert(raysPerBlock == pixelsPerBlock);
 
 constexpr float infinity = 1.0e30f;  // farther than any surface
 
-/// A value of `LightOcclusion::first`: the triangles did not fit.
-constexpr std::uint32_t listOverflow = 0xffffffffu;
-/// Triangle groups that one light may list for a box.
-constexpr std::uint32_t maxListLength = 64;
-
 // ---- Ray ends
 
 inline Floats halfToFloat(Ints half) {
@@ -119,125 +114,140 @@ inline EndBox endBoxOf(const TileFrame& frame, int left, int bottom, int blocks)
     return box;
 }
 
-// ---- Lists
+// ---- Lights and what may hide them
 
 inline LightSource pointSource(const float* record) {
     return {{record[0], record[1], record[2]}, true};
+}
+
+inline LightSource directionalSource(const float* record) {
+    return {{record[0], record[1], record[2]}, false};
 }
 
 inline bool castsShadow(const float* record) {
     return record[7] != 0.0f;
 }
 
-/// The origin of the triangles that a light sees: see `TrianglesSeen`.
-struct ListOrigin {
-    float at[3];
-};
-
-inline ListOrigin originOf(const LightSource& light, const EndBox& box) {
-    ListOrigin origin;
-    for (int axis = 0; axis < 3; ++axis)
-        origin.at[axis] = light.isPoint ? light.place[axis] : 0.5f * (box.min[axis] + box.max[axis]);
-    return origin;
-}
-
-/// Lists what may hide the light from the box, behind the first `used` triangle groups.
-inline LightOcclusion gatherFor(const TileFrame& frame, const LightSource& light, const EndBox& box,
-                                ShadowScratch& scratch, std::uint32_t& used) {
-    const std::uint32_t room = scratch.capacity - used;
-    TriangleList list{scratch.triangles + used, 0, room < maxListLength ? room : maxListLength};
-    if (!gatherTriangles(*frame.occlusion, light, originOf(light, box).at, box, list))
-        return {listOverflow, 0};
-    const LightOcclusion result{used, list.count};
-    used += list.count;
-    return result;
-}
-
 /// Fills the slots of a box: the lights of `list`, whose indices become slots.
-inline std::uint32_t listOccluders(const TileFrame& frame, const EndBox& box, const LightColumns& list,
-                                   std::uint32_t count, ShadowScratch& scratch) {
-    std::uint32_t used = 0;
+inline void fillSlots(const TileFrame& frame, const EndBox& box, const LightColumns& list,
+                      std::uint32_t count, ShadowScratch& scratch) {
     for (std::uint32_t slot = 0; slot < count; ++slot) {
         const std::uint32_t light = list.index[slot];
         const float* record = frame.records + 8 * std::uint64_t{light};
         scratch.lightOfSlot[slot] = light;
-        scratch.locals[slot] = castsShadow(record) ? gatherFor(frame, pointSource(record), box, scratch, used)
-                                                   : LightOcclusion{0, 0};
+        if (castsShadow(record))
+            listInstances(*frame.occlusion, pointSource(record), box, scratch.locals[slot]);
         list.index[slot] = slot;
     }
     for (std::uint32_t i = 0; i < frame.directionalCount; ++i) {
         const float* record = frame.records + 8 * (std::uint64_t{frame.localCount} + i);
-        const LightSource light{{record[0], record[1], record[2]}, false};
-        scratch.directionals[i] =
-            castsShadow(record) ? gatherFor(frame, light, box, scratch, used) : LightOcclusion{0, 0};
+        if (castsShadow(record))
+            listInstances(*frame.occlusion, directionalSource(record), box, scratch.directionals[i]);
     }
-    return used;
 }
 
 // ---- Rays of a block
 
+/// The ray ends of a block, and their box in the spaces of the instances asked for last.
 struct ShadowBlock {
     BlockVectors ends;  ///< World.
     EndBox box;
-    EndBox listBox;      ///< Of the box whose lists are used.
-    std::uint32_t used;  ///< Triangle groups of these lists.
+    static constexpr std::uint32_t cached = 8;
+    std::uint32_t instances[cached];  ///< By the last bits of their number; all ones: none yet.
+    EndBox localBoxes[cached];
+
+    const EndBox& localBox(const OcclusionView& scene, std::uint32_t instance) {
+        const std::uint32_t place = instance % cached;
+        if (instances[place] != instance) {
+            instances[place] = instance;
+            localBoxes[place] = transformed(box, scene.instances[instance].localFromWorld);
+        }
+        return localBoxes[place];
+    }
 };
 
-/// Traces the rays of `rays` (a bit each) one by one.
-inline std::uint32_t traceRays(const TileFrame& frame, const LightSource& light, const ShadowBlock& block,
-                               const float* start, std::uint32_t rays) {
+inline ShadowBlock shadowBlockOf(const TileFrame& frame, const BlockPixels& pixels, int left, int bottom) {
+    ShadowBlock block;
+    block.ends = rayEnds(frame, pixels, left, bottom);
+    block.box = emptyEndBox();
+    enclose(block.box, pixels, block.ends);
+    addRounding(block.box);
+    for (std::uint32_t& instance : block.instances) instance = 0xffffffffu;
+    return block;
+}
+
+inline StartedRays raysTo(const LightSource& light, const ShadowBlock& block) {
+    StartedRays result;
+    BlockRays& rays = result.rays;
+    rays.light = light;
+    for (int axis = 0; axis < 3; ++axis)
+        rays.origin[axis] =
+            light.isPoint ? light.place[axis] : 0.5f * (block.box.min[axis] + block.box.max[axis]);
+    for (int first = 0; first < raysPerBlock; first += laneCount) {
+        const Vec3 end = block.ends.lanes(first) - splat3(rays.origin);
+        store(rays.ends.x + first, end.x), store(rays.ends.y + first, end.y),
+            store(rays.ends.z + first, end.z);
+        store(result.start + first, shadowRayStart(splat3(light.place), end));
+    }
+    return result;
+}
+
+/// Traces the rays of `traced` (a bit each) one by one.
+inline std::uint32_t traceRays(const TileFrame& frame, const StartedRays& rays, const ShadowBlock& block,
+                               std::uint32_t traced) {
     RayPacket packet;
     const float* ends[] = {block.ends.x, block.ends.y, block.ends.z};
+    const LightSource& light = rays.rays.light;
     for (int i = 0; i < raysPerBlock; ++i) {
         for (int axis = 0; axis < 3; ++axis) {
             packet.origin[axis][i] = light.isPoint ? light.place[axis] : ends[axis][i];
             packet.direction[axis][i] = light.isPoint ? ends[axis][i] - light.place[axis] : light.place[axis];
         }
-        packet.tMin[i] = light.isPoint ? start[i] : 0.0f;
+        packet.tMin[i] = light.isPoint ? rays.start[i] : 0.0f;
         packet.tMax[i] = light.isPoint ? 1.0f : infinity;
-        packet.active[i] = (rays >> i & 1) != 0 ? -1 : 0;
+        packet.active[i] = (traced >> i & 1) != 0 ? -1 : 0;
     }
     return frame.occlusion->trace(frame.occlusion->rays, packet);
 }
 
-/// The pixels of `lit` (a bit each) from which a light is hidden.
-inline std::uint32_t hiddenPixels(const TileFrame& frame, const LightSource& light, LightOcclusion occlusion,
-                                  const ShadowBlock& block, std::uint32_t lit, ShadowScratch& scratch) {
-    if (occlusion.count == 0 && occlusion.first != listOverflow) return 0;
-    const EndBox* box = &block.listBox;
-    if (occlusion.first == listOverflow) {
-        std::uint32_t used = block.used;
-        occlusion = gatherFor(frame, light, block.box, scratch, used);
-        box = &block.box;
-        if (occlusion.count == 0 && occlusion.first != listOverflow) return 0;
+/// The pixels of `lit` (a bit each) from which a light is hidden, by the instances of `list`.
+inline std::uint32_t hiddenPixels(const TileFrame& frame, const LightSource& light, const InstanceList& list,
+                                  ShadowBlock& block, std::uint32_t lit, ShadowScratch& scratch) {
+    if (list.count == 0) return 0;
+    const OcclusionView& scene = *frame.occlusion;
+    const Hull hull = hullOf(light, block.box);
+    StartedRays rays;
+    bool hasRays = false;
+    const auto worldRays = [&]() -> const StartedRays& {
+        if (!hasRays) rays = raysTo(light, block);
+        hasRays = true;
+        return rays;
+    };
+    BlockHits hits{lit};
+    ClippedRays clipped;
+    bool hasClipped = false;
+    const auto test = [&](std::uint32_t instance, ChildBox box) {
+        if (!hasClipped) clipped = clippedRays(worldRays().rays);
+        hasClipped = true;
+        if ((raysInto(clipped, box) & lit & ~hits.hidden) == 0) return true;
+        return testInstance(scene.instances[instance], light, block.localBox(scene, instance), worldRays,
+                            hits);
+    };
+    if (list.count == InstanceList::overflow) {
+        const bool whole = visitLeaves(scene.nodes, hull, test);
+        if (!whole && (lit & ~hits.hidden) != 0) hits.undecided = true;
+    } else {
+        for (std::uint32_t met = instancesMet(list, hull); met != 0; met &= met - 1) {
+            const int lane = __builtin_ctz(met);
+            if (!test(list.node.child[lane], {&list.node, lane})) break;
+        }
     }
-    const ListOrigin origin = originOf(light, *box);
-    BlockVectors ends;
-    float start[raysPerBlock];
-    for (int first = 0; first < raysPerBlock; first += laneCount) {
-        const Vec3 end = block.ends.lanes(first) - splat3(origin.at);
-        store(ends.x + first, end.x), store(ends.y + first, end.y), store(ends.z + first, end.z);
-        store(start + first, shadowRayStart(splat3(light.place), end));
-    }
-    if (occlusion.first == listOverflow) {
+    hits.hidden &= lit;
+    if (hits.tested || hits.undecided)
         scratch.raysTraced += static_cast<std::uint64_t>(__builtin_popcount(lit));
-        return traceRays(frame, light, block, start, lit);
-    }
-    const CenteredBox centered = centeredBox(block.box, origin.at);
-    std::uint32_t hidden = 0;
-    bool tested = false, masked = false;
-    for (std::uint32_t i = 0; i < occlusion.count && (lit & ~hidden) != 0; ++i) {
-        const TrianglesSeen& seen = scratch.triangles[occlusion.first + i];
-        const std::uint32_t candidates = candidatesFor(seen, centered);
-        tested = tested || candidates != 0;
-        masked = masked || (candidates & seen.masked) != 0;
-        for (std::uint32_t bits = candidates & ~seen.masked; bits != 0; bits &= bits - 1)
-            hidden |= raysHidden(seen, __builtin_ctz(bits), ends, light.isPoint ? start : nullptr);
-    }
-    hidden &= lit;
-    if (tested) scratch.raysTraced += static_cast<std::uint64_t>(__builtin_popcount(lit));
-    if (masked && hidden != lit) hidden |= traceRays(frame, light, block, start, lit & ~hidden);
-    return hidden;
+    if (hits.undecided && hits.hidden != lit)
+        hits.hidden |= traceRays(frame, worldRays(), block, lit & ~hits.hidden);
+    return hits.hidden;
 }
 
 // ---- Which pixels a light would light
