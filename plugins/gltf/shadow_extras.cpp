@@ -77,12 +77,12 @@ ShadowExtras readShadowExtras(const Json& document, const Host& host) {
     const Json& nodes = arrayAt(document, "/nodes");
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const ExtrasReader reader(nodes[i], "node", i, host);
-        if (const auto casts = reader.flag("castShadow")) extras.nodes.emplace(i, *casts);
+        if (const auto casts = reader.flag("castsShadow")) extras.nodes.emplace(i, *casts);
     }
     const Json& lights = arrayAt(document, "/extensions/KHR_lights_punctual/lights");
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const ExtrasReader reader(lights[i], "light", i, host);
-        if (const auto casts = reader.flag("castShadow")) extras.lights.emplace(i, *casts);
+        if (const auto casts = reader.flag("castsShadow")) extras.lights.emplace(i, *casts);
         if (const auto radius = reader.zeroOrMore("radius")) extras.radii.emplace(i, *radius);
     }
     return extras;

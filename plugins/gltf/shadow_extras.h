@@ -12,8 +12,8 @@ namespace candela_plugins::gltf {
 /// What the extras of nodes and of the lights of KHR_lights_punctual say of shadows, by the index of the node
 /// or light (docs/shadows.md, "From glTF"). glTF has no other place for it.
 struct ShadowExtras {
-    std::map<std::size_t, bool> nodes;   ///< "castShadow" of a node.
-    std::map<std::size_t, bool> lights;  ///< "castShadow" of a light.
+    std::map<std::size_t, bool> nodes;   ///< "castsShadow" of a node.
+    std::map<std::size_t, bool> lights;  ///< "castsShadow" of a light.
     std::map<std::size_t, float> radii;  ///< "radius" of a light, metres, 0 or more.
 };
 

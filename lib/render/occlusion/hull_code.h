@@ -143,6 +143,7 @@ inline LightSource transformed(const LightSource& light, const float* rows) {
 inline void listInstances(const OcclusionView& scene, const LightSource& light, const EndBox& box,
                           InstanceList& list) {
     list.count = 0;
+    if (scene.nodes == nullptr) return;
     const bool whole =
         visitLeaves(scene.nodes, hullOf(light, box), [&](std::uint32_t instance, ChildBox child) {
             if (list.count == WideNode::width) return false;

@@ -197,10 +197,10 @@ TEST(Light, ofGltfCastsShadowsAndIsAPoint) {
 
 TEST(Light, extrasSayWhetherItCastsShadowsAndItsRadius) {
     const candela::ImportedScene imported = load(fileWithLights(R"(
-        {"type":"point","extras":{"castShadow":false,"radius":0.25}},
-        {"type":"spot","spot":{},"extras":{"castShadow":true,"radius":0}},
-        {"type":"directional","extras":{"castShadow":0}},
-        {"type":"point","extras":{"castShadow":1,"radius":2}},
+        {"type":"point","extras":{"castsShadow":false,"radius":0.25}},
+        {"type":"spot","spot":{},"extras":{"castsShadow":true,"radius":0}},
+        {"type":"directional","extras":{"castsShadow":0}},
+        {"type":"point","extras":{"castsShadow":1,"radius":2}},
         {"type":"point","extras":[false]},
         {"type":"point","extras":7})",
                                                                 6));
@@ -220,7 +220,7 @@ TEST(Light, extrasOfANodeWithoutAMeshAreThoseOfItsLight) {
     addTriangle(file);
     file.add("meshes", R"({"primitives":[{"attributes":{"POSITION":0}}]})");
     const auto addNode = [&](const std::string& members, int light) {
-        file.add("nodes", "{" + members + R"("extras":{"castShadow":false},"extensions":{
+        file.add("nodes", "{" + members + R"("extras":{"castsShadow":false},"extensions":{
             "KHR_lights_punctual":{"light":)" +
                               std::to_string(light) + "}}}");
     };
@@ -228,7 +228,7 @@ TEST(Light, extrasOfANodeWithoutAMeshAreThoseOfItsLight) {
     addNode(R"("mesh":0,)", 0);
     addNode("", 1);
     file.set("extensions", R"({"KHR_lights_punctual":{"lights":[{"type":"point"},
-                               {"type":"point","extras":{"castShadow":true}}]}})");
+                               {"type":"point","extras":{"castsShadow":true}}]}})");
     file.set("extensionsUsed", R"(["KHR_lights_punctual"])");
     const candela::Scene scene = load(file).scene;
     ASSERT_EQ(scene.lights.size(), 3u);
@@ -244,9 +244,9 @@ TEST(Node, extrasSayWhetherItCastsShadows) {
     // Primitives of different attributes become meshes of their own, which children of the node show.
     file.add("meshes", R"({"primitives":[{"attributes":{"POSITION":0}},
                                          {"attributes":{"POSITION":0,"NORMAL":1}}]})");
-    file.add("nodes", R"({"name":"glass","mesh":0,"extras":{"castShadow":false}})");
-    file.add("nodes", R"({"name":"wall","mesh":0,"extras":{"castShadow":true,"other":"text"}})");
-    file.add("nodes", R"({"name":"plain","mesh":0,"extras":"castShadow"})");
+    file.add("nodes", R"({"name":"glass","mesh":0,"extras":{"castsShadow":false}})");
+    file.add("nodes", R"({"name":"wall","mesh":0,"extras":{"castsShadow":true,"other":"text"}})");
+    file.add("nodes", R"({"name":"plain","mesh":0,"extras":"castsShadow"})");
     const candela::ImportedScene imported = load(file);
     int shadowless = 0;
     for (const candela::Node& node : imported.scene.nodes) {
@@ -261,7 +261,7 @@ TEST(Node, aSubdivisionCageTakesTheExtrasOfItsNode) {
     addTriangle(file);
     file.add("meshes",
              R"({"primitives":[{"attributes":{"POSITION":0}}],"extras":{"candela_subdivision":{}}})");
-    file.add("nodes", R"({"mesh":0,"extras":{"castShadow":false}})");
+    file.add("nodes", R"({"mesh":0,"extras":{"castsShadow":false}})");
     const candela::Scene scene = load(file).scene;
     ASSERT_TRUE(scene.nodes.at(0).cage.has_value());
     EXPECT_FALSE(scene.nodes[0].castsShadow);

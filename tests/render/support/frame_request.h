@@ -13,9 +13,10 @@ struct FrameRequest {
     DebugView debugView = DebugView::none;
     Overlays overlays = {};
     TileBackend tileBackend = TileBackend::automatic;
+    Shadows shadows = Shadows::off;
 
     FrameSettings settings() const {
-        return {width, height, brdf, technique, debugView, overlays, tileBackend};
+        return {width, height, brdf, technique, debugView, overlays, tileBackend, shadows};
     }
 };
 
