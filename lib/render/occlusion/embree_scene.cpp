@@ -143,6 +143,7 @@ struct EmbreeScene::State {
         }
         for (const Geometry3* geometry : {&tree.opaque, &tree.cutouts}) {
             if (!*geometry) continue;
+            rtcSetGeometryBuildQuality(geometry->get(), RTC_BUILD_QUALITY_LOW);
             rtcCommitGeometry(geometry->get());
             rtcAttachGeometry(tree.scene.get(), geometry->get());
         }

@@ -204,10 +204,14 @@ class Flattening {
                     " primitives that rays are traced in");
 }
 
-/// A tree by surface areas: rays and blocks of rays visit a quarter fewer nodes than in one by Morton order.
-RTCBuildArguments buildArguments(unsigned maxLeaf) {
+/// From here on a tree by Morton order is built: it takes a fifth of the time.
+constexpr std::size_t largeCount = std::size_t{1} << 17;
+
+/// In a tree by surface areas rays, and blocks of rays, visit a quarter fewer nodes than in one by Morton
+/// order.
+RTCBuildArguments buildArguments(std::size_t count, unsigned maxLeaf) {
     RTCBuildArguments arguments = rtcDefaultBuildArguments();
-    arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
+    arguments.buildQuality = count < largeCount ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW;
     arguments.maxBranchingFactor = WideNode::width;
     arguments.minLeafSize = maxLeaf;
     arguments.maxLeafSize = maxLeaf;
@@ -271,7 +275,7 @@ WideTree build(std::size_t count, unsigned maxLeaf, const BoxOf& boxOf) {
     const Device device = builder();
     const Bvh bvh(device ? rtcNewBVH(device.get()) : nullptr);
     if (!bvh) failToBuild(count);
-    RTCBuildArguments arguments = buildArguments(maxLeaf);
+    RTCBuildArguments arguments = buildArguments(input.count, maxLeaf);
     arguments.bvh = bvh.get();
     arguments.primitives = input.primitives.get();
     arguments.primitiveCount = input.count;
