@@ -30,6 +30,8 @@ GLuint createSampler(const char* label) {
     return name;
 }
 
+}  // namespace
+
 std::size_t bytesPerTexel(GLenum format) {
     switch (format) {
         case GL_R32F:
@@ -42,8 +44,6 @@ std::size_t bytesPerTexel(GLenum format) {
             return 16;  // GL_RGBA32F and GL_RGBA32UI.
     }
 }
-
-}  // namespace
 
 Texture::Texture(GLenum target, const char* label) : object_(createTexture(target, label)) {}
 
@@ -77,10 +77,10 @@ BufferTexture::BufferTexture(GLenum format, const char* label)
     upload(std::span<const std::byte>{});
 }
 
-void BufferTexture::upload(std::span<const std::byte> bytes) {
+void BufferTexture::reserve(std::size_t size) {
     GLint maxTexels = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &maxTexels);
-    const std::size_t texels = bytes.size() / bytesPerTexel(format_);
+    const std::size_t texels = size / bytesPerTexel(format_);
     if (texels > static_cast<std::size_t>(maxTexels)) {
         throw Error(ErrorKind::limit, "",
                     std::to_string(texels) +
@@ -88,9 +88,13 @@ void BufferTexture::upload(std::span<const std::byte> bytes) {
                         std::to_string(maxTexels) + " at most");
     }
     const std::size_t before = buffer_.capacity();
-    buffer_.reserve(std::max<std::size_t>(bytes.size(), bytesPerTexel(format_)));
-    buffer_.upload(bytes);
+    buffer_.reserve(std::max<std::size_t>(size, bytesPerTexel(format_)));
     if (buffer_.capacity() != before) glTextureBuffer(texture_.name(), format_, buffer_.name());
+}
+
+void BufferTexture::upload(std::span<const std::byte> bytes) {
+    reserve(bytes.size());
+    buffer_.upload(bytes);
 }
 
 Sampler::Sampler(const char* label) : object_(createSampler(label)) {}

@@ -23,6 +23,9 @@ class Texture {
     Object<deleteTexture> object_;
 };
 
+/// Of a format of `BufferTexture`: R32, RG32 and RGBA32, of floats or unsigned integers.
+std::size_t bytesPerTexel(GLenum format);
+
 /// A buffer that shaders read with `texelFetch`.
 class BufferTexture {
   public:
@@ -36,6 +39,9 @@ class BufferTexture {
     void upload(std::span<const T> values) {
         upload(std::as_bytes(values));
     }
+
+    /// Makes room for `size` bytes of undefined content. Throws as `upload` does.
+    void reserve(std::size_t size);
 
     GLuint name() const { return texture_.name(); }
     GLuint buffer() const { return buffer_.name(); }

@@ -19,6 +19,13 @@ const int CONES_UNIT = 3;    // RGBA32F buffer: one texel a spot
 const int SHADOW_UNIT = 7;   // R32UI: the G-buffer's shadow word
 const int ALBEDO_UNIT = 4;   // R32F: directional albedo table of the gltf model
 
+// Texture units of the lighting passes with shadows, shaders/lib/occlusion.glsl.
+const int OCCLUSION_NODES_UNIT = 8;      // RGBA32UI buffer: OCCLUSION_NODE_TEXELS a node
+const int OCCLUSION_TRIANGLES_UNIT = 9;  // RGBA32UI buffer: OCCLUSION_TRIANGLE_TEXELS a triangle
+const int OCCLUSION_INSTANCES_UNIT = 10; // RGBA32UI buffer: a texel, then OCCLUSION_INSTANCE_TEXELS an instance
+const int OCCLUSION_CUTOUTS_UNIT = 11;   // RGBA32UI buffer: OCCLUSION_CUTOUT_TEXELS an alpha-masked triangle
+const int OCCLUSION_ALPHAS_UNIT = 12;    // R32UI buffer: images of alpha, four texels a word
+
 // Texture units of the display pass; look-up textures of the display transform follow.
 const int RADIANCE_UNIT = 0;
 const int LOOKUP_UNIT = 1;
@@ -96,6 +103,23 @@ const int INSTANCE_TEXELS = 6;  // rows of the world matrix, then of its cofacto
 const int MATERIAL_TEXELS = 12;
 const int LIGHT_TEXELS = 2;  // position and 1 / range², or of a directional light the direction to it and 0;
                              // then intensity, and in w 1 where the light casts shadows, else 0
+
+// The tree of occlusion rays. Numbers are the bits of floats unless marked as uint; lib/render/occlusion/gpu_occlusion.cpp writes them.
+const int OCCLUSION_NODE_TEXELS = 6;      // origin; in w uint: the exponents of the step along each axis, 8 bits each, then a bit a child;
+                                          // x, y, z uint: 8 bits a child, the lower sides of the boxes in two words, then the upper sides;
+                                          // uint: eight children
+const int OCCLUSION_TRIANGLE_TEXELS = 3;  // corners; w of the first uint: index of its cut-out or OCCLUSION_NONE
+const int OCCLUSION_INSTANCE_TEXELS = 4;  // rows of the linear part of the matrix to the mesh, its world position in w; then uint: root.
+                                          // The first texel of the buffer has the root of the tree over instances or OCCLUSION_NONE
+const int OCCLUSION_CUTOUT_TEXELS = 4;    // texture coordinates, alpha factors and cutoff; then uint: first texel of the image in the
+                                          // alphas or OCCLUSION_NONE, width, height, flags
+const uint OCCLUSION_NONE = 0xffffffffu;
+const uint OCCLUSION_LEAF = 0x80000000u;   // a child is an instance, or a run of triangles: the number less one in 3 bits, then the first
+const int OCCLUSION_LEAF_COUNT_SHIFT = 28;
+const uint OCCLUSION_LEAF_FIRST_MASK = 0x0fffffffu;
+const int OCCLUSION_MAX_DEPTH = 24;        // nodes on the longest way through one tree
+const int OCCLUSION_WRAP_T_SHIFT = 2;      // in the flags, after wrapS
+const uint OCCLUSION_NEAREST = 16u;
 
 // Texels of a material's record.
 const int MATERIAL_BASE_COLOR = 0;  // base colour factor and alpha

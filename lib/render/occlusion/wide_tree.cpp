@@ -213,6 +213,7 @@ RTCBuildArguments buildArguments(std::size_t count, unsigned maxLeaf) {
     RTCBuildArguments arguments = rtcDefaultBuildArguments();
     arguments.buildQuality = count < largeCount ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW;
     arguments.maxBranchingFactor = WideNode::width;
+    arguments.maxDepth = WideTree::maxDepth;
     arguments.minLeafSize = maxLeaf;
     arguments.maxLeafSize = maxLeaf;
     arguments.sahBlockSize = maxLeaf;

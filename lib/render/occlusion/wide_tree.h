@@ -23,6 +23,9 @@ Bounds childBounds(const WideNode& node, unsigned lane);
 /// A bounding volume hierarchy with up to eight children a node, over primitives of which only the boxes
 /// count.
 struct WideTree {
+    /// At most this many nodes lie on a way from the root to a leaf.
+    static constexpr unsigned maxDepth = 24;
+
     /// A run of `primitives`: 1 to 8.
     struct Leaf {
         std::uint32_t first = 0, count = 0;

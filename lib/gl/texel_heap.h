@@ -1,0 +1,41 @@
+#pragma once
+
+#include "gl/texture.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+
+namespace candela::gl {
+
+/// A run of texels of a `TexelHeap`.
+struct TexelRange {
+    std::uint32_t first = 0, count = 0;
+};
+
+/// A buffer texture of which ranges are allocated and released. It grows; ranges keep their place.
+class TexelHeap {
+  public:
+    TexelHeap(GLenum format, const char* label);
+
+    /// Content is undefined. Throws `Error` (limit) beyond what the device holds; nothing is changed then.
+    TexelRange allocate(std::uint32_t count);
+    void release(TexelRange range);
+    /// Replaces as much of a range as there are bytes.
+    void write(TexelRange range, std::span<const std::byte> bytes);
+
+    GLuint texture() const { return texture_.name(); }
+    std::size_t bytes() const;
+
+  private:
+    void grow(std::uint32_t capacity);
+
+    GLenum format_;
+    const char* label_;
+    BufferTexture texture_;
+    std::uint32_t capacity_ = 0;                   ///< Texels.
+    std::map<std::uint32_t, std::uint32_t> free_;  ///< Number of texels by the first one; none adjoin.
+};
+
+}  // namespace candela::gl

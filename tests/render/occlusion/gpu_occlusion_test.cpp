@@ -1,0 +1,620 @@
+// Occlusion rays in a shader, against all triangles in double precision and against Embree.
+
+#include "render/occlusion/gpu_occlusion.h"
+
+#include "gl/shader_source.h"
+
+#include <candela/context.h>
+
+#include <embree3/rtcore.h>
+#include <gtest/gtest.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace candela::test {
+namespace {
+
+struct Ray {
+    glm::vec3 from;
+    float tMin;
+    glm::vec3 way;
+    float tMax;
+};
+
+class Random {
+  public:
+    explicit Random(unsigned seed) : engine_(seed) {}
+    float number() { return uniform_(engine_); }
+    glm::vec3 vector() { return {number(), number(), number()}; }
+
+  private:
+    std::mt19937 engine_;
+    std::uniform_real_distribution<float> uniform_{-1.0f, 1.0f};
+};
+
+/// lib/occlusion.glsl with a main that traces rays of a buffer.
+class RayProgram {
+  public:
+    RayProgram() : rays_(GL_RGBA32F, "test rays"), answers_("test answers", gl::BufferUsage::readback) {
+        const std::string text = gl::assembleShader("lib/occlusion.glsl") + R"(
+layout(local_size_x = 64) in;
+layout(binding = 0) uniform samplerBuffer rays;
+layout(std430, binding = 0) writeonly buffer Answers { uint answers[]; };
+layout(location = 0) uniform int firstRay;
+void main() {
+    int i = firstRay + int(gl_GlobalInvocationID.x);
+    if (2 * i >= textureSize(rays)) return;
+    vec4 from = texelFetch(rays, 2 * i), way = texelFetch(rays, 2 * i + 1);
+    answers[i] = isOccluded(from.xyz, way.xyz, from.w, way.w) ? 1u : 0u;
+}
+)";
+        const char* source = text.c_str();
+        const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
+        glShaderSource(shader, 1, &source, nullptr);
+        glCompileShader(shader);
+        program_ = glCreateProgram();
+        glAttachShader(program_, shader);
+        glLinkProgram(program_);
+        glDeleteShader(shader);
+        GLint linked = 0;
+        glGetProgramiv(program_, GL_LINK_STATUS, &linked);
+        char log[2000] = "";
+        glGetProgramInfoLog(program_, sizeof log, nullptr, log);
+        EXPECT_TRUE(linked) << log;
+    }
+    RayProgram(const RayProgram&) = delete;
+    RayProgram& operator=(const RayProgram&) = delete;
+    ~RayProgram() { glDeleteProgram(program_); }
+
+    std::vector<bool> trace(const GpuOcclusion& structure, const std::vector<Ray>& rays) {
+        rays_ = gl::BufferTexture(GL_RGBA32F, "test rays");
+        rays_.upload(std::span<const Ray>(rays));
+        answers_.reserve(rays.size() * sizeof(GLuint));
+        structure.bind();
+        glBindTextureUnit(0, rays_.name());
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, answers_.name());
+        glUseProgram(program_);
+        for (std::size_t first = 0; first < rays.size(); first += 65536) {
+            glUniform1i(0, static_cast<GLint>(first));
+            glDispatchCompute(
+                static_cast<GLuint>((std::min<std::size_t>(rays.size() - first, 65536) + 63) / 64), 1, 1);
+        }
+        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        std::vector<GLuint> answers(rays.size());
+        glGetNamedBufferSubData(answers_.name(), 0, static_cast<GLsizeiptr>(rays.size() * sizeof(GLuint)),
+                                answers.data());
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        return {answers.begin(), answers.end()};
+    }
+
+  private:
+    gl::BufferTexture rays_;
+    gl::Buffer answers_;
+    GLuint program_ = 0;
+};
+
+// ---- Meshes and scenes
+
+void addTriangle(OcclusionMesh& mesh, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {a, b, c});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+}
+
+OcclusionMesh soup(Random& random, int count, float extent, float size) {
+    OcclusionMesh mesh;
+    for (int i = 0; i < count; ++i) {
+        const glm::vec3 center = extent * random.vector();
+        addTriangle(mesh, center + size * random.vector(), center + size * random.vector(),
+                    center + size * random.vector());
+    }
+    return mesh;
+}
+
+/// A closed sphere whose triangles share vertices.
+OcclusionMesh sphere(float radius, unsigned columns, unsigned rows) {
+    OcclusionMesh mesh;
+    for (unsigned row = 0; row <= rows; ++row) {
+        for (unsigned column = 0; column < columns; ++column) {
+            const double polar = std::acos(-1.0) * row / rows,
+                         angle = 2.0 * std::acos(-1.0) * column / columns;
+            const double ring = row == 0 || row == rows ? 0.0 : std::sin(polar);
+            mesh.positions.push_back(
+                radius * glm::vec3(ring * std::cos(angle), std::cos(polar), ring * std::sin(angle)));
+        }
+    }
+    for (unsigned row = 0; row < rows; ++row) {
+        for (unsigned column = 0; column < columns; ++column) {
+            const unsigned next = (column + 1) % columns, a = row * columns, b = a + columns;
+            mesh.triangles.push_back({a + column, a + next, b + column});
+            mesh.triangles.push_back({a + next, b + next, b + column});
+        }
+    }
+    return mesh;
+}
+
+/// A wall in x and y, `thickness` thick, of cells of two triangles; both sides.
+OcclusionMesh wall(float half, unsigned cells, float thickness) {
+    OcclusionMesh mesh;
+    for (unsigned sideOfWall = 0; sideOfWall < 2; ++sideOfWall) {
+        const auto first = static_cast<unsigned>(mesh.positions.size());
+        for (unsigned y = 0; y <= cells; ++y) {
+            for (unsigned x = 0; x <= cells; ++x) {
+                const glm::vec2 p = half * (2.0f * glm::vec2(x, y) / float(cells) - 1.0f);
+                mesh.positions.emplace_back(p, sideOfWall == 0 ? 0.0f : thickness);
+            }
+        }
+        for (unsigned y = 0; y < cells; ++y) {
+            for (unsigned x = 0; x < cells; ++x) {
+                const unsigned a = first + y * (cells + 1) + x, b = a + cells + 1;
+                mesh.triangles.push_back({a, a + 1, b});
+                mesh.triangles.push_back({a + 1, b + 1, b});
+            }
+        }
+    }
+    return mesh;
+}
+
+struct TestScene {
+    std::vector<OcclusionMesh> meshes;
+    std::vector<OcclusionInstance> instances;
+
+    std::vector<Bounds> boxes() const {
+        std::vector<Bounds> result;
+        for (const OcclusionInstance& instance : instances) {
+            Bounds box;
+            if (instance.castsShadow) {
+                for (const glm::vec3& local : meshes[instance.mesh].positions) {
+                    const glm::vec3 p(instance.worldFromLocal * glm::vec4(local, 1.0f));
+                    box.add({p, p});
+                }
+            }
+            result.push_back(box);
+        }
+        return result;
+    }
+};
+
+TriangleSpan trianglesOf(const OcclusionMesh& mesh) {
+    return {mesh.positions, mesh.triangles};
+}
+
+void setInstances(GpuOcclusion& structure, const TestScene& scene) {
+    structure.setInstances(scene.instances, buildWideTree(scene.boxes(), 1));
+}
+
+void upload(GpuOcclusion& structure, const TestScene& scene) {
+    for (std::uint32_t i = 0; i < scene.meshes.size(); ++i)
+        structure.setMesh(i, scene.meshes[i], buildWideTree(trianglesOf(scene.meshes[i])));
+    setInstances(structure, scene);
+}
+
+glm::mat4 randomRotation(Random& random) {
+    return glm::rotate(glm::mat4(1.0f), 3.0f * random.number(), glm::normalize(random.vector() + 0.01f));
+}
+
+/// Instances of the scales 1e-3, 1 and 1e3, mirrored and skewed, all 1 to 3 m large in the world.
+TestScene mixedScene(unsigned seed) {
+    Random random(seed);
+    TestScene scene;
+    for (const float unit : {1000.0f, 1.0f, 0.001f}) {
+        scene.meshes.push_back(soup(random, 120, unit, 0.4f * unit));
+        scene.meshes.push_back(sphere(unit, 12, 7));
+        scene.meshes.push_back(wall(unit, 4, 0.001f * unit));
+    }
+    for (std::uint32_t i = 0; i < 45; ++i) {
+        const std::uint32_t mesh = i % 9;
+        const float scale = mesh < 3 ? 0.001f : mesh < 6 ? 1.0f : 1000.0f;
+        glm::mat4 shape = glm::scale(randomRotation(random), glm::vec3(scale));
+        if (i % 2 == 0) shape = glm::scale(shape, {-1.0f, 1.5f, 0.7f});
+        if (i % 5 == 0) shape[0] += 0.8f * shape[1];
+        scene.instances.push_back(
+            {mesh, glm::translate(glm::mat4(1.0f), 8.0f * random.vector()) * shape, true});
+    }
+    return scene;
+}
+
+std::vector<Ray> randomRays(unsigned seed, std::size_t count, float extent) {
+    Random random(seed);
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::vec3 from = extent * random.vector(), to = extent * random.vector();
+        Ray ray{from, 1e-4f, to - from, 1.0f};
+        // Along an axis or a plane of two axes.
+        if (i % 7 == 0) ray.way[static_cast<int>(i / 7) % 3] = 0.0f;
+        if (i % 21 == 0) ray.way[(static_cast<int>(i / 7) + 1) % 3] = 0.0f;
+        if (i % 5 == 0) ray.tMax = 1e30f;
+        rays.push_back(ray);
+    }
+    return rays;
+}
+
+// ---- References
+
+struct WorldTriangle {
+    glm::dvec3 corner[3];
+};
+
+std::vector<WorldTriangle> worldTriangles(const TestScene& scene) {
+    std::vector<WorldTriangle> triangles;
+    for (const OcclusionInstance& instance : scene.instances) {
+        if (!instance.castsShadow) continue;
+        const OcclusionMesh& mesh = scene.meshes[instance.mesh];
+        const glm::dmat4 world(instance.worldFromLocal);
+        for (const glm::uvec3& corners : mesh.triangles) {
+            WorldTriangle triangle;
+            for (int i = 0; i < 3; ++i)
+                triangle.corner[i] = glm::dvec3(world * glm::dvec4(mesh.positions[corners[i]], 1.0));
+            triangles.push_back(triangle);
+        }
+    }
+    return triangles;
+}
+
+bool meets(const WorldTriangle& triangle, const Ray& ray) {
+    const glm::dvec3 from(ray.from), way(ray.way);
+    const glm::dvec3 a = triangle.corner[0] - from, b = triangle.corner[1] - from,
+                     c = triangle.corner[2] - from;
+    const double u = glm::dot(way, glm::cross(c, b)), v = glm::dot(way, glm::cross(a, c)),
+                 w = glm::dot(way, glm::cross(b, a)), area = u + v + w;
+    if ((std::min({u, v, w}) < 0.0 && std::max({u, v, w}) > 0.0) || area == 0.0) return false;
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const double t = glm::dot(a, normal) / glm::dot(way, normal);
+    return t > ray.tMin && t < ray.tMax;
+}
+
+/// Of the lines through two segments: the distance between the segments. Ericson, "Real-time collision
+/// detection", 5.1.9.
+double segmentDistance(glm::dvec3 p, glm::dvec3 pq, glm::dvec3 r, glm::dvec3 rs) {
+    const glm::dvec3 between = p - r;
+    const double a = glm::dot(pq, pq), e = glm::dot(rs, rs), f = glm::dot(rs, between),
+                 c = glm::dot(pq, between), b = glm::dot(pq, rs), d = a * e - b * b;
+    double s = d > 0.0 ? std::clamp((b * f - c * e) / d, 0.0, 1.0) : 0.0;
+    double t = e > 0.0 ? (b * s + f) / e : 0.0;
+    t = std::clamp(t, 0.0, 1.0);
+    s = a > 0.0 ? std::clamp((b * t - c) / a, 0.0, 1.0) : 0.0;
+    return glm::length(p + s * pq - (r + t * rs));
+}
+
+/// Single precision at 24 m resolves 2e-6 m; a ray in the space of a mesh has some five roundings.
+constexpr double grazing = 1.0e-5;
+
+/// Does the ray pass within `grazing` of an edge, or does it start or end that close to a triangle?
+bool grazes(const std::vector<WorldTriangle>& triangles, const Ray& ray) {
+    const glm::dvec3 from = glm::dvec3(ray.from) + double(ray.tMin) * glm::dvec3(ray.way);
+    const glm::dvec3 way = glm::dvec3(ray.way) * (double(std::min(ray.tMax, 1000.0f)) - ray.tMin);
+    for (const WorldTriangle& triangle : triangles) {
+        for (int i = 0; i < 3; ++i) {
+            const glm::dvec3 &p = triangle.corner[i], &q = triangle.corner[(i + 1) % 3];
+            if (segmentDistance(from, way, p, q - p) <= grazing) return true;
+        }
+        const glm::dvec3 normal =
+            glm::cross(triangle.corner[1] - triangle.corner[0], triangle.corner[2] - triangle.corner[0]);
+        for (const glm::dvec3& end : {from, from + way}) {
+            if (std::abs(glm::dot(end - triangle.corner[0], glm::normalize(normal))) > grazing) continue;
+            const Ray through{glm::vec3(end - glm::normalize(normal)), 0.0f,
+                              glm::vec3(2.0 * glm::normalize(normal)), 1.0f};
+            if (meets(triangle, through)) return true;
+        }
+    }
+    return false;
+}
+
+class EmbreeReference {
+  public:
+    explicit EmbreeReference(const std::vector<WorldTriangle>& triangles) {
+        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), 3 * triangles.size()));
+        auto* indices = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), triangles.size()));
+        for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+            for (std::uint32_t k = 0; k < 3; ++k) vertices[3 * i + k] = glm::vec3(triangles[i].corner[k]);
+            indices[i] = {3 * i, 3 * i + 1, 3 * i + 2};
+        }
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene_, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+        rtcCommitScene(scene_);
+    }
+    EmbreeReference(const EmbreeReference&) = delete;
+    EmbreeReference& operator=(const EmbreeReference&) = delete;
+    ~EmbreeReference() {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+    }
+
+    bool isOccluded(const Ray& ray) const {
+        RTCRay query{};
+        query.org_x = ray.from.x, query.org_y = ray.from.y, query.org_z = ray.from.z;
+        query.dir_x = ray.way.x, query.dir_y = ray.way.y, query.dir_z = ray.way.z;
+        query.tnear = ray.tMin, query.tfar = ray.tMax;
+        query.mask = ~0u;
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        rtcOccluded1(scene_, &context, &query);
+        return query.tfar < 0.0f;
+    }
+
+  private:
+    RTCDevice device_ = rtcNewDevice("threads=1");
+    RTCScene scene_ = rtcNewScene(device_);
+};
+
+class GpuOcclusionTest : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        context_ = std::make_unique<Context>(Context::createHeadless());
+        context_->makeCurrent();
+        program_ = std::make_unique<RayProgram>();
+    }
+    static void TearDownTestSuite() {
+        program_.reset();
+        context_.reset();
+    }
+
+    static std::vector<bool> trace(const GpuOcclusion& structure, const std::vector<Ray>& rays) {
+        return program_->trace(structure, rays);
+    }
+
+    /// Rays answered otherwise than by brute force graze an edge. Returns how many those are.
+    static std::size_t expectBruteForce(const GpuOcclusion& structure, const TestScene& scene,
+                                        const std::vector<Ray>& rays) {
+        const std::vector<WorldTriangle> triangles = worldTriangles(scene);
+        const std::vector<bool> answers = trace(structure, rays);
+        std::size_t occluded = 0, different = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const bool expected = std::ranges::any_of(
+                triangles, [&](const auto& triangle) { return meets(triangle, rays[i]); });
+            occluded += expected;
+            if (answers[i] == expected) continue;
+            ++different;
+            EXPECT_TRUE(grazes(triangles, rays[i])) << "ray " << i << ", expected " << expected;
+        }
+        if (!triangles.empty()) {
+            EXPECT_GT(occluded, rays.size() / 20);
+            EXPECT_LT(occluded, rays.size() * 19 / 20);
+        }
+        return different;
+    }
+
+  private:
+    static inline std::unique_ptr<Context> context_;
+    static inline std::unique_ptr<RayProgram> program_;
+};
+
+TEST_F(GpuOcclusionTest, RandomScenesAgreeWithAllTrianglesInDoublePrecision) {
+    std::size_t different = 0;
+    for (unsigned seed = 0; seed < 4; ++seed) {
+        SCOPED_TRACE(seed);
+        const TestScene scene = mixedScene(seed);
+        GpuOcclusion structure;
+        upload(structure, scene);
+        different += expectBruteForce(structure, scene, randomRays(seed + 100, 4000, 12.0f));
+    }
+    std::printf("16,000 rays against brute force: %zu graze an edge and differ\n", different);
+}
+
+TEST_F(GpuOcclusionTest, AMillionRaysAgreeWithEmbree) {
+    const TestScene scene = mixedScene(11);
+    GpuOcclusion structure;
+    upload(structure, scene);
+    const std::vector<Ray> rays = randomRays(12, 1'000'000, 12.0f);
+    const std::vector<bool> answers = trace(structure, rays);
+    const std::vector<WorldTriangle> triangles = worldTriangles(scene);
+    const EmbreeReference reference(triangles);
+    std::size_t different = 0, occluded = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const bool expected = reference.isOccluded(rays[i]);
+        occluded += expected;
+        if (answers[i] == expected) continue;
+        ++different;
+        EXPECT_TRUE(grazes(triangles, rays[i])) << "ray " << i << ", expected " << expected;
+    }
+    std::printf("1,000,000 rays against Embree, %zu of them occluded: %zu graze an edge and differ\n",
+                occluded, different);
+    EXPECT_LT(different, 200u);
+}
+
+TEST_F(GpuOcclusionTest, ClosedMeshesHaveNoGapsAtVerticesAndEdges) {
+    Random random(3);
+    for (const float scale : {0.001f, 1.0f, 1000.0f}) {
+        TestScene scene;
+        scene.meshes = {sphere(1.0f, 16, 9)};
+        glm::mat4 world = glm::scale(randomRotation(random), {scale, -1.3f * scale, 0.6f * scale});
+        world[3] = glm::vec4(random.vector() * scale, 1.0f);
+        scene.instances = {{0, world, true}};
+        GpuOcclusion structure;
+        upload(structure, scene);
+        std::vector<Ray> rays;
+        const glm::vec3 center(world[3]);
+        for (const glm::uvec3& corners : scene.meshes[0].triangles) {
+            for (int i = 0; i < 30; ++i) {
+                const glm::vec3 from = center + 0.1f * scale * random.vector();
+                // On an edge, its ends included.
+                const float along = i < 3 ? 0.0f : 0.5f + 0.5f * random.number();
+                const glm::vec3 local = glm::mix(scene.meshes[0].positions[corners[i % 3]],
+                                                 scene.meshes[0].positions[corners[(i + 1) % 3]], along);
+                rays.push_back({from, 0.0f, glm::vec3(world * glm::vec4(local, 1.0f)) - from, 2.0f});
+            }
+        }
+        const std::vector<bool> answers = trace(structure, rays);
+        EXPECT_EQ(std::ranges::count(answers, false), 0) << "scale " << scale;
+    }
+}
+
+TEST_F(GpuOcclusionTest, NothingAndHiddenInstancesOccludeNothing) {
+    TestScene scene = mixedScene(5);
+    GpuOcclusion structure;
+    const std::vector<Ray> rays = randomRays(6, 2000, 12.0f);
+    EXPECT_EQ(std::ranges::count(trace(structure, rays), true), 0);
+    for (OcclusionInstance& instance : scene.instances) instance.castsShadow = false;
+    upload(structure, scene);
+    EXPECT_EQ(std::ranges::count(trace(structure, rays), true), 0);
+    for (std::size_t i = 0; i < scene.instances.size(); i += 2) scene.instances[i].castsShadow = true;
+    setInstances(structure, scene);
+    expectBruteForce(structure, scene, rays);
+}
+
+TEST_F(GpuOcclusionTest, SingularInstancesAndTrianglesWithoutAreaOccludeNothing) {
+    TestScene scene;
+    scene.meshes = {sphere(1.0f, 12, 7), {}};
+    for (const glm::vec3 scale : {glm::vec3(0.0f), glm::vec3(1, 0, 1), glm::vec3(1e-30f)})
+        scene.instances.push_back({0, glm::scale(glm::mat4(1.0f), scale), true});
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    scene.instances.push_back({0, glm::mat4(nan), true});
+    scene.instances.push_back({1, glm::mat4(1.0f), true});
+    OcclusionMesh flat;
+    addTriangle(flat, {-1, 0, 0}, {1, 0, 0}, {0, 0, 0});
+    addTriangle(flat, {0, 0, 0}, {0, 0, 0}, {0, 0, 0});
+    scene.meshes.push_back(flat);
+    scene.instances.push_back({2, glm::mat4(1.0f), true});
+    GpuOcclusion structure;
+    upload(structure, scene);
+    EXPECT_EQ(std::ranges::count(trace(structure, randomRays(6, 2000, 2.0f)), true), 0);
+}
+
+TEST_F(GpuOcclusionTest, ARayWithoutLengthMeetsNothing) {
+    TestScene scene;
+    scene.meshes = {sphere(1.0f, 12, 7)};
+    scene.instances = {{0, glm::mat4(1.0f), true}};
+    GpuOcclusion structure;
+    upload(structure, scene);
+    const std::vector<bool> answers =
+        trace(structure, {{{0, 0, 0}, 0.0f, {0, 0, 0}, 1.0f}, {{0, 1, 0}, 0.0f, {0, 0, 0}, 1.0f}});
+    EXPECT_EQ(std::ranges::count(answers, true), 0);
+}
+
+TEST_F(GpuOcclusionTest, AfterMovesAndChangesItAnswersAsAFreshOne) {
+    Random random(21);
+    TestScene scene = mixedScene(20);
+    GpuOcclusion structure;
+    upload(structure, scene);
+    std::vector<WideTree> trees;
+    for (const OcclusionMesh& mesh : scene.meshes) trees.push_back(buildWideTree(trianglesOf(mesh)));
+    const std::vector<Ray> rays = randomRays(22, 20000, 12.0f);
+    for (int step = 0; step < 40; ++step) {
+        SCOPED_TRACE(step);
+        OcclusionInstance& moved = scene.instances[static_cast<std::size_t>(step) % scene.instances.size()];
+        moved.worldFromLocal[3] = glm::vec4(8.0f * random.vector(), 1.0f);
+        moved.castsShadow = step % 3 != 0;
+        const auto changed = static_cast<std::uint32_t>(step % 9);
+        OcclusionMesh& mesh = scene.meshes[changed];
+        if (step % 4 == 0) {
+            // Of another size, so that its texels move.
+            const float unit = changed < 3 ? 1000.0f : changed < 6 ? 1.0f : 0.001f;
+            mesh = soup(random, 40 + 10 * step, unit, 0.4f * unit);
+            trees[changed] = buildWideTree(trianglesOf(mesh));
+        } else {
+            for (glm::vec3& position : mesh.positions) position *= 1.0f + 0.1f * random.number();
+            refit(trees[changed], trianglesOf(mesh));
+        }
+        structure.setMesh(changed, mesh, trees[changed]);
+        setInstances(structure, scene);
+        if (step % 8 != 7) continue;
+        GpuOcclusion fresh;
+        upload(fresh, scene);
+        EXPECT_EQ(trace(structure, rays), trace(fresh, rays));
+    }
+    expectBruteForce(structure, scene, randomRays(23, 2000, 12.0f));
+}
+
+TEST_F(GpuOcclusionTest, DeepTreesAreWalkedToTheirEnd) {
+    // Sizes and distances fall by a factor, so that each level of the tree holds a few triangles.
+    TestScene scene;
+    OcclusionMesh& mesh = scene.meshes.emplace_back();
+    for (int i = 0; i < 3000; ++i) {
+        const float size = std::pow(0.97f, float(i));
+        addTriangle(mesh, glm::vec3(size, 0, 0), glm::vec3(size, 0.1f * size, 0),
+                    glm::vec3(size, 0, 0.1f * size));
+    }
+    // And equal ones, which no tree separates.
+    for (int i = 0; i < 3000; ++i) addTriangle(mesh, {-1, 0, 0}, {-1, 1, 0}, {-1, 0, 1});
+    scene.instances = {{0, glm::mat4(1.0f), true}};
+    GpuOcclusion structure;
+    upload(structure, scene);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 200; ++i) {
+        const float size = std::pow(0.97f, float(i));
+        rays.push_back(
+            {glm::vec3(1.01f * size, 0.02f * size, 0.02f * size), 0.0f, {-0.02f * size, 0, 0}, 1.0f});
+        rays.push_back(
+            {glm::vec3(1.01f * size, 0.02f * size, 0.02f * size), 0.0f, {-0.005f * size, 0, 0}, 1.0f});
+    }
+    rays.push_back({{-2, 0.1f, 0.1f}, 0.0f, {2, 0, 0}, 1.0f});
+    const std::vector<bool> answers = trace(structure, rays);
+    for (std::size_t i = 0; i < answers.size(); ++i) EXPECT_EQ(answers[i], i % 2 == 0) << i;
+}
+
+TEST_F(GpuOcclusionTest, CutoutsLetRaysThroughAsInCpp) {
+    Random random(31);
+    TestScene scene;
+    OcclusionMesh& mesh = scene.meshes.emplace_back();
+    addTriangle(mesh, {-100, -100, -50}, {-101, -100, -50}, {-100, -101, -50});  // opaque, out of the way
+    std::vector<std::uint8_t> alpha(7 * 5);
+    for (std::uint8_t& value : alpha) value = static_cast<std::uint8_t>(127.0f + 127.0f * random.number());
+    mesh.images = {std::make_shared<const AlphaImage>(AlphaImage{1, 1, {0}}),
+                   std::make_shared<const AlphaImage>(AlphaImage{7, 5, alpha})};
+    const AlphaWrap wraps[] = {AlphaWrap::repeat, AlphaWrap::clampToEdge, AlphaWrap::mirroredRepeat};
+    for (unsigned i = 0; i < 40; ++i) {
+        const glm::vec3 corner(float(i) * 2.0f, 0.0f, random.number());
+        addTriangle(mesh, corner, corner + glm::vec3(1.8f, 0.1f, 0), corner + glm::vec3(0.3f, 1.7f, 0));
+        CutoutTriangle cutout{};
+        for (int k = 0; k < 3; ++k) {
+            cutout.uv[k] = 3.0f * glm::vec2(random.number(), random.number());
+            cutout.alpha[k] = 0.9f + 0.1f * random.number();
+        }
+        cutout.cutoff = 0.5f;
+        cutout.image = i % 10 == 9 ? CutoutTriangle::noImage : i % 10 == 8 ? 0 : 1;
+        cutout.wrapS = wraps[i % 3];
+        cutout.wrapT = wraps[i / 3 % 3];
+        cutout.nearest = i % 4 == 3;
+        mesh.cutouts.push_back(cutout);
+    }
+    scene.instances = {{0, glm::mat4(1.0f), true}};
+    GpuOcclusion structure;
+    upload(structure, scene);
+    std::vector<Ray> rays;
+    std::vector<glm::vec3> weights;
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        for (int k = 0; k < 500; ++k) {
+            const float u = 0.5f + 0.5f * random.number(), v = (1.0f - u) * (0.5f + 0.5f * random.number());
+            const glm::uvec3& corners = mesh.triangles[i + 1];
+            weights.emplace_back(1.0f - u - v, u, v);
+            const glm::vec3 on = weights.back().x * mesh.positions[corners.x] +
+                                 u * mesh.positions[corners.y] + v * mesh.positions[corners.z];
+            rays.push_back({on + glm::vec3(0, 0, 3), 0.0f, {0, 0, -6}, 1.0f});
+        }
+    }
+    const std::vector<bool> answers = trace(structure, rays);
+    std::size_t different = 0, open = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const auto cutout = static_cast<std::uint32_t>(i / 500);
+        const bool passes = isCutOut(mesh, cutout, weights[i]);
+        open += passes;
+        if (answers[i] != passes) continue;
+        // Where the alpha crosses the cutoff, or the triangle ends, within what weights are exact to at 80 m.
+        ++different;
+        bool changes = std::min({weights[i].x, weights[i].y, weights[i].z}) < 1e-4f;
+        for (const glm::vec3 step : {glm::vec3(1, -1, 0), glm::vec3(0, 1, -1), glm::vec3(1, 0, -1)}) {
+            for (const float size : {-1e-4f, 1e-4f})
+                changes = changes || isCutOut(mesh, cutout, weights[i] + size * step) != passes;
+        }
+        EXPECT_TRUE(changes) << "ray " << i << ", image " << mesh.cutouts[cutout].image;
+    }
+    std::printf("20,000 rays through cut-outs, %zu pass: %zu differ at the cutoff\n", open, different);
+    EXPECT_GT(open, rays.size() / 10);
+    EXPECT_LT(open, rays.size() * 9 / 10);
+    EXPECT_LT(different, 100u);
+}
+
+}  // namespace
+}  // namespace candela::test
