@@ -8,12 +8,13 @@ layout(location = DIRECTIONAL_SPAN_LOCATION) uniform ivec2 directionals;  // fir
 layout(location = 0) out vec4 radiance;
 
 void main() {
-    PixelSurface pixel = fetchSurface(ivec2(gl_FragCoord.xy));
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    PixelSurface pixel = fetchSurface(at);
     if (!pixel.lit) discard;
-    ShadingPoint point = shadingPointOf(pixel);
+    Receiver receiver = receiverAt(at, pixel);
     vec3 sum = vec3(0.0);
-    for (int i = localLights.x; i < localLights.y; ++i) sum += pointLightRadiance(BRDF, point, fetchLight(i));
-    for (int i = localLights.z; i < localLights.w; ++i) sum += spotLightRadiance(BRDF, point, fetchLight(i), fetchCone(i));
-    for (int i = directionals.x; i < directionals.y; ++i) sum += directionalLight(point, i);
+    for (int i = localLights.x; i < localLights.y; ++i) sum += pointLight(receiver, fetchLight(i), castsShadow(i));
+    for (int i = localLights.z; i < localLights.w; ++i) sum += spotLight(receiver, fetchLight(i), fetchCone(i), castsShadow(i));
+    for (int i = directionals.x; i < directionals.y; ++i) sum += directionalLight(receiver, i);
     radiance = vec4(sum, 0.0);
 }

@@ -11,13 +11,15 @@ layout(location = 2) flat in vec4 lightCone;
 layout(location = 0) out vec4 radiance;
 
 void main() {
-    PixelSurface pixel = fetchSurface(ivec2(gl_FragCoord.xy));
-    ShadingPoint point = shadingPointOf(pixel);
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    PixelSurface pixel = fetchSurface(at);
+    Receiver receiver = receiverAt(at, pixel);
     LocalLight light = localLightOf(lightPlace, lightIntensity);
+    bool hasShadow = pixel.lit && lightIntensity.w != 0.0;
 #if SPOT == 1
-    vec3 sum = spotLightRadiance(BRDF, point, light, lightConeOf(lightCone));
+    vec3 sum = spotLight(receiver, light, lightConeOf(lightCone), hasShadow);
 #else
-    vec3 sum = pointLightRadiance(BRDF, point, light);
+    vec3 sum = pointLight(receiver, light, hasShadow);
 #endif
     // No discard: a discarded fragment would leave its mark in the stencil.
     radiance = vec4(pixel.lit ? sum : vec3(0.0), 0.0);

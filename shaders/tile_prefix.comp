@@ -5,6 +5,8 @@
 
 layout(local_size_x = 256) in;
 
+layout(location = LIST_PART_LOCATION) uniform int partLights;
+
 shared uint sums[256];
 shared uint longest;
 
@@ -29,7 +31,8 @@ void main() {
             before = saturatingSum(before, own);
         }
         tileTotal = uvec4(max(tileTotal.x, before), 0u, 0u, 0u);
-        longest = 0u;
+        // The first span brings the directional lights, too.
+        longest = lightSpan.x == 0 ? uint(frame.lightCounts.z) : 0u;
     }
     barrier();
     uint start = sums[lane];
@@ -42,7 +45,7 @@ void main() {
     barrier();
     uint parts = uint(tileGroups.length()) / 3u;
     for (uint part = lane; part < parts; part += 256u) {
-        bool used = part == 0u || part * uint(LIST_PART) < longest;
+        bool used = part == 0u || part * uint(partLights) < longest;
         tileGroups[3u * part] = used ? uint(tileGridSize().x) : 0u;
         tileGroups[3u * part + 1u] = used ? uint(tileGridSize().y) : 0u;
         tileGroups[3u * part + 2u] = used ? 1u : 0u;

@@ -8,32 +8,38 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba32f, binding = RADIANCE_IMAGE) uniform image2D radianceImage;
-// The part of each list that this dispatch iterates over: LIST_PART lights from part * LIST_PART on.
-layout(location = LIST_PART_LOCATION) uniform int part;
+// The part of each list that this dispatch iterates over: listPart.y lights from listPart.x * listPart.y on.
+layout(location = LIST_PART_LOCATION) uniform ivec2 listPart;
 
-vec3 localLight(ShadingPoint point, int index) {
+vec3 localLight(Receiver receiver, int index) {
     LocalLight light = fetchLight(index);
-    if (!isLit(point.position, light)) return vec3(0.0);
-    if (index < frame.lightCounts.x) return pointLightRadiance(BRDF, point, light);
-    return spotLightRadiance(BRDF, point, light, fetchCone(index));
+    if (!isLit(receiver.point.position, light)) return vec3(0.0);
+    // One call, as each is compiled into the loop: isHiddenFromPoint is long.
+    bool isPoint = index < frame.lightCounts.x;
+#ifdef SHADOWS
+    bool reached = isPoint ? isReached(receiver.point, light) : isReached(receiver.point, light, fetchCone(index));
+    if (reached && castsShadow(index) && isHiddenFromPoint(receiver.rayEnd, light.position)) return vec3(0.0);
+#endif
+    if (isPoint) return pointLightRadiance(BRDF, receiver.point, light);
+    return spotLightRadiance(BRDF, receiver.point, light, fetchCone(index));
 }
 
-vec3 listedLights(ShadingPoint point, int start, int first, int end) {
+vec3 listedLights(Receiver receiver, int start, int first, int end) {
     vec3 sum = vec3(0.0);
-    for (int i = first; i < end; ++i) sum += localLight(point, int(tileLists[start + i]));
+    for (int i = first; i < end; ++i) sum += localLight(receiver, int(tileLists[start + i]));
     return sum;
 }
 
-vec3 allLocalLights(ShadingPoint point, int first, int end) {
+vec3 allLocalLights(Receiver receiver, int first, int end) {
     vec3 sum = vec3(0.0);
-    for (int i = first; i < end; ++i) sum += localLight(point, lightSpan.x + i);
+    for (int i = first; i < end; ++i) sum += localLight(receiver, lightSpan.x + i);
     return sum;
 }
 
-vec3 directionalLights(ShadingPoint point) {
+vec3 directionalLights(Receiver receiver, int first, int end) {
     vec3 sum = vec3(0.0);
-    int first = frame.lightCounts.x + frame.lightCounts.y;
-    for (int i = first; i < first + frame.lightCounts.z; ++i) sum += directionalLight(point, i);
+    int before = frame.lightCounts.x + frame.lightCounts.y;
+    for (int i = first; i < end; ++i) sum += directionalLight(receiver, before + i);
     return sum;
 }
 
@@ -43,8 +49,10 @@ void main() {
     uint tile = gl_WorkGroupID.y * uint(tileGridSize().x) + gl_WorkGroupID.x;
     bool listed = isListed(tile);
     int count = listed ? int(tileCounts[tile]) : lightSpan.y - lightSpan.x;
-    int first = part * LIST_PART, end = min(first + LIST_PART, count);
-    if (part > 0 && first >= end) return;
+    int first = listPart.x * listPart.y, end = min(first + listPart.y, count);
+    // The first span brings the directional lights, in as many parts.
+    int directionalEnd = min(first + listPart.y, lightSpan.x == 0 ? frame.lightCounts.z : 0);
+    if (listPart.x > 0 && first >= max(end, directionalEnd)) return;
 #if LOAD_RADIANCE
     vec3 radiance = imageLoad(radianceImage, pixel).rgb;
 #else
@@ -52,9 +60,9 @@ void main() {
 #endif
     PixelSurface surface = fetchSurface(pixel);
     if (surface.lit) {
-        ShadingPoint point = shadingPointOf(surface);
-        radiance += listed ? listedLights(point, int(tileStarts[tile]), first, end) : allLocalLights(point, first, end);
-        if (part == 0 && lightSpan.x == 0) radiance += directionalLights(point);
+        Receiver receiver = receiverAt(pixel, surface);
+        radiance += listed ? listedLights(receiver, int(tileStarts[tile]), first, end) : allLocalLights(receiver, first, end);
+        radiance += directionalLights(receiver, first, directionalEnd);
     }
     imageStore(radianceImage, pixel, vec4(radiance, 0.0));
 }

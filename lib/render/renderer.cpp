@@ -3,6 +3,7 @@
 #include "gl/state_guard.h"
 #include "render/frame_uniforms.h"
 #include "render/gbuffer/readback.h"
+#include "render/occlusion/occlusion_scene.h"
 #include "render/renderer_state.h"
 
 #include <candela/error.h>
@@ -235,6 +236,7 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
     if (shadows) {
         const gl::PassTimer::Scope pass(timer, "shadows");
         scene.updateOcclusion();
+        if (lighting.tracesInShaders(technique, settings.tileBackend)) scene.occlusion->updateShaderForm();
     }
     if (settings.debugView == DebugView::none) {
         drawLit(scene);

@@ -1,5 +1,5 @@
 // What the lighting passes read: surfaces of the G-buffer and light records, as the light equation takes them.
-// BRDF is BRDF_COURSE or BRDF_GLTF, defined for each program that shades.
+// BRDF is BRDF_COURSE or BRDF_GLTF, defined for each program that shades. SHADOWS is defined in frames with shadows.
 
 #include "lib/frame.glsl"
 #include "lib/gbuffer_input.glsl"
@@ -28,6 +28,9 @@ float fastDivide(float a, float b) {
 }
 
 #include "shared/shading.h"
+#ifdef SHADOWS
+#include "lib/shadows.glsl"
+#endif
 
 LocalLight localLightOf(vec4 place, vec4 intensity) {
     return LocalLight(place.xyz, place.w, intensity.rgb);
@@ -44,6 +47,11 @@ LightCone lightConeOf(vec4 record) {
 // The cone of a light of `fetchLight` that is a spot.
 LightCone fetchCone(int index) {
     return lightConeOf(texelFetch(coneRecords, index - frame.lightCounts.x));
+}
+
+// Of the light of any type with this index.
+bool castsShadow(int index) {
+    return texelFetch(lightRecords, index * LIGHT_TEXELS + 1).w != 0.0;
 }
 
 // Is the point within the light's range?
@@ -70,12 +78,54 @@ PixelSurface fetchSurface(ivec2 pixel) {
 }
 
 #ifdef BRDF
-ShadingPoint shadingPointOf(PixelSurface pixel) {
-    return shadingPoint(BRDF, pixel.surface.lobes, pixel.surface.normal, pixel.position, wayToEye(pixel.position), albedoTexture);
+// A pixel that lights shade.
+struct Receiver {
+    ShadingPoint point;
+#ifdef SHADOWS
+    vec3 rayEnd;  // of its occlusion rays
+#endif
+};
+
+Receiver receiverAt(ivec2 at, PixelSurface pixel) {
+    Receiver receiver;
+    receiver.point =
+        shadingPoint(BRDF, pixel.surface.lobes, pixel.surface.normal, pixel.position, wayToEye(pixel.position), albedoTexture);
+#ifdef SHADOWS
+    receiver.rayEnd = rayEndAt(at, pixel.position);
+#endif
+    return receiver;
 }
 
-vec3 directionalLight(ShadingPoint point, int index) {
-    return directionalLightRadiance(BRDF, point, texelFetch(lightRecords, index * LIGHT_TEXELS).xyz,
-                                    texelFetch(lightRecords, index * LIGHT_TEXELS + 1).rgb);
+#ifdef SHADOWS
+// Would the light shine on the surface if nothing were in between? No ray is traced where it would not.
+bool isReached(ShadingPoint point, LocalLight light) {
+    return isLit(point.position, light) && dot(point.normal, light.position - point.position) > 0.0;
+}
+
+bool isReached(ShadingPoint point, LocalLight light, LightCone cone) {
+    return isReached(point, light) && coneRamp(cone, pathToLight(point, light).l) > 0.0;
+}
+#endif
+
+vec3 pointLight(Receiver receiver, LocalLight light, bool hasShadow) {
+#ifdef SHADOWS
+    if (hasShadow && isReached(receiver.point, light) && isHiddenFromPoint(receiver.rayEnd, light.position)) return vec3(0.0);
+#endif
+    return pointLightRadiance(BRDF, receiver.point, light);
+}
+
+vec3 spotLight(Receiver receiver, LocalLight light, LightCone cone, bool hasShadow) {
+#ifdef SHADOWS
+    if (hasShadow && isReached(receiver.point, light, cone) && isHiddenFromPoint(receiver.rayEnd, light.position)) return vec3(0.0);
+#endif
+    return spotLightRadiance(BRDF, receiver.point, light, cone);
+}
+
+vec3 directionalLight(Receiver receiver, int index) {
+    vec3 l = texelFetch(lightRecords, index * LIGHT_TEXELS).xyz;
+#ifdef SHADOWS
+    if (castsShadow(index) && dot(receiver.point.normal, l) > 0.0 && isHiddenFromDirection(receiver.rayEnd, l)) return vec3(0.0);
+#endif
+    return directionalLightRadiance(BRDF, receiver.point, l, texelFetch(lightRecords, index * LIGHT_TEXELS + 1).rgb);
 }
 #endif

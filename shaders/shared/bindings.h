@@ -63,7 +63,7 @@ const int RADIANCE_IMAGE = 0;
 
 // Uniform locations.
 const int FIRST_LIGHT_LOCATION = 0;       // tile_fill: the first light of a dispatch
-const int LIST_PART_LOCATION = 1;         // tile_shade: which part of the lists
+const int LIST_PART_LOCATION = 1;         // tile_shade: which part of the lists, and the lights of a part; tile_prefix: the lights of a part
 const int LIGHT_SPAN_LOCATION = 2;        // tile_fill, tile_prefix, tile_shade: first and end of the lights that the lists are of
 const int LIGHT_SPANS_LOCATION = 0;       // fullscreen: first and end of points and spots
 const int DIRECTIONAL_SPAN_LOCATION = 1;  // fullscreen: first and end of directional lights
@@ -93,10 +93,6 @@ const int COLOR_ATTRIBUTE = 6;
 const int LIGHT_ATTRIBUTE = 1;  // uint an instance of a light volume: light
 
 const uint DEFORM_NONE = 0xffffffffu;
-
-// The maximum number of lights that a loop of tile_shade iterates over: llvmpipe silently ends the loops of an invocation after 65,535
-// iterations.
-const int LIST_PART = 32768;
 
 // Texels a record.
 const int INSTANCE_TEXELS = 6;  // rows of the world matrix, then of its cofactor matrix with the handedness in w

@@ -37,6 +37,9 @@ std::vector<Definitions> combinations() {
             all.push_back({model, kind, "SOURCE 0", "VIEW_CODE vec3(depth)", "HEAT_STOPS 5", "TEXTURED 0",
                            "CORNERS 2", "FILL 0", "LOAD_RADIANCE 0"});
     }
+    for (const char* kind : {"SPOT 0", "SPOT 1"})
+        all.push_back({"BRDF BRDF_GLTF", kind, "SHADOWS 1", "SOURCE 0", "VIEW_CODE vec3(depth)",
+                       "HEAT_STOPS 5", "TEXTURED 0", "CORNERS 2", "FILL 0", "LOAD_RADIANCE 0"});
     for (const DebugView debugView : debugViews()) {
         Definitions definitions = debugViewDefinitions(debugViewRow(debugView));
         definitions.insert(definitions.end(), {"BRDF BRDF_COURSE", "SPOT 0", "TEXTURED 1", "CORNERS 3",

@@ -3,18 +3,21 @@
 #include "render/lighting/tiled/compute_tiles.h"
 #include "render/lighting/tiled/cpu_tiles.h"
 #include "render/lighting/volumes/light_volumes.h"
+#include "render/occlusion/occlusion_scene.h"
 
 namespace candela {
 
 Lighting::Lighting(const Context& context)
     : deviceBackend_(context.isSoftware() ? TileBackend::cpu : TileBackend::compute),
-      albedo_(makeAlbedoTexture()) {}
+      limit_(context.isSoftware() ? LightsPerInvocation{} : LightsPerInvocation::onGpu()),
+      albedo_(makeAlbedoTexture()),
+      fullscreen_(limit_) {}
 
 std::unique_ptr<LightingTechnique> Lighting::create(Technique technique, TileBackend backend) const {
     if (technique == Technique::fullscreen) return std::make_unique<FullscreenTechnique>(fullscreen_);
     if (technique == Technique::volumes) return std::make_unique<VolumesTechnique>(fullscreen_);
     if (backend == TileBackend::cpu) return std::make_unique<CpuTiles>();
-    return std::make_unique<ComputeTiles>();
+    return std::make_unique<ComputeTiles>(ComputeTiles::defaultListBytes, limit_);
 }
 
 TileBackend Lighting::tileBackend(TileBackend backend) const {
@@ -28,6 +31,10 @@ LightingTechnique& Lighting::technique(Technique technique, TileBackend backend)
     return *entry;
 }
 
+bool Lighting::tracesInShaders(Technique technique, TileBackend backend) const {
+    return technique != Technique::tiles || tileBackend(backend) != TileBackend::cpu;
+}
+
 PairCounter& Lighting::counter() {
     if (!counter_) counter_ = std::make_unique<PairCounter>();
     return *counter_;
@@ -35,6 +42,8 @@ PairCounter& Lighting::counter() {
 
 void Lighting::bind(const LightingInputs& inputs) const {
     bindForLighting(inputs.targets, inputs.lights, albedo_);
+    if (inputs.occlusion != nullptr && inputs.occlusion->shaderForm() != nullptr)
+        inputs.occlusion->shaderForm()->bind();
 }
 
 const char* toString(Technique technique) {

@@ -26,6 +26,9 @@ class Lighting {
     LightingTechnique& technique(Technique technique, TileBackend backend);
     PairCounter& counter();
 
+    /// Do shaders trace the occlusion rays of the technique? `backend` as above.
+    bool tracesInShaders(Technique technique, TileBackend backend) const;
+
     /// Binds the textures that all techniques read.
     void bind(const LightingInputs& inputs) const;
 
@@ -33,6 +36,7 @@ class Lighting {
     std::unique_ptr<LightingTechnique> create(Technique technique, TileBackend backend) const;
 
     TileBackend deviceBackend_;
+    LightsPerInvocation limit_;
     gl::Texture albedo_;
     FullscreenPass fullscreen_;
     std::map<std::pair<Technique, TileBackend>, std::unique_ptr<LightingTechnique>> techniques_;

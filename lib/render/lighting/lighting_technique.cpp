@@ -34,11 +34,13 @@ void bindForLighting(const GBufferTargets& targets, const GpuLights& lights, con
 ModelPrograms::ModelPrograms(std::string vertexFile, std::string file, std::vector<std::string> definitions)
     : vertexFile_(std::move(vertexFile)), file_(std::move(file)), definitions_(std::move(definitions)) {}
 
-const gl::Program& ModelPrograms::get(BrdfModel model) const {
-    auto& program = programs_[static_cast<std::size_t>(model)];
+const gl::Program& ModelPrograms::get(const LightingInputs& inputs) const {
+    const bool withShadows = inputs.occlusion != nullptr;
+    auto& program = programs_[2 * static_cast<std::size_t>(inputs.brdf) + (withShadows ? 1 : 0)];
     if (!program) {
         std::vector<std::string> definitions = definitions_;
-        definitions.emplace_back(brdfDefinition(model));
+        definitions.emplace_back(brdfDefinition(inputs.brdf));
+        if (withShadows) definitions.emplace_back("SHADOWS 1");
         std::vector<gl::Stage> stages;
         if (!vertexFile_.empty()) stages.push_back({vertexFile_, {}, {}});
         stages.push_back({file_, definitions, {}});

@@ -55,25 +55,36 @@ class LightingTechnique {
     virtual std::uint64_t countEvaluated(const LightingInputs& inputs, PairCounter& counter) = 0;
 };
 
+/// How many lights one invocation of a shader iterates over at most. llvmpipe silently ends the loops of an
+/// invocation after 65,535 iterations in all.
+struct LightsPerInvocation {
+    int plain = 32768;
+    int traced = 16;  ///< In frames with shadows: a ray has up to some thousand iterations of its own.
+
+    /// On a GPU only the time of one draw or dispatch is limited.
+    static LightsPerInvocation onGpu() { return {32768, 4096}; }
+    int of(const LightingInputs& inputs) const { return inputs.occlusion == nullptr ? plain : traced; }
+};
+
 /// The directional albedo table as a texture.
 gl::Texture makeAlbedoTexture();
 
-/// Binds the textures that shaders/lib/lighting.glsl reads.
+/// Binds the textures that shaders/lib/lighting.glsl reads in frames without shadows.
 void bindForLighting(const GBufferTargets& targets, const GpuLights& lights, const gl::Texture& albedo);
 
-/// A program for each reflection model, compiled when it is first needed: of a compute stage, or of a vertex
-/// and a fragment stage.
+/// A program for each reflection model, without and with shadows, compiled when it is first needed: of a
+/// compute stage, or of a vertex and a fragment stage.
 class ModelPrograms {
   public:
     /// `vertexFile` is empty for a compute stage. `definitions` are for `file`, the stage that shades.
     ModelPrograms(std::string vertexFile, std::string file, std::vector<std::string> definitions);
 
-    const gl::Program& get(BrdfModel model) const;
+    const gl::Program& get(const LightingInputs& inputs) const;
 
   private:
     std::string vertexFile_, file_;
     std::vector<std::string> definitions_;
-    mutable std::array<std::optional<gl::Program>, 2> programs_;
+    mutable std::array<std::optional<gl::Program>, 4> programs_;
 };
 
 }  // namespace candela

@@ -138,6 +138,7 @@ void OcclusionScene::build(const GpuScene::State& scene, std::uint32_t index) {
     }
     fillTriangleBlocks(entry.tree, triangles, entry.blocks);
     entry.mesh = mesh;
+    entry.isNewToShaders = true;
     embree_.setMesh(index, mesh);
     entry.buildMilliseconds = millisecondsSince(start);
 }
@@ -159,6 +160,7 @@ void OcclusionScene::updateView() {
             boxes[i] = transformed(meshes_[instance.mesh].tree.bounds, instance.worldFromLocal);
     }
     top_ = buildWideTree(boxes, 1);
+    instancesAreNewToShaders_ = true;
     instanceViews_.clear();
     for (const WideTree::Leaf& leaf : top_.leaves) {
         const InstanceEntry& instance = instances_[top_.primitives[leaf.first]];
@@ -174,9 +176,29 @@ void OcclusionScene::updateView() {
              EmbreeScene::tracePacket};
 }
 
+void OcclusionScene::updateShaderForm() {
+    const Clock::time_point start = Clock::now();
+    if (!shaderForm_) shaderForm_.emplace();
+    for (std::uint32_t i = 0; i < meshes_.size(); ++i) {
+        MeshEntry& entry = meshes_[i];
+        if (!entry.isNewToShaders || !entry.mesh) continue;
+        shaderForm_->setMesh(i, *entry.mesh, entry.tree);
+        entry.isNewToShaders = false;
+        instancesAreNewToShaders_ = true;
+    }
+    if (instancesAreNewToShaders_) {
+        std::vector<OcclusionInstance> instances;
+        for (const InstanceEntry& instance : instances_)
+            instances.push_back({instance.mesh, instance.worldFromLocal, instance.casts});
+        shaderForm_->setInstances(instances, top_);
+        instancesAreNewToShaders_ = false;
+    }
+    updateMilliseconds_ += millisecondsSince(start);
+}
+
 OcclusionReport OcclusionScene::report() const {
     OcclusionReport report;
-    report.bytes = embree_.bytes() + top_.bytes();
+    report.bytes = embree_.bytes() + top_.bytes() + (shaderForm_ ? shaderForm_->bytes() : 0);
     for (const MeshEntry& entry : meshes_) {
         if (!entry.mesh) continue;
         report.triangles += entry.mesh->triangles.size();

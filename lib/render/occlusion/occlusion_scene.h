@@ -2,6 +2,7 @@
 
 #include "render/gpu_scene/draw_list.h"
 #include "render/occlusion/embree_scene.h"
+#include "render/occlusion/gpu_occlusion.h"
 #include "render/occlusion/mesh_readback.h"
 #include "render/occlusion/occlusion_view.h"
 #include "render/occlusion/wide_tree.h"
@@ -10,6 +11,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,10 +29,14 @@ class OcclusionScene {
     /// Brings the structure in step with `scene`, whose cages and deformed meshes are up to date, those out
     /// of view included. The work is in proportion to what has changed since the last call.
     void update(GpuScene::State& scene);
+    /// Brings the form for shaders in step with the last `update`. Needs the current context.
+    void updateShaderForm();
 
     const EmbreeScene& rays() const { return embree_; }
     /// Valid until the next `update`.
     const OcclusionView& view() const { return view_; }
+    /// As of the last `updateShaderForm`; null before.
+    const GpuOcclusion* shaderForm() const { return shaderForm_ ? &*shaderForm_ : nullptr; }
     OcclusionReport report() const;
 
   private:
@@ -41,6 +47,7 @@ class OcclusionScene {
         std::uint64_t version = 0;      ///< Of the vertices.
         std::uint64_t maskVersion = 0;  ///< Of the materials that mask.
         bool isMasked = false;          ///< A part has such a material.
+        bool isNewToShaders = true;     ///< Has changed since `updateShaderForm`.
         double buildMilliseconds = 0.0;
         std::shared_ptr<const OcclusionMesh> mesh;
         WideTree tree;
@@ -67,6 +74,8 @@ class OcclusionScene {
     WideTree top_;                                      ///< Over those that cast shadows.
     std::vector<OcclusionInstanceView> instanceViews_;  ///< One for each leaf of `top_`.
     OcclusionView view_{};
+    std::optional<GpuOcclusion> shaderForm_;
+    bool instancesAreNewToShaders_ = true;  ///< As `MeshEntry::isNewToShaders`.
     AlphaImages alphaImages_;
     bool meshesChanged_ = false;  ///< By the last `updateMeshes`.
     double updateMilliseconds_ = 0.0;

@@ -1,43 +1,24 @@
 // Occlusion rays in a shader, against all triangles in double precision and against Embree.
 
-#include "render/occlusion/gpu_occlusion.h"
+#include "occlusion/occlusion_scenes.h"
+#include "occlusion/ray_references.h"
 
 #include "gl/shader_source.h"
 
 #include <candela/context.h>
 
-#include <embree3/rtcore.h>
 #include <gtest/gtest.h>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
 namespace candela::test {
 namespace {
-
-struct Ray {
-    glm::vec3 from;
-    float tMin;
-    glm::vec3 way;
-    float tMax;
-};
-
-class Random {
-  public:
-    explicit Random(unsigned seed) : engine_(seed) {}
-    float number() { return uniform_(engine_); }
-    glm::vec3 vector() { return {number(), number(), number()}; }
-
-  private:
-    std::mt19937 engine_;
-    std::uniform_real_distribution<float> uniform_{-1.0f, 1.0f};
-};
 
 /// lib/occlusion.glsl with a main that traces rays of a buffer.
 class RayProgram {
@@ -98,255 +79,6 @@ void main() {
     gl::BufferTexture rays_;
     gl::Buffer answers_;
     GLuint program_ = 0;
-};
-
-// ---- Meshes and scenes
-
-void addTriangle(OcclusionMesh& mesh, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), {a, b, c});
-    mesh.triangles.push_back({first, first + 1, first + 2});
-}
-
-OcclusionMesh soup(Random& random, int count, float extent, float size) {
-    OcclusionMesh mesh;
-    for (int i = 0; i < count; ++i) {
-        const glm::vec3 center = extent * random.vector();
-        addTriangle(mesh, center + size * random.vector(), center + size * random.vector(),
-                    center + size * random.vector());
-    }
-    return mesh;
-}
-
-/// A closed sphere whose triangles share vertices.
-OcclusionMesh sphere(float radius, unsigned columns, unsigned rows) {
-    OcclusionMesh mesh;
-    for (unsigned row = 0; row <= rows; ++row) {
-        for (unsigned column = 0; column < columns; ++column) {
-            const double polar = std::acos(-1.0) * row / rows,
-                         angle = 2.0 * std::acos(-1.0) * column / columns;
-            const double ring = row == 0 || row == rows ? 0.0 : std::sin(polar);
-            mesh.positions.push_back(
-                radius * glm::vec3(ring * std::cos(angle), std::cos(polar), ring * std::sin(angle)));
-        }
-    }
-    for (unsigned row = 0; row < rows; ++row) {
-        for (unsigned column = 0; column < columns; ++column) {
-            const unsigned next = (column + 1) % columns, a = row * columns, b = a + columns;
-            mesh.triangles.push_back({a + column, a + next, b + column});
-            mesh.triangles.push_back({a + next, b + next, b + column});
-        }
-    }
-    return mesh;
-}
-
-/// A wall in x and y, `thickness` thick, of cells of two triangles; both sides.
-OcclusionMesh wall(float half, unsigned cells, float thickness) {
-    OcclusionMesh mesh;
-    for (unsigned sideOfWall = 0; sideOfWall < 2; ++sideOfWall) {
-        const auto first = static_cast<unsigned>(mesh.positions.size());
-        for (unsigned y = 0; y <= cells; ++y) {
-            for (unsigned x = 0; x <= cells; ++x) {
-                const glm::vec2 p = half * (2.0f * glm::vec2(x, y) / float(cells) - 1.0f);
-                mesh.positions.emplace_back(p, sideOfWall == 0 ? 0.0f : thickness);
-            }
-        }
-        for (unsigned y = 0; y < cells; ++y) {
-            for (unsigned x = 0; x < cells; ++x) {
-                const unsigned a = first + y * (cells + 1) + x, b = a + cells + 1;
-                mesh.triangles.push_back({a, a + 1, b});
-                mesh.triangles.push_back({a + 1, b + 1, b});
-            }
-        }
-    }
-    return mesh;
-}
-
-struct TestScene {
-    std::vector<OcclusionMesh> meshes;
-    std::vector<OcclusionInstance> instances;
-
-    std::vector<Bounds> boxes() const {
-        std::vector<Bounds> result;
-        for (const OcclusionInstance& instance : instances) {
-            Bounds box;
-            if (instance.castsShadow) {
-                for (const glm::vec3& local : meshes[instance.mesh].positions) {
-                    const glm::vec3 p(instance.worldFromLocal * glm::vec4(local, 1.0f));
-                    box.add({p, p});
-                }
-            }
-            result.push_back(box);
-        }
-        return result;
-    }
-};
-
-TriangleSpan trianglesOf(const OcclusionMesh& mesh) {
-    return {mesh.positions, mesh.triangles};
-}
-
-void setInstances(GpuOcclusion& structure, const TestScene& scene) {
-    structure.setInstances(scene.instances, buildWideTree(scene.boxes(), 1));
-}
-
-void upload(GpuOcclusion& structure, const TestScene& scene) {
-    for (std::uint32_t i = 0; i < scene.meshes.size(); ++i)
-        structure.setMesh(i, scene.meshes[i], buildWideTree(trianglesOf(scene.meshes[i])));
-    setInstances(structure, scene);
-}
-
-glm::mat4 randomRotation(Random& random) {
-    return glm::rotate(glm::mat4(1.0f), 3.0f * random.number(), glm::normalize(random.vector() + 0.01f));
-}
-
-/// Instances of the scales 1e-3, 1 and 1e3, mirrored and skewed, all 1 to 3 m large in the world.
-TestScene mixedScene(unsigned seed) {
-    Random random(seed);
-    TestScene scene;
-    for (const float unit : {1000.0f, 1.0f, 0.001f}) {
-        scene.meshes.push_back(soup(random, 120, unit, 0.4f * unit));
-        scene.meshes.push_back(sphere(unit, 12, 7));
-        scene.meshes.push_back(wall(unit, 4, 0.001f * unit));
-    }
-    for (std::uint32_t i = 0; i < 45; ++i) {
-        const std::uint32_t mesh = i % 9;
-        const float scale = mesh < 3 ? 0.001f : mesh < 6 ? 1.0f : 1000.0f;
-        glm::mat4 shape = glm::scale(randomRotation(random), glm::vec3(scale));
-        if (i % 2 == 0) shape = glm::scale(shape, {-1.0f, 1.5f, 0.7f});
-        if (i % 5 == 0) shape[0] += 0.8f * shape[1];
-        scene.instances.push_back(
-            {mesh, glm::translate(glm::mat4(1.0f), 8.0f * random.vector()) * shape, true});
-    }
-    return scene;
-}
-
-std::vector<Ray> randomRays(unsigned seed, std::size_t count, float extent) {
-    Random random(seed);
-    std::vector<Ray> rays;
-    for (std::size_t i = 0; i < count; ++i) {
-        const glm::vec3 from = extent * random.vector(), to = extent * random.vector();
-        Ray ray{from, 1e-4f, to - from, 1.0f};
-        // Along an axis or a plane of two axes.
-        if (i % 7 == 0) ray.way[static_cast<int>(i / 7) % 3] = 0.0f;
-        if (i % 21 == 0) ray.way[(static_cast<int>(i / 7) + 1) % 3] = 0.0f;
-        if (i % 5 == 0) ray.tMax = 1e30f;
-        rays.push_back(ray);
-    }
-    return rays;
-}
-
-// ---- References
-
-struct WorldTriangle {
-    glm::dvec3 corner[3];
-};
-
-std::vector<WorldTriangle> worldTriangles(const TestScene& scene) {
-    std::vector<WorldTriangle> triangles;
-    for (const OcclusionInstance& instance : scene.instances) {
-        if (!instance.castsShadow) continue;
-        const OcclusionMesh& mesh = scene.meshes[instance.mesh];
-        const glm::dmat4 world(instance.worldFromLocal);
-        for (const glm::uvec3& corners : mesh.triangles) {
-            WorldTriangle triangle;
-            for (int i = 0; i < 3; ++i)
-                triangle.corner[i] = glm::dvec3(world * glm::dvec4(mesh.positions[corners[i]], 1.0));
-            triangles.push_back(triangle);
-        }
-    }
-    return triangles;
-}
-
-bool meets(const WorldTriangle& triangle, const Ray& ray) {
-    const glm::dvec3 from(ray.from), way(ray.way);
-    const glm::dvec3 a = triangle.corner[0] - from, b = triangle.corner[1] - from,
-                     c = triangle.corner[2] - from;
-    const double u = glm::dot(way, glm::cross(c, b)), v = glm::dot(way, glm::cross(a, c)),
-                 w = glm::dot(way, glm::cross(b, a)), area = u + v + w;
-    if ((std::min({u, v, w}) < 0.0 && std::max({u, v, w}) > 0.0) || area == 0.0) return false;
-    const glm::dvec3 normal = glm::cross(b - a, c - a);
-    const double t = glm::dot(a, normal) / glm::dot(way, normal);
-    return t > ray.tMin && t < ray.tMax;
-}
-
-/// Of the lines through two segments: the distance between the segments. Ericson, "Real-time collision
-/// detection", 5.1.9.
-double segmentDistance(glm::dvec3 p, glm::dvec3 pq, glm::dvec3 r, glm::dvec3 rs) {
-    const glm::dvec3 between = p - r;
-    const double a = glm::dot(pq, pq), e = glm::dot(rs, rs), f = glm::dot(rs, between),
-                 c = glm::dot(pq, between), b = glm::dot(pq, rs), d = a * e - b * b;
-    double s = d > 0.0 ? std::clamp((b * f - c * e) / d, 0.0, 1.0) : 0.0;
-    double t = e > 0.0 ? (b * s + f) / e : 0.0;
-    t = std::clamp(t, 0.0, 1.0);
-    s = a > 0.0 ? std::clamp((b * t - c) / a, 0.0, 1.0) : 0.0;
-    return glm::length(p + s * pq - (r + t * rs));
-}
-
-/// Single precision at 24 m resolves 2e-6 m; a ray in the space of a mesh has some five roundings.
-constexpr double grazing = 1.0e-5;
-
-/// Does the ray pass within `grazing` of an edge, or does it start or end that close to a triangle?
-bool grazes(const std::vector<WorldTriangle>& triangles, const Ray& ray) {
-    const glm::dvec3 from = glm::dvec3(ray.from) + double(ray.tMin) * glm::dvec3(ray.way);
-    const glm::dvec3 way = glm::dvec3(ray.way) * (double(std::min(ray.tMax, 1000.0f)) - ray.tMin);
-    for (const WorldTriangle& triangle : triangles) {
-        for (int i = 0; i < 3; ++i) {
-            const glm::dvec3 &p = triangle.corner[i], &q = triangle.corner[(i + 1) % 3];
-            if (segmentDistance(from, way, p, q - p) <= grazing) return true;
-        }
-        const glm::dvec3 normal =
-            glm::cross(triangle.corner[1] - triangle.corner[0], triangle.corner[2] - triangle.corner[0]);
-        for (const glm::dvec3& end : {from, from + way}) {
-            if (std::abs(glm::dot(end - triangle.corner[0], glm::normalize(normal))) > grazing) continue;
-            const Ray through{glm::vec3(end - glm::normalize(normal)), 0.0f,
-                              glm::vec3(2.0 * glm::normalize(normal)), 1.0f};
-            if (meets(triangle, through)) return true;
-        }
-    }
-    return false;
-}
-
-class EmbreeReference {
-  public:
-    explicit EmbreeReference(const std::vector<WorldTriangle>& triangles) {
-        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), 3 * triangles.size()));
-        auto* indices = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), triangles.size()));
-        for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-            for (std::uint32_t k = 0; k < 3; ++k) vertices[3 * i + k] = glm::vec3(triangles[i].corner[k]);
-            indices[i] = {3 * i, 3 * i + 1, 3 * i + 2};
-        }
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-        rtcCommitScene(scene_);
-    }
-    EmbreeReference(const EmbreeReference&) = delete;
-    EmbreeReference& operator=(const EmbreeReference&) = delete;
-    ~EmbreeReference() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
-
-    bool isOccluded(const Ray& ray) const {
-        RTCRay query{};
-        query.org_x = ray.from.x, query.org_y = ray.from.y, query.org_z = ray.from.z;
-        query.dir_x = ray.way.x, query.dir_y = ray.way.y, query.dir_z = ray.way.z;
-        query.tnear = ray.tMin, query.tfar = ray.tMax;
-        query.mask = ~0u;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcOccluded1(scene_, &context, &query);
-        return query.tfar < 0.0f;
-    }
-
-  private:
-    RTCDevice device_ = rtcNewDevice("threads=1");
-    RTCScene scene_ = rtcNewScene(device_);
 };
 
 class GpuOcclusionTest : public testing::Test {

@@ -7,18 +7,13 @@
 
 namespace candela {
 
-namespace {
-
-/// llvmpipe silently ends a loop after 65,535 iterations, so that longer lists take several draws.
-constexpr int lightsPerDraw = 32768;
-
-}  // namespace
-
-FullscreenPass::FullscreenPass()
-    : programs_("fullscreen_triangle.vert", "fullscreen.frag", {}), vertexArray_("fullscreen triangle") {}
+FullscreenPass::FullscreenPass(LightsPerInvocation limit)
+    : programs_("fullscreen_triangle.vert", "fullscreen.frag", {}),
+      limit_(limit),
+      vertexArray_("fullscreen triangle") {}
 
 void FullscreenPass::draw(const LightingInputs& inputs, Span points, Span spots, Span directionals) const {
-    glUseProgram(programs_.get(inputs.brdf).name());
+    glUseProgram(programs_.get(inputs).name());
     glBindVertexArray(vertexArray_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, inputs.targets.lit.name());
     glViewport(0, 0, inputs.targets.width, inputs.targets.height);
@@ -32,18 +27,18 @@ void FullscreenPass::draw(const LightingInputs& inputs, Span points, Span spots,
 
 void FullscreenPass::addDirectionals(const LightingInputs& inputs) const {
     const LightCounts& counts = inputs.lights.counts();
-    const int first = counts.points + counts.spots, end = first + counts.directionals;
-    for (int i = first; i < end; i += lightsPerDraw)
-        draw(inputs, {}, {}, {i, std::min(i + lightsPerDraw, end)});
+    const int step = limit_.of(inputs), first = counts.points + counts.spots,
+              end = first + counts.directionals;
+    for (int i = first; i < end; i += step) draw(inputs, {}, {}, {i, std::min(i + step, end)});
 }
 
 void FullscreenPass::addLocals(const LightingInputs& inputs) const {
     const LightCounts& counts = inputs.lights.counts();
-    for (int i = 0; i < counts.points; i += lightsPerDraw)
-        draw(inputs, {i, std::min(i + lightsPerDraw, counts.points)}, {}, {});
+    const int step = limit_.of(inputs);
+    for (int i = 0; i < counts.points; i += step)
+        draw(inputs, {i, std::min(i + step, counts.points)}, {}, {});
     const int end = counts.points + counts.spots;
-    for (int i = counts.points; i < end; i += lightsPerDraw)
-        draw(inputs, {}, {i, std::min(i + lightsPerDraw, end)}, {});
+    for (int i = counts.points; i < end; i += step) draw(inputs, {}, {i, std::min(i + step, end)}, {});
 }
 
 void FullscreenTechnique::render(const LightingInputs& inputs, gl::PassTimer& timer) {

@@ -8,7 +8,7 @@ namespace candela {
 /// Draws spans of lights over the whole picture with additive blending.
 class FullscreenPass {
   public:
-    FullscreenPass();
+    explicit FullscreenPass(LightsPerInvocation limit = {});
 
     /// Adds all directional lights: what every technique does with them.
     void addDirectionals(const LightingInputs& inputs) const;
@@ -22,6 +22,7 @@ class FullscreenPass {
     void draw(const LightingInputs& inputs, Span points, Span spots, Span directionals) const;
 
     ModelPrograms programs_;
+    LightsPerInvocation limit_;
     gl::VertexArray vertexArray_;
 };
 

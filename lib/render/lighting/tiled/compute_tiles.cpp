@@ -20,13 +20,13 @@ constexpr std::size_t groupBytes = 12;  // of an indirect dispatch
 constexpr std::size_t entryBytes = sizeof(std::uint32_t);
 constexpr std::size_t initialListBytes = entryBytes << 20;
 
-/// The maximum number of parts into which a list falls.
-std::size_t partsOf(int lights) {
-    return static_cast<std::size_t>(std::max(lights, 1) - 1) / layout::LIST_PART + 1;
-}
-
 int localLights(const LightCounts& counts) {
     return counts.points + counts.spots;
+}
+
+/// The maximum number of parts into which a list of `lights` falls; the directional lights fall into as many.
+std::size_t partsOf(int lights, const LightCounts& counts, int partLights) {
+    return static_cast<std::size_t>((std::max({lights, counts.directionals, 1}) - 1) / partLights + 1);
 }
 
 void storageBarrier() {
@@ -48,7 +48,7 @@ std::size_t maxStorageBlock() {
 
 }  // namespace
 
-ComputeTiles::ComputeTiles(std::size_t maxListBytes)
+ComputeTiles::ComputeTiles(std::size_t maxListBytes, LightsPerInvocation limit)
     : boxes_({{"tile_boxes.comp", {}, {}}}, "tile boxes"),
       count_({{"tile_fill.comp", {"FILL 0"}, {}}}, "tile count"),
       prefix_({{"tile_prefix.comp", {}, {}}}, "tile prefix sum"),
@@ -62,7 +62,8 @@ ComputeTiles::ComputeTiles(std::size_t maxListBytes)
       totalBuffer_("tile total", gl::BufferUsage::device),
       groupBuffer_("tile groups", gl::BufferUsage::device),
       readbackBuffer_("tile total, read back", gl::BufferUsage::readback),
-      maxListBytes_(std::min(maxListBytes, maxStorageBlock())) {
+      maxListBytes_(std::min(maxListBytes, maxStorageBlock())),
+      limit_(limit) {
     listBuffer_.reserve(std::min(initialListBytes, maxListBytes_));
     totalBuffer_.reserve(totalBytes);
     readbackBuffer_.reserve(totalBytes);
@@ -114,8 +115,9 @@ void ComputeTiles::adaptLists() {
     }
 }
 
-void ComputeTiles::bindStorage(const Grid& grid, const LightCounts& counts) {
-    groupBuffer_.reserve(partsOf(localLights(counts)) * groupBytes);
+void ComputeTiles::bindStorage(const Grid& grid, const LightingInputs& inputs) {
+    const LightCounts& counts = inputs.lights.counts();
+    groupBuffer_.reserve(partsOf(localLights(counts), counts, limit_.of(inputs)) * groupBytes);
     boxBuffer_.reserve(grid.tiles() * boxBytes);
     countBuffer_.reserve(grid.tiles() * entryBytes);
     startBuffer_.reserve(grid.tiles() * entryBytes);
@@ -151,10 +153,11 @@ void ComputeTiles::scatter(const gl::Program& program, const LightSpan& span) co
     storageBarrier();
 }
 
-void ComputeTiles::fillLists(const LightSpan& span) const {
+void ComputeTiles::fillLists(const LightSpan& span, int partLights) const {
     scatter(count_, span);
     glUseProgram(prefix_.name());
     glUniform2i(layout::LIGHT_SPAN_LOCATION, span.first, span.end);
+    glUniform1i(layout::LIST_PART_LOCATION, partLights);
     glDispatchCompute(1, 1, 1);
     storageBarrier();
     scatter(fill_, span);
@@ -166,11 +169,13 @@ void ComputeTiles::shade(const LightingInputs& inputs, const LightSpan& span) co
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groupBuffer_.name());
     // The geometry pass has written emission as a framebuffer; it is loaded as an image.
     glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    for (std::size_t part = 0; part < partsOf(span.count()); ++part) {
+    const int partLights = limit_.of(inputs);
+    const std::size_t parts = partsOf(span.count(), inputs.lights.counts(), partLights);
+    for (std::size_t part = 0; part < parts; ++part) {
         const bool loadRadiance = inputs.emissionDrawn || part > 0 || span.first > 0;
-        glUseProgram((loadRadiance ? addLight_ : shade_).get(inputs.brdf).name());
+        glUseProgram((loadRadiance ? addLight_ : shade_).get(inputs).name());
         glUniform2i(layout::LIGHT_SPAN_LOCATION, span.first, span.end);
-        glUniform1i(layout::LIST_PART_LOCATION, static_cast<GLint>(part));
+        glUniform2i(layout::LIST_PART_LOCATION, static_cast<GLint>(part), partLights);
         glDispatchComputeIndirect(static_cast<GLintptr>(part * groupBytes));
         glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     }
@@ -187,14 +192,14 @@ void ComputeTiles::render(const LightingInputs& inputs, gl::PassTimer& timer) {
     const Grid grid = gridOf(inputs);
     const LightCounts& counts = inputs.lights.counts();
     adaptLists();
-    bindStorage(grid, counts);
+    bindStorage(grid, inputs);
     clear(totalBuffer_, totalBytes);
     findBoxes(grid);
     for (std::uint32_t i = 0; i < spans_; ++i) {
         const LightSpan span = spanOf(i, counts);
         if (i > 0 && span.count() == 0) continue;
         if (span.first > 0) clear(countBuffer_, grid.tiles() * entryBytes);
-        fillLists(span);
+        fillLists(span, limit_.of(inputs));
         shade(inputs, span);
     }
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
@@ -206,7 +211,7 @@ std::uint64_t ComputeTiles::countEvaluated(const LightingInputs& inputs, PairCou
     const Grid grid = gridOf(inputs);
     if (spans_ > 1) {
         // The counts are those of the last span only.
-        bindStorage(grid, inputs.lights.counts());
+        bindStorage(grid, inputs);
         findBoxes(grid);
         scatter(count_, {0, localLights(inputs.lights.counts())});
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);

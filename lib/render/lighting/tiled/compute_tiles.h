@@ -15,8 +15,10 @@ namespace candela {
 /// be.
 class ComputeTiles final : public LightingTechnique {
   public:
+    static constexpr std::size_t defaultListBytes = std::size_t{1} << 30;
+
     /// The buffer of the lists grows to `maxListBytes` and to what the device allows for a storage block.
-    explicit ComputeTiles(std::size_t maxListBytes = std::size_t{1} << 30);
+    explicit ComputeTiles(std::size_t maxListBytes = defaultListBytes, LightsPerInvocation limit = {});
     ComputeTiles(const ComputeTiles&) = delete;
     ComputeTiles& operator=(const ComputeTiles&) = delete;
     ~ComputeTiles() override;
@@ -45,9 +47,9 @@ class ComputeTiles final : public LightingTechnique {
     /// Adapts the buffer and the spans to the lists of the last frame that has ended; does not wait for it.
     void adaptLists();
     void growLists(std::size_t bytes);
-    void bindStorage(const Grid& grid, const LightCounts& counts);
+    void bindStorage(const Grid& grid, const LightingInputs& inputs);
     void findBoxes(const Grid& grid) const;
-    void fillLists(const LightSpan& span) const;
+    void fillLists(const LightSpan& span, int partLights) const;
     void shade(const LightingInputs& inputs, const LightSpan& span) const;
     void scatter(const gl::Program& program, const LightSpan& span) const;
     void copyTotal();
@@ -58,6 +60,7 @@ class ComputeTiles final : public LightingTechnique {
     gl::Buffer boxBuffer_, countBuffer_, startBuffer_, listBuffer_, totalBuffer_, groupBuffer_,
         readbackBuffer_;
     std::size_t maxListBytes_;
+    LightsPerInvocation limit_;
     std::uint32_t spans_ = 1;
     GLsync totalCopied_ = nullptr;
 };

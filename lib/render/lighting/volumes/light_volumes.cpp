@@ -304,7 +304,7 @@ void VolumesTechnique::render(const LightingInputs& inputs, gl::PassTimer& timer
     const gl::PassTimer::Scope pass(timer, "lighting");
     if (volumes_.prepare(inputs) > 0) {
         depth_.bind(inputs.targets, inputs.targets.radiance);
-        volumes_.drawInside(pointPrograms_.get(inputs.brdf), spotPrograms_.get(inputs.brdf));
+        volumes_.drawInside(pointPrograms_.get(inputs), spotPrograms_.get(inputs));
     }
     fullscreen_.addDirectionals(inputs);
 }

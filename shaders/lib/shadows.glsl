@@ -1,0 +1,33 @@
+// Occlusion rays between a pixel and lights, in frames with shadows.
+
+#include "lib/frame.glsl"
+#include "lib/gbuffer.glsl"
+#include "lib/occlusion.glsl"
+#include "shared/shadow_ray.h"
+
+layout(binding = SHADOW_UNIT) uniform usampler2D shadowTexture;
+
+// Farther than any surface.
+const float SHADOW_INFINITY = 1.0e30;
+
+// The side of a pixel at a surface, metres.
+float pixelExtent(vec3 position) {
+    float side = length(frame.rayStepY.xyz);
+    return isOrthographic() ? side : dot(position - frame.eye.xyz, frame.cameraForward.xyz) * side;
+}
+
+// Where the rays of a pixel end whose surface is at `position`.
+vec3 rayEndAt(ivec2 pixel, vec3 position) {
+    ShadowSurface surface = unpackShadowWord(texelFetch(shadowTexture, pixel, 0).x);
+    return shadowRayEnd(position, wayToEye(position), surface.geometricNormal, surface.lift, pixelExtent(position));
+}
+
+bool isHiddenFromPoint(vec3 rayEnd, vec3 lightPosition) {
+    vec3 way = rayEnd - lightPosition;
+    return isOccluded(lightPosition, way, shadowRayStart(lightPosition, way), 1.0);
+}
+
+// `l` points to the light.
+bool isHiddenFromDirection(vec3 rayEnd, vec3 l) {
+    return isOccluded(rayEnd, l, 0.0, SHADOW_INFINITY);
+}
