@@ -28,7 +28,7 @@ constexpr const char* stats =
     "After one drawing that is not counted, the frame is drawn 5 times; with\n"
     "--frames each frame once. A pass's time is the median of these. \"shadows\" has\n"
     "the occlusion rays of the last frame and what they are traced in; it is null\n"
-    "without shadows";
+    "without shadows and in a debug view";
 constexpr const char* quiet = "Say nothing but errors: no notes, no progress and no result";
 
 constexpr const char* list =

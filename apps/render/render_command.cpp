@@ -283,7 +283,9 @@ void renderFrames(const Options& options) {
     stats.lights = gpuScene.lightReport().lights;
     if (options.stats) {
         session.progress.show("counting pairs of pixel and light");
-        stats.shadows = shadowStats(frameWriter.frame(), gpuScene, options.shadows);
+        // Debug views show no light.
+        if (options.debug.view == candela::DebugView::none)
+            stats.shadows = shadowStats(frameWriter.frame(), gpuScene, options.shadows);
         stats.pairs = frameWriter.frame().countPairs();
         writeStats(session, stats);
     }

@@ -47,6 +47,8 @@ TEST(BenchShadows, ARowWithThemHasRaysAndStructure) {
     const Json& occlusion = on["occlusion"];
     EXPECT_EQ(keysOf(occlusion), (Names{"rays_asked", "rays_traced", "rays_saved", "triangles", "instances",
                                         "bytes", "build_ms", "update_ms"}));
+    EXPECT_GT(occlusion["rays_asked"].get<int>(), 0);
+    EXPECT_EQ(occlusion["instances"], 257) << "the ground and 256 spheres";
     EXPECT_LE(occlusion["rays_asked"], on["pairs_lit"]) << "a lit pair is one ray at most";
     EXPECT_EQ(occlusion["rays_traced"].get<int>() + occlusion["rays_saved"].get<int>(),
               occlusion["rays_asked"]);

@@ -51,6 +51,11 @@ TEST(Stats, ShadowsAreNullWithoutThem) {
 }
 
 #ifdef CANDELA_SHADOWS
+TEST(Stats, ShadowsAreNullInADebugView) {
+    const Json stats = statsOf({"plaza:16", "--size", "64x36", "--shadows", "on", "--show", "normals"});
+    EXPECT_TRUE(stats["shadows"].is_null());
+}
+
 TEST(Stats, ShadowsHaveRaysAndStructure) {
     const Json stats = statsOf({"plaza:16", "--size", "64x36", "--shadows", "on"});
     const Json& shadows = stats["shadows"];
@@ -59,8 +64,12 @@ TEST(Stats, ShadowsHaveRaysAndStructure) {
     for (const char* key : {"rays_asked", "rays_traced", "rays_saved", "triangles", "instances", "bytes"})
         EXPECT_TRUE(shadows[key].is_number_unsigned()) << key;
     // A lit pair is one ray at most.
+    EXPECT_GT(shadows["rays_asked"].get<int>(), 0);
     EXPECT_LE(shadows["rays_asked"], stats["counters"]["pairs_lit"]);
     EXPECT_EQ(shadows["rays_traced"].get<int>() + shadows["rays_saved"].get<int>(), shadows["rays_asked"]);
+    EXPECT_GT(shadows["triangles"].get<int>(), 200'000);
+    EXPECT_EQ(shadows["instances"], 257) << "the ground and 256 spheres";
+    EXPECT_GT(shadows["bytes"], shadows["triangles"]);
     EXPECT_GE(shadows["build_ms"].get<double>(), 0.0);
     EXPECT_GE(shadows["update_ms"].get<double>(), 0.0);
 }

@@ -1,5 +1,6 @@
 // The panels, used by pointer events: selections in them affect the image.
 
+#include "common/shadow_stats.h"
 #include "own_display.h"
 #include "view_session.h"
 
@@ -87,6 +88,19 @@ TEST_F(PanelSession, ALightLosesItsShadowByItsBox) {
     ASSERT_TRUE(std::ranges::all_of(lights, castsShadow));
     EXPECT_TRUE(selectIn("Lights", [&] { return !std::ranges::all_of(lights, castsShadow); }));
     EXPECT_FALSE(session->document().changes().empty());
+}
+
+TEST_F(PanelSession, ShadowsAreSwitchedByABox) {
+    if (!candela::hasShadows()) GTEST_SKIP() << "the library has no shadows";
+    open(&OpenPanels::drawing);
+    SceneOptions& options = session->model().options;
+    const candela::Shadows before = drawnShadows(options.shadows);
+    ASSERT_TRUE(selectIn("Drawing", [&] { return drawnShadows(options.shadows) != before; }));
+    options.technique = candela::Technique::automatic;
+    const PngPicture shown = session->picture();
+    const std::string command = session->copiedCommand();
+    EXPECT_NE(command.find(std::string("--shadows ") + toString(options.shadows)), command.npos) << command;
+    EXPECT_EQ(maxDifference(shown, renderedBy(command)), 0);
 }
 
 TEST_F(PanelSession, EveryPanelOpensFromTheMenu) {
