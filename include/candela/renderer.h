@@ -84,7 +84,7 @@ class CANDELA_API Frame {
     /// Counts light-pixel pairs by drawing again. Of a debug view none was evaluated.
     PairCounts countPairs() const;
     /// Occlusion rays of the frame; all 0 without shadows and of a debug view. Where shaders have traced
-    /// them, `raysTraced` is `raysAsked`: they test no blocks.
+    /// them, they are counted by drawing again, and `raysTraced` is `raysAsked`: shaders test no blocks.
     ShadowCounts shadowCounts() const;
     /// What each pass took, in the order they ran. Waits for the frame to end.
     std::vector<PassTime> passTimes() const;

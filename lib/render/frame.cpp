@@ -201,8 +201,17 @@ PairCounts Frame::countPairs() const {
 }
 
 ShadowCounts Frame::shadowCounts() const {
-    const Renderer::State& state = this->state();
-    return state.shadowCounts;
+    Renderer::State& state = this->state();
+    const DrawnFrame& frame = *state.frame;
+    if (!frame.shadows || !state.lighting.tracesInShaders(frame.technique, frame.settings.tileBackend))
+        return state.shadowCounts;
+    const gl::StateGuard guard(*state.binding, user);
+    const std::shared_ptr<GpuScene::State> scene = this->scene();
+    state.bindFrame();
+    const LightingInputs inputs = state.lightingInputs(*scene);
+    state.lighting.bind(inputs);
+    const std::uint64_t rays = state.lighting.counter().countRays(inputs);
+    return {.raysAsked = rays, .raysTraced = rays, .raysSaved = 0};
 }
 
 std::vector<PassTime> Frame::passTimes() const {

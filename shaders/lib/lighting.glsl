@@ -77,6 +77,17 @@ PixelSurface fetchSurface(ivec2 pixel) {
     return result;
 }
 
+#ifdef SHADOWS
+// Would the light shine on the surface if nothing were in between? No ray is traced where it would not.
+bool isReached(ShadingPoint point, LocalLight light) {
+    return isLit(point.position, light) && dot(point.normal, light.position - point.position) > 0.0;
+}
+
+bool isReached(ShadingPoint point, LocalLight light, LightCone cone) {
+    return isReached(point, light) && coneRamp(cone, pathToLight(point, light).l) > 0.0;
+}
+#endif
+
 #ifdef BRDF
 // A pixel that lights shade.
 struct Receiver {
@@ -95,17 +106,6 @@ Receiver receiverAt(ivec2 at, PixelSurface pixel) {
 #endif
     return receiver;
 }
-
-#ifdef SHADOWS
-// Would the light shine on the surface if nothing were in between? No ray is traced where it would not.
-bool isReached(ShadingPoint point, LocalLight light) {
-    return isLit(point.position, light) && dot(point.normal, light.position - point.position) > 0.0;
-}
-
-bool isReached(ShadingPoint point, LocalLight light, LightCone cone) {
-    return isReached(point, light) && coneRamp(cone, pathToLight(point, light).l) > 0.0;
-}
-#endif
 
 vec3 pointLight(Receiver receiver, LocalLight light, bool hasShadow) {
 #ifdef SHADOWS

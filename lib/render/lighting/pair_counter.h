@@ -25,13 +25,24 @@ class PairCounter {
     std::uint32_t lightsInView(const LightingInputs& inputs);
     /// The fragments that `LightVolumes::drawInside` shades.
     std::uint64_t countInside(const LightingInputs& inputs);
+    /// The occlusion rays of a frame with shadows, those of directional lights included: one for each pair
+    /// that would be lit if nothing were in between.
+    std::uint64_t countRays(const LightingInputs& inputs);
 
   private:
-    enum class Channel { lit = 0, evaluated = 1 };
+    enum class Channel { lit = 0, evaluated = 1, rays = 2 };
+    /// Of frames with shadows; compiled when they are first needed.
+    struct RayPrograms {
+        RayPrograms();
+        gl::Program points, spots;
+    };
     const gl::Texture& target(const LightingInputs& inputs);
     std::vector<float> read(const LightingInputs& inputs, Channel channel) const;
 
+    std::uint64_t sum(const LightingInputs& inputs, Channel channel) const;
+
     gl::Program program_;
+    std::optional<RayPrograms> rayPrograms_;
     LightVolumes volumes_;
     StencilledDepth depth_;
     std::optional<gl::Texture> counts_;

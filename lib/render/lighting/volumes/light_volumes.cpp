@@ -240,10 +240,9 @@ void LightVolumes::drawKind(const Kind& kind, const gl::Program& program) const 
     glDisable(GL_DEPTH_TEST);
 }
 
-void LightVolumes::drawBackFaces(const gl::Program& program) const {
+void LightVolumes::drawBackFaces(const gl::Program& pointProgram, const gl::Program& spotProgram) const {
     const DepthClamp clamp(hasFarPlane_);
     glBindVertexArray(vertexArray_.name());
-    glUseProgram(program.name());
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LEQUAL);
@@ -251,9 +250,10 @@ void LightVolumes::drawBackFaces(const gl::Program& program) const {
     glCullFace(GL_FRONT);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    for (const Kind* kind : {&points_, &spots_}) {
-        if (kind->all.count > 0) draw(kind->all);
-    }
+    glUseProgram(pointProgram.name());
+    if (points_.all.count > 0) draw(points_.all);
+    glUseProgram(spotProgram.name());
+    if (spots_.all.count > 0) draw(spots_.all);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glCullFace(GL_BACK);

@@ -75,7 +75,7 @@ class LightVolumes {
     /// inside any number of them.
     void drawInside(const gl::Program& pointProgram, const gl::Program& spotProgram) const;
     /// Draws the back faces of all volumes in view where the surface lies before them.
-    void drawBackFaces(const gl::Program& program) const;
+    void drawBackFaces(const gl::Program& pointProgram, const gl::Program& spotProgram) const;
 
   private:
     /// Part of `lightIndices_`.
