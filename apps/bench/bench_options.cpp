@@ -56,9 +56,8 @@ void parseTechniques(const std::string& text, BenchOptions& options) {
     }
 }
 
-candela::Shadows defaultShadows() {
-    return drawnShadows(candela::FrameSettings{}.shadows);
-}
+/// The baselines draw no shadows.
+constexpr candela::Shadows defaultShadows = candela::Shadows::off;
 
 std::vector<candela::Shadows> parseShadowList(const std::string& text) {
     std::vector<candela::Shadows> list;
@@ -111,7 +110,7 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
            "--shadows", [&](const std::string& text) { options.shadows = parseShadowList(text); },
            std::string("on, off, or both, drawn alternately, so that their ratio is that of one run.\n"
                        "Default: ") +
-               candela::toString(defaultShadows()))
+               candela::toString(defaultShadows))
         ->type_name("LIST");
     app.add_option_function<std::string>(
            "--brdf", [&](const std::string& text) { options.brdf = parseBrdf(text); },
@@ -181,6 +180,6 @@ std::optional<BenchOptions> parseBenchOptions(int argc, const char* const* argv)
     }
     options.json = json;
     checkTogether(options);
-    if (options.shadows.empty()) options.shadows = {defaultShadows()};
+    if (options.shadows.empty()) options.shadows = {defaultShadows};
     return options;
 }

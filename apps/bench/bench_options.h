@@ -23,7 +23,7 @@ struct BenchOptions {
     std::vector<candela::Technique> techniques{candela::Technique::automatic};
     bool compares = false;  ///< --technique all: pictures are compared and must agree.
     candela::TileBackend tileBackend = candela::TileBackend::automatic;
-    /// `on` and `off` as given; without --shadows what `candela::FrameSettings` has.
+    /// `on` and `off` as given; `off` without --shadows.
     std::vector<candela::Shadows> shadows;
     candela::BrdfModel brdf = candela::BrdfModel::course;
     Baseline baseline = Baseline::without;

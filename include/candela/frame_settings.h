@@ -94,7 +94,7 @@ struct FrameSettings {
     DebugView debugView = DebugView::none;
     Overlays overlays = {};
     TileBackend tileBackend = TileBackend::automatic;  ///< Read for `tiles` only.
-    Shadows shadows = Shadows::off;
+    Shadows shadows = Shadows::automatic;
 };
 
 }  // namespace candela
