@@ -18,7 +18,7 @@ struct ProceduralScene {
 constexpr std::array proceduralScenes{
     ProceduralScene{"plaza", makePlaza}, ProceduralScene{"cloud", makeCloud},
     ProceduralScene{"rooms", makeRooms}, ProceduralScene{"sculpture", makeSculpture},
-    ProceduralScene{"crowd", makeCrowd}};
+    ProceduralScene{"crowd", makeCrowd}, ProceduralScene{"colonnade", makeColonnade}};
 
 constexpr auto schemes = [] {
     std::array<const char*, proceduralScenes.size() + 1> names{};
@@ -58,7 +58,7 @@ constexpr candela_plugin plugin{
     "procedural scenes under N point lights: plaza:N a square with 256 spheres, "
     "cloud:N a sphere of small lights, "
     "rooms:N a floor of 256 rooms, sculpture:N the square with a subdivided ring, "
-    "and crowd:N with N walking characters",
+    "colonnade:N rows of columns, crowd:N N walking characters",
     &importer,
     nullptr};
 

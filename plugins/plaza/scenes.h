@@ -16,6 +16,9 @@ void makePlaza(const Host& host, const std::string& arguments);
 /// outside of it that they light. Another N moves every light.
 void makeCloud(const Host& host, const std::string& arguments);
 
+/// "colonnade:N": four rows of 16 columns under a roof, and N lights in 32 lanterns between them.
+void makeColonnade(const Host& host, const std::string& arguments);
+
 /// "crowd:N": N walking characters of 10,000 vertices and 60 joints each, every one with a mesh of its own.
 void makeCrowd(const Host& host, const std::string& arguments);
 
