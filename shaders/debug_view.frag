@@ -8,13 +8,13 @@
 #define SOURCE_DEPTH 0
 #define SOURCE_SURFACE 1
 #define SOURCE_EMISSION 2
-#define SOURCE_LIGHT_COUNT 3
+#define SOURCE_COUNT 3
 #define SOURCE_INSTANCE 4
 
 #if SOURCE == SOURCE_EMISSION
 layout(binding = VIEW_UNIT) uniform sampler2D emissionTexture;
 
-#elif SOURCE == SOURCE_LIGHT_COUNT
+#elif SOURCE == SOURCE_COUNT
 layout(binding = VIEW_UNIT) uniform sampler2D countTexture;
 layout(location = HEAT_STOPS_LOCATION) uniform vec3 heatStops[HEAT_STOPS];
 
@@ -47,8 +47,8 @@ vec3 viewCode(ivec2 pixel, float depth) {
     GBufferSurface surface = fetchSurfaceOrZero(pixel);
 #elif SOURCE == SOURCE_EMISSION
     vec3 emission = texelFetch(emissionTexture, pixel, 0).rgb;
-#elif SOURCE == SOURCE_LIGHT_COUNT
-    float lightCount = texelFetch(countTexture, pixel, 0).x;
+#elif SOURCE == SOURCE_COUNT
+    float count = texelFetch(countTexture, pixel, 0).x;
 #elif SOURCE == SOURCE_INSTANCE
     uint instance = texelFetch(instanceTexture, pixel, 0).x;
     vec3 instanceColor = instance > 0u ? texelFetch(instanceColors, int(instance) - 1).rgb : vec3(0.0);

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-candela::FrameSettings frameSettings(const SceneOptions& options) {
+candela::FrameSettings frameSettings(const Options& options) {
     candela::FrameSettings settings;
     settings.width = options.width;
     settings.height = options.height;
@@ -14,6 +14,7 @@ candela::FrameSettings frameSettings(const SceneOptions& options) {
     settings.shadows = options.shadows;
     settings.debugView = options.debug.view;
     settings.overlays = options.debug.overlays;
+    settings.ambientOcclusion = options.ambientOcclusion;
     return settings;
 }
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 /// The settings of a frame at the size of the options.
-candela::FrameSettings frameSettings(const SceneOptions& options);
+candela::FrameSettings frameSettings(const Options& options);
 
 /// What one drawing of a frame took.
 struct FrameTiming {

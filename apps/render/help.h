@@ -13,7 +13,11 @@ constexpr const char* output =
     ".exr scene-linear, 32-bit float. Default: candela.png";
 constexpr const char* aov =
     "More channels for an .exr, separated by commas: Z, P, N, base_color, metallic,\n"
-    "roughness, emission, light_count";
+    "roughness, emission, light_count, shadowed_count, ambient_occlusion";
+constexpr const char* aoDistance =
+    "What is farther than so many metres from a surface does not darken its\n"
+    "ambient_occlusion, between 0 and 1e9. Default: 1";
+constexpr const char* aoRays = "Rays that ambient_occlusion takes at each pixel, 1 to 4096. Default: 64";
 constexpr const char* frames =
     "Draw frames of the scene's animation, 24 a second: A-B, A-BxSTEP, single\n"
     "numbers, or several of these separated by commas. A run of # in the picture's\n"

@@ -4,6 +4,7 @@
 #include "common/program.h"
 #include "help.h"
 
+#include <candela/gbuffer.h>
 #include <candela/version.h>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +15,9 @@
 #include <iostream>
 
 namespace {
+
+constexpr double maxDistance = 1.0e9;
+constexpr std::int64_t maxRays = 4096;
 
 ListKind parseListKind(const std::string& text) {
     using enum ListKind;
@@ -37,8 +41,10 @@ PictureFormat parseFormat(const std::filesystem::path& output) {
 }
 
 std::vector<std::string> parseAovs(const std::string& text) {
-    const std::vector<std::string> known = candela::Renderer::aovNames();
-    if (text == "all") return known;
+    if (text == "all") return candela::Renderer::aovNames();
+    std::vector<std::string> known;
+    for (const candela::GBufferChannel& channel : candela::gbufferChannels())
+        known.emplace_back(channel.name);
     std::vector<std::string> names = splitAtCommas(text);
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (std::ranges::find(known, names[i]) == known.end()) {
@@ -56,6 +62,25 @@ std::vector<std::string> parseAovs(const std::string& text) {
 void declarePicture(CLI::App& app, Options& options, std::optional<std::string>& aovs) {
     app.add_option("-o,--output", options.output, help::output)->type_name("FILE")->group("Picture");
     app.add_option("--aov", aovs, help::aov)->type_name("all|LIST")->group("Picture");
+    candela::AmbientOcclusionSettings& ambientOcclusion = options.ambientOcclusion;
+    app.add_option_function<std::string>(
+           "--ao-distance",
+           [&ambientOcclusion](const std::string& text) {
+               ambientOcclusion.distance =
+                   static_cast<float>(parseNumberBetween("--ao-distance", text, 0.0, maxDistance));
+           },
+           help::aoDistance)
+        ->type_name("METRES")
+        ->group("Picture");
+    app.add_option_function<std::string>(
+           "--ao-rays",
+           [&ambientOcclusion](const std::string& text) {
+               ambientOcclusion.rays =
+                   static_cast<std::uint32_t>(parseInteger("--ao-rays", text, 1, maxRays));
+           },
+           help::aoRays)
+        ->type_name("N")
+        ->group("Picture");
     app.add_option_function<std::string>(
            "--frames", [&](const std::string& text) { options.frames = FrameList::parse(text); },
            help::frames)
@@ -76,7 +101,7 @@ void declareRunning(CLI::App& app, Options& options) {
         ->group("Asking");
 }
 
-void resolve(const std::optional<std::string>& aovs, Options& options) {
+void resolve(const CLI::App& app, const std::optional<std::string>& aovs, Options& options) {
     if (options.scene.empty() && (!options.list || needsScene(*options.list)))
         throw UsageError("SCENE is missing: name a file such as room.glb, or plaza:4096");
     if (options.list) return;
@@ -84,6 +109,11 @@ void resolve(const std::optional<std::string>& aovs, Options& options) {
     const bool exr = options.format == PictureFormat::exr;
     if (aovs) options.aovs = parseAovs(*aovs);
     if (aovs && !exr) throw UsageError("--aov needs an .exr picture: name one with -o");
+    for (const char* option : {"--ao-distance", "--ao-rays"}) {
+        if (app.count(option) > 0 &&
+            std::ranges::find(options.aovs, "ambient_occlusion") == options.aovs.end())
+            throw UsageError(std::string(option) + " needs --aov ambient_occlusion");
+    }
     if (exr && !options.debug.isDefault())
         throw UsageError("--show needs a .png picture; --aov puts such channels into an .exr");
 }
@@ -110,7 +140,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(error.what());
     }
-    resolve(aovs, options);
+    resolve(app, aovs, options);
     if (!options.list) sceneOptions.finish();
     return options;
 }

@@ -49,6 +49,7 @@ struct Options : SceneOptions {
     std::filesystem::path output = "candela.png";
     PictureFormat format = PictureFormat::png;
     std::vector<std::string> aovs;
+    candela::AmbientOcclusionSettings ambientOcclusion;
     std::optional<FrameList> frames;   ///< None: one picture, without a number.
     std::optional<std::string> stats;  ///< A file, or "-" for standard output.
     candela::DeviceOptions device;

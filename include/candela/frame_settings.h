@@ -45,13 +45,14 @@ enum class DebugView {
     emission,   ///< Clamped to 0..1, sRGB-encoded.
     lightCount,  ///< Lights in whose range the pixel lies, see `heatColor`; full scale is the maximum in the
                  ///< frame.
+    shadowedCount,  ///< Lights hidden from the pixel, in the same way: the AOV `shadowed_count`.
 };
 
 /// All debug views but `none`, in the order of the enumeration.
 CANDELA_API std::span<const DebugView> debugViews();
 
 /// The name on the command line: "picture", "normals", "level", "base_color", "metallic", "roughness",
-/// "depth", "emission", "light_count".
+/// "depth", "emission", "light_count", "shadowed_count".
 CANDELA_API const char* toString(DebugView debugView);
 
 /// The colour of a subdivision level, display code values: 0 (polygons) to `maxSubdivisionLevel`. Throws
@@ -86,6 +87,12 @@ CANDELA_API const char* toString(Shadows shadows);
 /// Was the library built with shadows (the CMake option CANDELA_SHADOWS)?
 CANDELA_API bool hasShadows();
 
+/// The rays of the AOV `ambient_occlusion`.
+struct AmbientOcclusionSettings {
+    float distance = 1.0f;    ///< Metres, finite and over 0: what is farther from the surface hides nothing.
+    std::uint32_t rays = 64;  ///< At each pixel, 1 to 4096.
+};
+
 /// How a frame is drawn.
 struct FrameSettings {
     int width = 1280, height = 720;  ///< Pixels, 1 or more each.
@@ -95,6 +102,7 @@ struct FrameSettings {
     Overlays overlays = {};
     TileBackend tileBackend = TileBackend::automatic;  ///< Read for `tiles` only.
     Shadows shadows = Shadows::automatic;
+    AmbientOcclusionSettings ambientOcclusion = {};  ///< Read for its AOV only.
 };
 
 }  // namespace candela

@@ -34,7 +34,8 @@ class CANDELA_API Renderer {
     /// lists of lights are beyond the device.
     Frame render(GpuScene& scene, const CameraView& view, const FrameSettings& settings = {});
 
-    /// The names `Frame::aovs` takes, in the order of the EXR file.
+    /// The names `Frame::aovs` takes, in the order of the EXR file; without `ambient_occlusion` in a library
+    /// without shadows.
     static std::vector<std::string> aovNames();
 
   private:
@@ -70,15 +71,16 @@ class CANDELA_API Frame {
 
     /// Reads the radiance back, without overlays; of a debug view its code values.
     HdrImage radiance() const;
-    /// Reads AOVs back. Emission and light counts are drawn again. Throws `Error` (badInput) when a name is
-    /// unknown or given twice.
+    /// Reads AOVs back. Emission and counts of lights are drawn again, ambient occlusion is
+    /// traced. Throws `Error` (badInput) when a name is unknown or given twice, and (environment) when
+    /// `ambient_occlusion` is asked of a library without shadows (`hasShadows`).
     std::vector<Aov> aovs(const std::vector<std::string>& names) const;
 
     /// What the pixel of column `x` and row `y` (from the top) shows; none on the background. Draws the pixel
     /// again. Throws `Error` (badInput) when there is no such pixel.
     std::optional<PixelProbe> probe(int x, int y) const;
-    /// The largest number of lights at any pixel, where the frame shows `DebugView::lightCount`, as the end
-    /// of the heat map; 0 otherwise.
+    /// The largest number of lights at any pixel, where the frame shows `DebugView::lightCount` or
+    /// `DebugView::shadowedCount`, as the end of the heat map; 0 otherwise.
     std::uint32_t maxLightCount() const;
 
     /// Counts light-pixel pairs by drawing again. Of a debug view none was evaluated.

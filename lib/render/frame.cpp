@@ -120,7 +120,10 @@ HdrImage Frame::radiance() const {
 
 std::vector<std::string> Renderer::aovNames() {
     std::vector<std::string> names;
-    for (const GBufferChannel& channel : gbufferChannels()) names.emplace_back(channel.name);
+    for (const ChannelRow& row : channelRows()) {
+        if (row.source != ChannelSource::ambientOcclusion || hasShadows())
+            names.emplace_back(row.channel.name);
+    }
     return names;
 }
 
@@ -130,7 +133,7 @@ std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
     const gl::StateGuard guard(*state.binding, user);
     const GBufferTargets& targets = *state.targets;
     state.bindFrame();
-    std::vector<float> emission, lightCount;
+    std::vector<float> emission, lightCount, shadowedCount, ambientOcclusion;
     if (usesSource(rows, ChannelSource::emission)) {
         emission = readColor(state.drawEmission(*scene()).radiance, targets.width, targets.height);
     }
@@ -140,11 +143,14 @@ std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
         state.lighting.bind(inputs);
         lightCount = state.lighting.counter().litPerPixel(inputs);
     }
+    if (usesSource(rows, ChannelSource::shadowedCount)) shadowedCount = state.countShadowed(*scene());
+    if (usesSource(rows, ChannelSource::ambientOcclusion))
+        ambientOcclusion = state.traceAmbientOcclusion(*scene());
     const std::vector<GBufferTexel> surfaces = readSurfaces(targets);
     const std::vector<float> depth = readDepth(targets);
     const AovSources sources{
         targets.width, targets.height, state.frame->uniforms, state.frame->origin, depth, surfaces,
-        emission,      lightCount};
+        emission,      lightCount,     shadowedCount,         ambientOcclusion};
     std::vector<Aov> result;
     for (const ChannelRow* row : rows) result.push_back(makeAov(*row, sources));
     return result;
@@ -173,7 +179,8 @@ std::optional<PixelProbe> Frame::probe(int x, int y) const {
 std::uint32_t Frame::maxLightCount() const {
     const Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
-    if (state.frame->settings.debugView != DebugView::lightCount) return 0;
+    const DebugView view = state.frame->settings.debugView;
+    if (view != DebugView::lightCount && view != DebugView::shadowedCount) return 0;
     return state.debugView->maxLightCount();
 }
 

@@ -3,6 +3,7 @@
 #include "gl/state_guard.h"
 #include "render/frame_uniforms.h"
 #include "render/gbuffer/readback.h"
+#include "render/occlusion/ambient_occlusion.h"
 #include "render/occlusion/occlusion_scene.h"
 #include "render/renderer_state.h"
 
@@ -32,9 +33,24 @@ bool hasLines(const Overlays& overlays) {
 }
 
 void checkSettings(const FrameSettings& settings) {
-    if (settings.width >= 1 && settings.height >= 1) return;
-    refuse("a picture of " + std::to_string(settings.width) + "x" + std::to_string(settings.height) +
-           " pixels is asked for; width and height have to be 1 or more");
+    if (settings.width < 1 || settings.height < 1) {
+        refuse("a picture of " + std::to_string(settings.width) + "x" + std::to_string(settings.height) +
+               " pixels is asked for; width and height have to be 1 or more");
+    }
+    constexpr std::uint32_t maxRays = 4096;
+    const auto& [distance, rays] = settings.ambientOcclusion;
+    if (!(distance > 0.0f && std::isfinite(distance))) {
+        refuse("ambient occlusion within " + std::to_string(distance) +
+               " m is asked for; the distance has to be finite and over 0");
+    }
+    if (rays < 1 || rays > maxRays) {
+        refuse("ambient occlusion of " + std::to_string(rays) + " rays is asked for; expected 1 to " +
+               std::to_string(maxRays));
+    }
+}
+
+bool castsShadows(const FrameSettings& settings) {
+    return settings.shadows != Shadows::off && hasShadows();
 }
 
 bool drawsShadows(const FrameSettings& settings) {
@@ -43,8 +59,9 @@ bool drawsShadows(const FrameSettings& settings) {
                     "shadows are asked for, but this candela was built without them (CMake option "
                     "CANDELA_SHADOWS)");
     }
-    // Debug views show no light.
-    return settings.shadows != Shadows::off && hasShadows() && settings.debugView == DebugView::none;
+    // Other debug views show no light.
+    return castsShadows(settings) &&
+           (settings.debugView == DebugView::none || settings.debugView == DebugView::shadowedCount);
 }
 
 /// Rotation and translation, right-handed. As in scenes, lengths may be 1 % off.
@@ -187,6 +204,35 @@ const GBufferTargets& Renderer::State::drawEmission(const GpuScene::State& scene
     return *emissionTargets;
 }
 
+const GBufferTargets& Renderer::State::prepareRays(GpuScene::State& scene) {
+    if (frame->shadows) return *targets;
+    scene.updateCages(frame->view, targets->width, targets->height, VertexScope::everywhere);
+    scene.updateDeformations(frame->frustum, VertexScope::everywhere);
+    scene.updateOcclusion();
+    auto& set = targetSets[1];
+    if (!set) set.emplace(targets->width, targets->height, GBufferLayout(shadowWordTextures));
+    drawGeometry(scene, *set, LoadOp::dontCare);
+    return *set;
+}
+
+std::vector<float> Renderer::State::countShadowed(GpuScene::State& scene) {
+    const bool shadows = castsShadows(frame->settings);
+    const GBufferTargets& from = shadows ? prepareRays(scene) : *targets;
+    return lighting.shadowedPerPixel({from, scene.lights, frame->frustum, frame->uniforms,
+                                      frame->settings.brdf, shadows ? scene.occlusion.get() : nullptr,
+                                      false});
+}
+
+std::vector<float> Renderer::State::traceAmbientOcclusion(GpuScene::State& scene) {
+    const GBufferTargets& from = prepareRays(scene);
+    const std::vector<float> depth = readDepth(from);
+    std::vector<std::uint32_t> shadowWords(depth.size());
+    readWords(from, 1, shadowWords);
+    const std::vector<GBufferTexel> surfaces = readSurfaces(from);
+    return ambientOcclusion({frame->uniforms, depth, surfaces, shadowWords, scene.occlusion->view(),
+                             frame->settings.ambientOcclusion});
+}
+
 glm::vec3 Renderer::State::emissionAt(const GpuScene::State& scene, int x, int y) {
     if (!draws.emits()) return glm::vec3(0.0f);
     const Scissor pixel({x, y, 1, 1});
@@ -217,7 +263,7 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
     createPasses(settings, technique);
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
     const CameraView view = withFarPlane(requested, scene, aspect);
-    frame.emplace(DrawnFrame{settings, technique, shadows,
+    frame.emplace(DrawnFrame{settings, view, technique, shadows,
                              frameUniforms(view, settings.width, settings.height,
                                            scene.options.workingFromRec709, scene.lights.counts()),
                              Frustum(view, aspect), scene.sceneState.origin});

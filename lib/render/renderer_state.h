@@ -17,12 +17,14 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace candela {
 
 /// The frame that a renderer's targets hold.
 struct DrawnFrame {
     FrameSettings settings;
+    CameraView view;      ///< Orthographic ones have a far plane.
     Technique technique;  ///< Never `automatic`.
     bool shadows;
     layout::FrameUniforms uniforms;
@@ -51,6 +53,10 @@ struct Renderer::State {
     /// Draws the geometry again into targets whose radiance is the emission alone: that of the frame's own
     /// targets is lit by now.
     const GBufferTargets& drawEmission(const GpuScene::State& scene);
+    /// The AOV `shadowed_count`, rows from the bottom.
+    std::vector<float> countShadowed(GpuScene::State& scene);
+    /// The AOV `ambient_occlusion`, rows from the bottom. The library has shadows.
+    std::vector<float> traceAmbientOcclusion(GpuScene::State& scene);
     /// Emission at a pixel, y from the bottom.
     glm::vec3 emissionAt(const GpuScene::State& scene, int x, int y);
     /// Shows the frame and its overlays in a complete framebuffer.
@@ -81,6 +87,9 @@ struct Renderer::State {
     void drawLit(const GpuScene::State& scene);
     void drawDebugView(const GpuScene::State& scene);
     void drawOverlays(GpuScene::State& scene);
+    /// Targets with the shadow word, from which occlusion rays start, with `scene.occlusion` in step: those
+    /// of the frame, or drawn again for a frame without shadows.
+    const GBufferTargets& prepareRays(GpuScene::State& scene);
 };
 
 }  // namespace candela

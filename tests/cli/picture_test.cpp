@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -95,26 +96,34 @@ TEST_F(Picture, ExrHoldsRadianceAsFloats) {
 
 TEST_F(Picture, AovsMatchTheSurface) {
     const ExrPicture picture = exr({"--aov", "all"});
-    EXPECT_EQ(picture.names(), (Names{"A",
-                                      "B",
-                                      "G",
-                                      "N.X",
-                                      "N.Y",
-                                      "N.Z",
-                                      "P.X",
-                                      "P.Y",
-                                      "P.Z",
-                                      "R",
-                                      "Z",
-                                      "base_color.B",
-                                      "base_color.G",
-                                      "base_color.R",
-                                      "emission.B",
-                                      "emission.G",
-                                      "emission.R",
-                                      "light_count",
-                                      "metallic",
-                                      "roughness"}));
+    Names names{"A",
+                "B",
+                "G",
+                "N.X",
+                "N.Y",
+                "N.Z",
+                "P.X",
+                "P.Y",
+                "P.Z",
+                "R",
+                "Z",
+                "base_color.B",
+                "base_color.G",
+                "base_color.R",
+                "emission.B",
+                "emission.G",
+                "emission.R",
+                "light_count",
+                "metallic",
+                "roughness",
+                "shadowed_count"};
+#ifdef CANDELA_SHADOWS
+    constexpr bool hasOcclusion = true;
+#else
+    constexpr bool hasOcclusion = false;
+#endif
+    if (hasOcclusion) names.insert(std::ranges::find(names, "base_color.B"), "ambient_occlusion");
+    EXPECT_EQ(picture.names(), names);
     EXPECT_TRUE(picture.floats);
     // The pixel right below and right of the middle: half a pixel of 6 m / 32 from the axis.
     const float offset = 3.0f / 32.0f;
@@ -136,6 +145,10 @@ TEST_F(Picture, AovsMatchTheSurface) {
     EXPECT_EQ(at("emission.R"), 0.0f);
     EXPECT_EQ(at("light_count"), 1.0f);
     EXPECT_EQ(picture.at("light_count", 0, 0), 0.0f);
+    EXPECT_EQ(at("shadowed_count"), 0.0f);
+    if (!hasOcclusion) return;
+    EXPECT_EQ(at("ambient_occlusion"), 1.0f);
+    EXPECT_EQ(picture.at("ambient_occlusion", 0, 0), 0.0f);
 }
 
 TEST_F(Picture, AovListSelectsChannels) {

@@ -67,6 +67,13 @@ TEST(Usage, EveryErrorIsNamed) {
         BadUsage{{"plaza:1", "-o", "a.exr", "--aov", "Z,beauty"}, "\"beauty\""},
         BadUsage{{"plaza:1", "-o", "a.exr", "--aov", "Z,Z"}, "twice"},
         BadUsage{{"plaza:1", "-o", "a.exr", "--aov", ""}, "--aov"},
+        BadUsage{{"plaza:1", "--ao-rays", "16"}, "--ao-rays needs --aov ambient_occlusion"},
+        BadUsage{{"plaza:1", "-o", "a.exr", "--aov", "Z", "--ao-distance", "2"},
+                 "--ao-distance needs --aov ambient_occlusion"},
+        BadUsage{{"plaza:1", "-o", "a.exr", "--aov", "ambient_occlusion", "--ao-rays", "0"}, "1 to 4096"},
+        BadUsage{{"plaza:1", "-o", "a.exr", "--aov", "ambient_occlusion", "--ao-rays", "4097"}, "1 to 4096"},
+        BadUsage{{"plaza:1", "-o", "a.exr", "--aov", "ambient_occlusion", "--ao-distance", "0"},
+                 "--ao-distance"},
         BadUsage{{"plaza:1", "--tiles", "gpu"}, "auto, cpu, compute"},
         BadUsage{{"plaza:1", "--shadows", "soft"}, "on, off"},
         BadUsage{{"plaza:1", "--shadows", "auto"}, "on, off"},
@@ -100,7 +107,8 @@ TEST(Usage, HelpNamesEveryOptionOfTheContract) {
                                "--device",   "--strict",
                                "--quiet",    "--list",
                                "--threads",  "--subdivision-evaluator",
-                               "--shadows",  "Examples:",
+                               "--shadows",  "--ao-distance",
+                               "--ao-rays",  "Examples:",
                                "Exit codes:"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }

@@ -45,9 +45,20 @@ void drawMark(const ImVec2& corner, const ImVec2& size, float share, std::uint32
     list.AddText({left, end}, color, text.c_str());
 }
 
-void drawCounts(std::uint32_t maxCount) {
-    showText("lights at a pixel");
-    if (maxCount == 0) return showText("no light reaches the picture");
+/// What the ends of the heat map mean.
+struct CountTexts {
+    const char *title, *none;
+};
+
+CountTexts textsOf(candela::DebugView show) {
+    if (show == candela::DebugView::shadowedCount)
+        return {"lights hidden from a pixel", "no light is hidden"};
+    return {"lights at a pixel", "no light reaches the picture"};
+}
+
+void drawCounts(const CountTexts& texts, std::uint32_t maxCount) {
+    showText(texts.title);
+    if (maxCount == 0) return showText(texts.none);
     const ImVec2 size(barLetters * ImGui::GetFontSize(), barHeightLetters * ImGui::GetFontSize());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({size.x, size.y + 1.5f * ImGui::GetFontSize()});
@@ -74,15 +85,16 @@ void drawLevels() {
 
 void drawHeatLegend(const ViewModel& model) {
     const candela::DebugView show = model.options.debug.view;
-    if (!model.document || (show != candela::DebugView::lightCount && show != candela::DebugView::level))
-        return;
+    const bool showsCounts =
+        show == candela::DebugView::lightCount || show == candela::DebugView::shadowedCount;
+    if (!model.document || (!showsCounts && show != candela::DebugView::level)) return;
     const PanelPlace picture = freePicture(panelSpace());
     ImGui::SetNextWindowPos({picture.position.x + 0.5f * picture.size.x,
                              picture.position.y + picture.size.y - ImGui::GetFontSize()},
                             ImGuiCond_Always, {0.5f, 1.0f});
     if (ImGui::Begin("legend", nullptr, windowFlags)) {
-        if (show == candela::DebugView::lightCount) {
-            drawCounts(model.maxLightCount);
+        if (showsCounts) {
+            drawCounts(textsOf(show), model.maxLightCount);
         } else {
             drawLevels();
         }

@@ -15,7 +15,7 @@ void drawDrawingPanel(ViewModel& model);     ///< Technique, reflection model, w
 void drawStatisticsPanel(ViewModel& model);  ///< Passes as a running graph, counters.
 void drawProbePanel(ViewModel& model);       ///< The pixel under the pointer.
 void drawHeatLegend(
-    const ViewModel& model);  ///< Over the picture, for `DebugView::lightCount` and `DebugView::level`.
+    const ViewModel& model);  ///< Over the picture, for the views of light counts and `DebugView::level`.
 void drawLoading(ViewModel& model);   ///< Progress bar with a button that cancels.
 void drawMessages(ViewModel& model);  ///< Notes and errors until dismissed; the shader error.
 

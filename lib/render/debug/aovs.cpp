@@ -41,7 +41,9 @@ glm::vec3 valueAt(const ChannelRow& row, const AovSources& sources, int x, int y
     if (!hasValue(row, sources, i)) return glm::vec3(0.0f);
     ChannelPixel pixel{sources.frame, sources.origin, x, y, sources.depth[i], {}};
     if (row.source == ChannelSource::surface) pixel.surface = unpackSurface(sources.surfaces[i]);
-    if (row.source == ChannelSource::lightCount) pixel.lightCount = sources.lightCount[i];
+    if (row.source == ChannelSource::lightCount) pixel.number = sources.lightCount[i];
+    if (row.source == ChannelSource::shadowedCount) pixel.number = sources.shadowedCount[i];
+    if (row.source == ChannelSource::ambientOcclusion) pixel.number = sources.ambientOcclusion[i];
     if (row.source == ChannelSource::emission)
         pixel.emission = {sources.emission[4 * i], sources.emission[4 * i + 1], sources.emission[4 * i + 2]};
     return row.decode(pixel);
@@ -56,6 +58,11 @@ std::vector<const ChannelRow*> findAovs(const std::vector<std::string>& names) {
         if (std::ranges::find(rows, row) != rows.end())
             throw Error(ErrorKind::badInput, "", "the AOV '" + name + "' is asked for twice");
         rows.push_back(row);
+    }
+    if (usesSource(rows, ChannelSource::ambientOcclusion) && !hasShadows()) {
+        throw Error(ErrorKind::environment, "",
+                    "the AOV 'ambient_occlusion' is asked for, but this candela was built without shadows "
+                    "(CMake option CANDELA_SHADOWS), whose rays it needs");
     }
     return rows;
 }

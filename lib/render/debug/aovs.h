@@ -2,8 +2,8 @@
 
 #include "render/gbuffer/channels.h"
 
-#include <candela/gbuffer.h>
 #include <candela/frame_data.h>
+#include <candela/gbuffer.h>
 
 #include <span>
 #include <string>
@@ -20,11 +20,11 @@ struct AovSources {
     std::span<const float> depth;
     std::span<const GBufferTexel> surfaces;
     std::span<const float> emission;  ///< RGBA.
-    std::span<const float> lightCount;
+    std::span<const float> lightCount, shadowedCount, ambientOcclusion;
 };
 
 /// The rows of these AOVs, in the order of `names`. Throws `Error` (badInput), naming the AOVs there are,
-/// when a name is unknown or is given twice.
+/// when a name is unknown or is given twice, and (environment) when the library has no rays for one.
 std::vector<const ChannelRow*> findAovs(const std::vector<std::string>& names);
 
 /// Whether one of the channels is computed from `source`.

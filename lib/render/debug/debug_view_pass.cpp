@@ -48,16 +48,21 @@ const char* sourceDefinition(ChannelSource source) {
         case ChannelSource::emission:
             return "SOURCE SOURCE_EMISSION";
         case ChannelSource::lightCount:
-            return "SOURCE SOURCE_LIGHT_COUNT";
+        case ChannelSource::shadowedCount:
+            return "SOURCE SOURCE_COUNT";
         default:
             return "SOURCE SOURCE_INSTANCE";
     }
 }
 
+bool showsCounts(const DebugViewRow& row) {
+    return row.source == ChannelSource::lightCount || row.source == ChannelSource::shadowedCount;
+}
+
 gl::Program makeProgram(const DebugViewRow& row) {
     gl::Program program(
         {{"fullscreen_triangle.vert", {}, {}}, {"debug_view.frag", debugViewDefinitions(row), {}}}, row.name);
-    if (row.source == ChannelSource::lightCount) {
+    if (showsCounts(row)) {
         glProgramUniform3fv(program.name(), layout::HEAT_STOPS_LOCATION,
                             static_cast<GLsizei>(heatStops.size()), glm::value_ptr(heatStops[0]));
     }
@@ -139,6 +144,14 @@ void DebugViewPass::copyEmission(const GBufferTargets& targets) {
                        0, 0, 0, targets.width, targets.height, 1);
 }
 
+void DebugViewPass::uploadShadowedCounts(const Inputs& inputs) {
+    const GBufferTargets& targets = inputs.frame.targets;
+    const std::vector<float> counts = inputs.lighting.shadowedPerPixel(inputs.frame);
+    shadowedCounts_ = gl::Texture::target2d(GL_R32F, targets.width, targets.height, "shadowed counts");
+    glTextureSubImage2D(shadowedCounts_.name(), 0, 0, 0, targets.width, targets.height, GL_RED, GL_FLOAT,
+                        counts.data());
+}
+
 /// Draws what the view shows besides the G-buffer. Null where the G-buffer has it.
 const gl::Texture* DebugViewPass::drawSource(const Inputs& inputs, ChannelSource source) {
     const GBufferTargets& targets = inputs.frame.targets;
@@ -148,6 +161,9 @@ const gl::Texture* DebugViewPass::drawSource(const Inputs& inputs, ChannelSource
             return &emission_;
         case ChannelSource::lightCount:
             return &inputs.lighting.counter().drawLit(inputs.frame);
+        case ChannelSource::shadowedCount:
+            uploadShadowedCounts(inputs);
+            return &shadowedCounts_;
         case ChannelSource::instance:
             uploadLevelColors(inputs.scene);
             return &inputs.instances.render({inputs.scene, inputs.draws, targets.width, targets.height});

@@ -56,7 +56,7 @@ class DebugViewPass {
     /// Writes the view's code values into the radiance target, which holds emission where
     /// `DebugView::emission` is asked for. The frame's uniform block is bound.
     void render(const Inputs& inputs);
-    /// The end of the heat map in the last view of light counts.
+    /// The end of the heat map in the last view of counts of lights.
     std::uint32_t maxLightCount() const;
 
     /// Copies the code values to the host's framebuffer as they are.
@@ -64,6 +64,7 @@ class DebugViewPass {
 
   private:
     void copyEmission(const GBufferTargets& targets);
+    void uploadShadowedCounts(const Inputs& inputs);
     const gl::Texture* drawSource(const Inputs& inputs, ChannelSource source);
     void uploadLevelColors(const GpuScene::State& scene);
     const gl::Program& program(DebugView view);
@@ -75,6 +76,7 @@ class DebugViewPass {
     MaxReduction maximum_;
     gl::Texture emission_;  ///< Created for the first view of emission.
     glm::ivec2 emissionSize_{0};
+    gl::Texture shadowedCounts_;  ///< Of the last view of them.
     gl::BufferTexture instanceColors_;
 };
 

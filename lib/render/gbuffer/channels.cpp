@@ -57,9 +57,26 @@ constexpr std::array rows{
     ChannelRow{{"light_count", "", "point and spot lights in whose range the pixel lies",
                 "counted when it is asked for", "none of its own"},
                lightCount,
-               [](const ChannelPixel& pixel) { return glm::vec3(pixel.lightCount, 0, 0); },
+               [](const ChannelPixel& pixel) { return glm::vec3(pixel.number, 0, 0); },
                {DebugView::lightCount, "light_count", lightCount, Scale::maximum,
-                "heatColor(lightCount / max(maximum, 1.0))"}},
+                "heatColor(count / max(maximum, 1.0))"}},
+    ChannelRow{
+        {"shadowed_count", "",
+         "lights in whose range and in front of which the pixel lies, but that something hides; 0 in a "
+         "frame without shadows",
+         "traced when it is asked for", "none of its own"},
+        shadowedCount,
+        [](const ChannelPixel& pixel) { return glm::vec3(pixel.number, 0, 0); },
+        {DebugView::shadowedCount, "shadowed_count", shadowedCount, Scale::maximum,
+         "heatColor(count / max(maximum, 1.0))"}},
+    ChannelRow{
+        {"ambient_occlusion", "",
+         "share of the hemisphere around the normal, weighted by the cosine, in which nothing is nearer "
+         "than a distance: 1 is open",
+         "traced when it is asked for", "none of its own"},
+        ambientOcclusion,
+        [](const ChannelPixel& pixel) { return glm::vec3(pixel.number, 0, 0); },
+        {}},
 };
 
 /// The debug views that show no channel.

@@ -15,10 +15,12 @@ namespace candela {
 /// drawn when they are asked for.
 enum class ChannelSource {
     depth,
-    surface,     ///< The words of the G-buffer.
-    emission,    ///< Radiance as the geometry pass writes it.
-    lightCount,  ///< `PairCounter`.
-    instance,    ///< `InstancePass`; of debug views only.
+    surface,           ///< The words of the G-buffer.
+    emission,          ///< Radiance as the geometry pass writes it.
+    lightCount,        ///< `PairCounter`.
+    shadowedCount,     ///< `Lighting::shadowedPerPixel`.
+    ambientOcclusion,  ///< render/occlusion/ambient_occlusion.h; of AOVs only.
+    instance,          ///< `InstancePass`; of debug views only.
 };
 
 /// A pixel of a frame as decoders read it. Of the members below `depth` only the one of the channel's source
@@ -30,7 +32,7 @@ struct ChannelPixel {
     float depth;               ///< Reversed; 0 on the background.
     GBufferSurface surface;
     glm::vec3 emission{0.0f};
-    float lightCount = 0.0f;
+    float number = 0.0f;  ///< Of `lightCount`, `shadowedCount` and `ambientOcclusion`.
 };
 
 /// A debug view of the table below.

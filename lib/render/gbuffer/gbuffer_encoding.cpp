@@ -2,6 +2,7 @@
 
 #include <candela/error.h>
 
+#include "render/gbuffer/readback.h"
 #include "render/gbuffer/srgb.h"
 
 #include <glm/common.hpp>
@@ -33,7 +34,8 @@ uint packHalf2x16(const vec2& value) {
 }
 
 vec2 unpackHalf2x16(uint halves) {
-    return {unpackHalf1x16(static_cast<std::uint16_t>(halves)), unpackHalf1x16(static_cast<std::uint16_t>(halves >> 16))};
+    return {unpackHalf1x16(static_cast<std::uint16_t>(halves)),
+            unpackHalf1x16(static_cast<std::uint16_t>(halves >> 16))};
 }
 
 #define SHARED_FUNCTION inline
@@ -47,6 +49,11 @@ vec2 unpackHalf2x16(uint halves) {
 GBufferTexel packSurface(const GBufferSurface& surface) {
     return {encoding::packBaseColor(surface.lobes.baseColor, surface.lobes.metallic),
             encoding::packNormalRoughness(surface.normal, surface.lobes.roughness)};
+}
+
+ShadowSurface unpackShadowWord(std::uint32_t word) {
+    const encoding::ShadowSurface surface = encoding::unpackShadowWord(word);
+    return {surface.geometricNormal, surface.lift};
 }
 
 GBufferSurface unpackSurface(GBufferTexel texel) {

@@ -29,6 +29,13 @@ std::vector<std::uint8_t> readBytes(const gl::Texture& texture, int width, int h
 /// The pixels that light falls on: all but the background and unlit surfaces.
 std::uint64_t countLitSurfaces(const GBufferTargets& targets);
 
+/// What a shadow word holds.
+struct ShadowSurface {
+    glm::vec3 geometricNormal;  ///< Of the triangle, towards the eye; unit length.
+    float lift;                 ///< Metres along it, 0 or more: see shaders/shared/shadow_ray.h.
+};
+ShadowSurface unpackShadowWord(std::uint32_t word);
+
 // One pixel, y from the bottom.
 
 GBufferTexel readSurfaceAt(const GBufferTargets& targets, int x, int y);

@@ -1,7 +1,6 @@
 #include "render/lighting/lighting.h"
 
 #include "render/lighting/tiled/compute_tiles.h"
-#include "render/lighting/tiled/cpu_tiles.h"
 #include "render/lighting/volumes/light_volumes.h"
 #include "render/occlusion/occlusion_scene.h"
 
@@ -38,6 +37,15 @@ bool Lighting::tracesInShaders(Technique technique, TileBackend backend) const {
 PairCounter& Lighting::counter() {
     if (!counter_) counter_ = std::make_unique<PairCounter>();
     return *counter_;
+}
+
+std::vector<float> Lighting::shadowedPerPixel(const LightingInputs& inputs) {
+    if (inputs.occlusion == nullptr) {
+        return std::vector<float>(static_cast<std::size_t>(inputs.targets.width) *
+                                  static_cast<std::size_t>(inputs.targets.height));
+    }
+    if (!shadowTiles_) shadowTiles_ = std::make_unique<CpuTiles>();
+    return shadowTiles_->shadowedPerPixel(inputs);
 }
 
 void Lighting::bind(const LightingInputs& inputs) const {

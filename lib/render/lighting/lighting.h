@@ -3,6 +3,7 @@
 #include "render/lighting/fullscreen/fullscreen_technique.h"
 #include "render/lighting/lighting_technique.h"
 #include "render/lighting/pair_counter.h"
+#include "render/lighting/tiled/cpu_tiles.h"
 
 #include <candela/context.h>
 #include <candela/frame_settings.h>
@@ -10,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace candela {
 
@@ -25,6 +27,9 @@ class Lighting {
     /// `technique` is not `automatic`. `backend` is read for `tiles` only.
     LightingTechnique& technique(Technique technique, TileBackend backend);
     PairCounter& counter();
+    /// How many lights that cast shadows would light each pixel but are hidden from it: rows from the bottom.
+    /// All 0 in a frame without shadows. The rays are those of the technique `tiles` on the CPU.
+    std::vector<float> shadowedPerPixel(const LightingInputs& inputs);
 
     /// Do shaders trace the occlusion rays of the technique? `backend` as above.
     bool tracesInShaders(Technique technique, TileBackend backend) const;
@@ -41,6 +46,7 @@ class Lighting {
     FullscreenPass fullscreen_;
     std::map<std::pair<Technique, TileBackend>, std::unique_ptr<LightingTechnique>> techniques_;
     std::unique_ptr<PairCounter> counter_;
+    std::unique_ptr<CpuTiles> shadowTiles_;
 };
 
 }  // namespace candela

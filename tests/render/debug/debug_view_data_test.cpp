@@ -310,8 +310,8 @@ TEST(ColorScales, levelsDifferClearly) {
 }
 
 TEST(ColorScales, namesAreThoseOfTheCommandLine) {
-    const std::array names{"normals",   "level", "base_color", "metallic",
-                           "roughness", "depth", "emission",   "light_count"};
+    const std::array names{"normals", "level",    "base_color",  "metallic",      "roughness",
+                           "depth",   "emission", "light_count", "shadowed_count"};
     ASSERT_EQ(debugViews().size(), names.size());
     for (std::size_t i = 0; i < names.size(); ++i) EXPECT_STREQ(toString(debugViews()[i]), names[i]);
     EXPECT_STREQ(toString(DebugView::none), "picture");

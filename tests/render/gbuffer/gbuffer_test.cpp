@@ -308,7 +308,9 @@ TEST_F(GBufferTest, surfaceWithoutMaterialHasTheDefaultOne) {
 }
 
 TEST_F(GBufferTest, backgroundIsEmpty) {
-    const AovReader reader = surfaces(Scene{});
+    GpuScene scene = upload(Scene{});
+    render(scene, frameOf(front));
+    const AovReader reader(lastFrame().aovs(Renderer::aovNames()), size);
     for (const std::string& name : Renderer::aovNames()) EXPECT_EQ(reader.scalar(name, 3, 4), 0.0f) << name;
     const HdrImage picture = lastFrame().radiance();
     for (const float value : picture.rgba) ASSERT_EQ(value, 0.0f);

@@ -324,6 +324,51 @@ TEST_F(ShadowTest, castsShadowOfLightsAndNodes) {
     EXPECT_EQ(drawnWith(none, view, Shadows::on).rgba, without.rgba);
 }
 
+/// The AOV `shadowed_count` against pictures of each light alone.
+TEST_F(ShadowTest, shadowedCountIsThatOfThePictures) {
+    const Scene scene = boxesOnAFloor();
+    std::vector<WorldLight> lights = scatteredLights(9, 30);
+    lights[2].range = 2.0f;
+    lights[4].castsShadow = false;
+    lights.push_back(spotLight({2, 3, 2}, {0, 0, 0}, 20.0f, glm::vec3(30.0f), 0.2f, 0.7f));
+    lights.push_back(directionalLight({0.4f, -1.0f, 0.3f}, glm::vec3(2.0f)));
+    const CameraView view = lookAt({0, 3, 6}, {0, 0.5f, 0}, 0.9f);
+    GpuScene uploaded = upload(scene);
+    std::vector<float> expected(width * height);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        uploaded.setLights(std::span(lights).subspan(i, 1));
+        const HdrImage without = drawnWith(uploaded, view, Shadows::off),
+                       with = drawnWith(uploaded, view, Shadows::on);
+        for (std::size_t p = 0; p < expected.size(); ++p)
+            expected[p] += without.rgba[4 * p] > 0.0f && with.rgba[4 * p] == 0.0f ? 1.0f : 0.0f;
+    }
+    uploaded.setLights(lights);
+    const auto counts = [&](DebugView debugView, Shadows shadows) {
+        FrameRequest request{width, height, view};
+        request.debugView = debugView;
+        request.shadows = shadows;
+        render(uploaded, request);
+        return lastFrame().aovs({"shadowed_count"}).front().values.front();
+    };
+    const float most = *std::ranges::max_element(expected);
+    EXPECT_GE(most, 4.0f);
+    EXPECT_EQ(counts(DebugView::none, Shadows::on), expected);
+    EXPECT_GT(lastFrame().shadowCounts().raysAsked, 0u);
+    EXPECT_EQ(counts(DebugView::normals, Shadows::on), expected);
+    EXPECT_EQ(counts(DebugView::none, Shadows::off), std::vector<float>(expected.size()));
+    EXPECT_EQ(counts(DebugView::shadowedCount, Shadows::off), std::vector<float>(expected.size()));
+    EXPECT_EQ(lastFrame().maxLightCount(), 0u);
+    EXPECT_EQ(counts(DebugView::shadowedCount, Shadows::on), expected);
+    EXPECT_EQ(lastFrame().maxLightCount(), static_cast<std::uint32_t>(most));
+    const HdrImage heat = lastFrame().radiance();
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const float count = expected[static_cast<std::size_t>(y * width + x)];
+            ASSERT_LT(glm::distance(pixelOf(heat, x, y), heatColor(count / most)), 1e-5f) << x << ", " << y;
+        }
+    }
+}
+
 /// Skins and limit surfaces cast the shadows of where they stand, those out of view included.
 TEST_F(ShadowTest, deformedAndSubdividedSurfaces) {
     Scene scene = randomRig(5, {.vertices = 120, .joints = 8});

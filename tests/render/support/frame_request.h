@@ -14,9 +14,10 @@ struct FrameRequest {
     Overlays overlays = {};
     TileBackend tileBackend = TileBackend::automatic;
     Shadows shadows = Shadows::off;
+    AmbientOcclusionSettings ambientOcclusion = {};
 
     FrameSettings settings() const {
-        return {width, height, brdf, technique, debugView, overlays, tileBackend, shadows};
+        return {width, height, brdf, technique, debugView, overlays, tileBackend, shadows, ambientOcclusion};
     }
 };
 

@@ -133,9 +133,7 @@ void CpuTiles::shadeTiles(const TileFrame& frame, BrdfModel brdf, ThreadPool& po
     });
 }
 
-void CpuTiles::render(const LightingInputs& inputs, gl::PassTimer& timer) {
-    const gl::PassTimer::Scope pass(timer, "lighting");
-    readTargets(inputs);
+void CpuTiles::shadeAll(TileFrame frame, BrdfModel brdf) {
     const std::shared_ptr<ThreadPool> pool = ThreadPool::shared();
     workers_.resize(pool->size());
     for (Worker& worker : workers_) {
@@ -143,18 +141,34 @@ void CpuTiles::render(const LightingInputs& inputs, gl::PassTimer& timer) {
         worker.scratch->shadows.raysAsked = worker.scratch->shadows.raysTraced = 0;
     }
     listBytes_ = 0;
-    TileFrame frame = frameOf(inputs);
     std::uint32_t binned = 0;
     do {
         binned = bins_.fill(frame, binned, kernel_, *pool);
         listBytes_ = std::max(listBytes_, bins_.bytes());
-        shadeTiles(frame, inputs.brdf, *pool);
+        shadeTiles(frame, brdf, *pool);
         // What follows adds to the first part, which has the directional lights.
         frame.loadRadiance = true;
         frame.directionalCount = 0;
     } while (binned < frame.localCount);
+}
+
+void CpuTiles::render(const LightingInputs& inputs, gl::PassTimer& timer) {
+    const gl::PassTimer::Scope pass(timer, "lighting");
+    readTargets(inputs);
+    const TileFrame frame = frameOf(inputs);
+    shadeAll(frame, inputs.brdf);
     glTextureSubImage2D(inputs.targets.radiance.name(), 0, 0, 0, frame.width, frame.height, GL_RGBA, GL_FLOAT,
                         radiance_.data());
+}
+
+std::vector<float> CpuTiles::shadowedPerPixel(const LightingInputs& inputs) {
+    readTargets(inputs);
+    std::vector<float> counts(depth_.size());
+    TileFrame frame = frameOf(inputs);
+    frame.shadowedCounts = counts.data();
+    frame.loadRadiance = true;  // Nothing is written to it.
+    shadeAll(frame, inputs.brdf);
+    return counts;
 }
 
 std::uint64_t CpuTiles::countEvaluated(const LightingInputs&, PairCounter&) {

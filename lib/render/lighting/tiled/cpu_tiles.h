@@ -27,6 +27,10 @@ class CpuTiles final : public LightingTechnique {
     std::uint64_t lightListBytes() const override { return listBytes_; }
     ShadowCounts shadowCounts() const override;
 
+    /// How many lights are hidden from each pixel that they would light: rows from the bottom. The frame has
+    /// shadows. Shades nothing, and counts as the last rendered frame for the members above.
+    std::vector<float> shadowedPerPixel(const LightingInputs& inputs);
+
   private:
     /// A worker's lists, in one allocation each.
     struct Worker {
@@ -44,6 +48,7 @@ class CpuTiles final : public LightingTechnique {
     void readTargets(const LightingInputs& inputs);
     TileFrame frameOf(const LightingInputs& inputs);
     void shadeTiles(const TileFrame& frame, BrdfModel brdf, ThreadPool& pool);
+    void shadeAll(TileFrame frame, BrdfModel brdf);
 
     const TileKernel& kernel_;
     LightBins bins_;

@@ -41,6 +41,8 @@ struct TileFrame {
 
     const std::uint32_t* shadowWords;  ///< One a pixel; null in a frame without shadows.
     const OcclusionView* occlusion;    ///< Null in a frame without shadows.
+    float* shadowedCounts;  ///< One a pixel: gains the lights that are hidden from it, in place of shading.
+                            ///< Null where pixels are shaded.
 
     const float* srgbDecode;   ///< 256 values.
     const float* albedoTable;  ///< See directional_albedo.h.

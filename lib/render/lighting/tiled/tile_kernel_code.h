@@ -303,6 +303,24 @@ void shadeBlockWithShadows(const TileFrame& frame, int left, int bottom, const s
     }
 }
 
+/// Adds the number of lights, of the slots and directional ones, that are hidden from each pixel of the
+/// block.
+template <int brdf>
+void countShadowed(const TileFrame& frame, int left, int bottom, const std::uint32_t* slots,
+                   std::uint32_t count, ShadowScratch& scratch) {
+    const BlockPixels pixels = fetchPixels(frame, left, bottom);
+    ShadowBlock block = shadowBlockOf(frame, pixels, left, bottom);
+    findVisible<brdf>(frame, pixels, block, slots, count, scratch);
+    for (int i = 0; i < pixelsPerBlock; ++i) {
+        const int x = left + i % blockSize, y = bottom + i / blockSize;
+        if (x >= frame.width || y >= frame.height) continue;
+        std::uint32_t hidden = 0;
+        for (std::uint32_t light = 0; light < count + frame.directionalCount; ++light)
+            hidden += scratch.hidden[light] >> i & 1u;
+        frame.shadowedCounts[static_cast<std::int64_t>(y) * frame.width + x] += static_cast<float>(hidden);
+    }
+}
+
 /// The node of the box tree at `level`, with the lights that met its parent.
 template <int brdf>
 void shadeNode(const TileFrame& frame, int left, int bottom, int level, int x, int y,
@@ -325,7 +343,9 @@ void shadeNode(const TileFrame& frame, int left, int bottom, int level, int x, i
         return;
     }
     scratch.pairsEvaluated += std::uint64_t{count} * pixelsPerBlock;
-    if (frame.occlusion != nullptr) {
+    if (frame.shadowedCounts != nullptr) {
+        countShadowed<brdf>(frame, nodeLeft, nodeBottom, list.index, count, scratch.shadows);
+    } else if (frame.occlusion != nullptr) {
         shadeBlockWithShadows<brdf>(frame, nodeLeft, nodeBottom, list.index, count, scratch.shadows);
     } else {
         shadeBlock<brdf>(frame, nodeLeft, nodeBottom, list.index, count);
