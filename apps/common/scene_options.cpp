@@ -35,8 +35,9 @@ constexpr const char* loop = "Repeat the animations after their last key. Defaul
 constexpr const char* size = "Width and height in pixels, 1 to 16384 each. Default: 1280x720";
 constexpr const char* show =
     "Show a debug view instead of the lit picture: normals, level (of subdivision),\n"
-    "base_color, metallic, roughness, depth, emission, light_count or shadowed_count;\n"
-    "and overlays: wireframe, cage. Separated by commas, such as level,wireframe";
+    "base_color, metallic, roughness, depth, emission, light_count or\n"
+    "shadowed_count; and overlays: wireframe, cage. Separated by commas, such as\n"
+    "level,wireframe";
 
 constexpr const char* camera =
     "A camera of the scene, by the name of its node, its own name or its number in\n"
