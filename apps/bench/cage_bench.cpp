@@ -123,6 +123,8 @@ class CandelaMove {
           renderer_(context) {
         const std::vector<glm::mat4> world = worldTransforms(scene_);
         settings_.width = settings_.height = 64;
+        // Shadows would read the vertices back and build trees of them.
+        settings_.shadows = candela::Shadows::off;
         view_ = frameBounds(worldBounds(scene_, world), 1.0f);
     }
 

@@ -63,6 +63,8 @@ class Crowd {
     Crowd(const candela::Context& context, const candela::Scene& scene, const BenchOptions& options)
         : gpuScene_(context, scene, optionsOf(options)), renderer_(context) {
         settings_.width = settings_.height = 64;
+        // Shadows would read the vertices back and build trees of them.
+        settings_.shadows = candela::Shadows::off;
         const candela::Bounds bounds = worldBounds(scene, worldTransforms(scene));
         facing_ = frameBounds(bounds, 1.0f);
         away_ = facing_;
