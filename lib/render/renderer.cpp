@@ -255,7 +255,8 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
     ++frameNumber;
     frame.reset();
     shadowCounts = {};
-    const bool shadows = drawsShadows(settings);
+    // Without such a light, as in a scene that only default lights light, the structure is not built.
+    const bool shadows = drawsShadows(settings) && scene.lights.anyCastsShadow();
     selectTargets(settings.width, settings.height, shadows);
     scene.update();
     const Technique technique =

@@ -166,7 +166,6 @@ void OcclusionScene::updateView() {
         const InstanceEntry& instance = instances_[top_.primitives[leaf.first]];
         const MeshEntry& mesh = meshes_[instance.mesh];
         OcclusionInstanceView& view = instanceViews_.emplace_back();
-        writeRows(view.worldFromLocal, instance.worldFromLocal);
         writeRows(view.localFromWorld, glm::inverse(instance.worldFromLocal));
         view.nodes = mesh.tree.nodes.data();
         view.blocks = mesh.blocks.data();

@@ -12,10 +12,10 @@ namespace candela {
 
 /// An instance that casts a shadow.
 struct OcclusionInstanceView {
-    float worldFromLocal[12], localFromWorld[12];  ///< Three rows of four each.
-    const WideNode* nodes;                         ///< Of its mesh; the first is the root.
-    const TriangleBlock* blocks;                   ///< One for each leaf.
-    std::uint32_t opaqueCount;                     ///< Triangles from here on are alpha-masked.
+    float localFromWorld[12];     ///< Three rows of four.
+    const WideNode* nodes;        ///< Of its mesh; the first is the root.
+    const TriangleBlock* blocks;  ///< One for each leaf.
+    std::uint32_t opaqueCount;    ///< Triangles from here on are alpha-masked.
 };
 
 /// Instances that may hide one light from a box of pixels.

@@ -1,9 +1,9 @@
 #pragma once
 
-// Shadows in the kernels of `tiles`. For a box of 16 × 16 pixels and each of its lights, the triangles are
-// listed that may hide the light from the box. For a block of pixels and a light these are tested again, and
-// what remains against each ray. Where the list is full, or triangles are alpha-masked, the rays are traced.
-// Included only by tile_kernel_code.h.
+// Shadows in the kernels of `tiles`. For a box of 16 × 16 pixels and each of its lights, the instances are
+// listed that may hide the light from the box. For a block of pixels and a light their triangles are tested:
+// first against all rays of the block at once, and those that remain against each ray. Where these are many,
+// or alpha-masked, the rays are traced. Included only by tile_kernel_code.h.
 
 #include "render/lighting/tiled/tile_kernel.h"
 #include "render/lighting/tiled/tile_shading.h"
