@@ -55,7 +55,7 @@ float geometrySmith(float nDotL, float nDotV, float roughness) {
     return geometrySchlickGgx(nDotL, k) * geometrySchlickGgx(nDotV, k);
 }
 
-vec3 fresnelSchlick(float cosTheta, vec3 f0) { return f0 + (1.0 - f0) * pow(1.0 - cosTheta, 5.0); }
+vec3 fresnelSchlick(float cosTheta, vec3 f0) { return f0 + (1.0 - f0) * pow(clamp(1.0 - cosTheta, 0.0, 1.0), 5.0); }
 
 struct Surface {
     vec3 position, normal, color;
