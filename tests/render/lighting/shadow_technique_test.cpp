@@ -147,17 +147,7 @@ Scene room() {
 }
 
 std::vector<WorldLight> mixedLights(std::uint32_t count, float range) {
-    std::vector<WorldLight> lights;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const glm::vec3 position(10 * hashed(43, i) - 5, 8 * hashed(44, i) - 4, 12 * hashed(45, i) - 6);
-        const glm::vec3 intensity = glm::vec3(hashed(46, i), hashed(47, i), hashed(48, i)) + 0.1f;
-        if (i % 3 == 2) {
-            lights.push_back(spotLight(position, position + glm::vec3(hashed(49, i) - 0.5f, 0.2f, -1), range,
-                                       5.0f * intensity, 0.1f, 0.3f + hashed(50, i)));
-        } else {
-            lights.push_back(pointLight(position, range, intensity));
-        }
-    }
+    std::vector<WorldLight> lights = mixedLocalLights(count, range);
     lights.push_back(directionalLight(glm::normalize(glm::vec3(0.4f, -0.8f, -1)), {0.3f, 0.3f, 0.2f}));
     return lights;
 }

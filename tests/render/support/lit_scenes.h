@@ -4,6 +4,7 @@
 #include <candela/light.h>
 #include <candela/scene.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -36,5 +37,8 @@ LitScene orthographic();
 LitScene withFarPlane();
 
 std::vector<LitScene> litScenes();
+
+/// Point lights and spots in a box of 10 × 8 × 12 m around the origin.
+std::vector<WorldLight> mixedLocalLights(std::uint32_t count, float range);
 
 }  // namespace candela::test
