@@ -10,6 +10,7 @@
 #include <candela/context.h>
 #include <candela/default_lights.h>
 #include <candela/deformation.h>
+#include <candela/environment.h>
 #include <candela/error.h>
 #include <candela/exposure.h>
 #include <candela/frame_data.h>

@@ -103,6 +103,9 @@ struct FrameSettings {
     TileBackend tileBackend = TileBackend::automatic;  ///< Read for `tiles` only.
     Shadows shadows = Shadows::automatic;
     AmbientOcclusionSettings ambientOcclusion = {};  ///< Read for its AOV only.
+    /// The number of the frame among those that are averaged: what is sampled at random takes the sample of
+    /// this number.
+    std::uint32_t sample = 0;
 };
 
 }  // namespace candela

@@ -4,6 +4,7 @@
 #include <candela/cage.h>
 #include <candela/camera.h>
 #include <candela/deformation.h>
+#include <candela/environment.h>
 #include <candela/export.h>
 #include <candela/image.h>
 #include <candela/light.h>
@@ -14,6 +15,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace candela {
@@ -34,6 +36,7 @@ struct Scene {
     std::vector<Camera> cameras;
     std::vector<Light> lights;
     std::vector<Animation> animations;
+    std::optional<Environment> environment;  ///< None: no light from everywhere.
     glm::dvec3 origin{0.0};  ///< Metres, at most 1e9 along each axis; 0: world space is that of the file.
 };
 
