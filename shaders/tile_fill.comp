@@ -26,9 +26,9 @@ shared uint wideCount;
 
 ViewFrustum viewFrustum() {
     vec2 extent = vec2(frame.cameraRight.w, frame.cameraUp.w);
-    if (isOrthographic()) return ViewFrustum(frame.eye.w, 0.0, 0.0, 1.0, 1.0, extent.x, extent.y);
-    vec2 edgeScale = inversesqrt(1.0 + extent * extent);
-    return ViewFrustum(frame.eye.w, extent.x, extent.y, edgeScale.x, edgeScale.y, 0.0, 0.0);
+    vec2 shift = vec2(frame.rayStepX.w, frame.rayStepY.w);
+    if (isOrthographic()) return ViewFrustum(frame.eye.w, 0.0, 0.0, 1.0, 1.0, extent.x, extent.y, shift.x, shift.y);
+    return ViewFrustum(frame.eye.w, extent.x, extent.y, edgeScale(extent.x, shift.x), edgeScale(extent.y, shift.y), 0.0, 0.0, shift.x, shift.y);
 }
 
 TileGrid tileGrid() {

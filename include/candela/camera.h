@@ -3,6 +3,7 @@
 #include <candela/export.h>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -35,6 +36,9 @@ struct CameraView {
     std::optional<float> orthographicHeight = {};
     /// Metres, over the near plane: nothing beyond is drawn. None: at infinity.
     std::optional<float> farPlane = {};
+    /// Off-centre projection: how far right of and above the view axis the middle of the picture lies, in
+    /// units of the picture's width and height; finite. (0.5, 0) has the axis at the left edge.
+    glm::vec2 shift{0.0f};
 
     glm::vec3 eye() const { return glm::vec3(worldFromCamera[3]); }
 };

@@ -23,15 +23,16 @@ layout::FrameUniforms frameUniforms(const CameraView& view, int width, int heigh
                                                       : std::tan(0.5 * static_cast<double>(view.verticalFov));
     const double step = 2.0 * halfHeight / height;
     const glm::dvec3 middle = view.orthographicHeight ? glm::dvec3(0.0) : forward;
-    const glm::dvec3 corner =
-        middle + right * (step * (0.5 - 0.5 * width)) + up * (step * (0.5 - 0.5 * height));
+    const glm::dvec2 shift = glm::dvec2(view.shift) * glm::dvec2(width, height);
+    const glm::dvec3 corner = middle + right * (step * (0.5 - 0.5 * width + shift.x)) +
+                              up * (step * (0.5 - 0.5 * height + shift.y));
 
     layout::FrameUniforms frame{};
     frame.clipFromWorld = projection(view, aspect) * glm::inverse(view.worldFromCamera);
     frame.eye = glm::vec4(view.eye(), view.nearPlane);
     frame.rayCorner = glm::vec4(corner, 0.0);
-    frame.rayStepX = glm::vec4(right * step, 0.0);
-    frame.rayStepY = glm::vec4(up * step, 0.0);
+    frame.rayStepX = glm::vec4(right * step, view.shift.x);
+    frame.rayStepY = glm::vec4(up * step, view.shift.y);
     frame.cameraRight = glm::vec4(right, halfHeight * width / height);
     frame.cameraUp = glm::vec4(up, halfHeight);
     frame.cameraForward = glm::vec4(forward, 0.0);

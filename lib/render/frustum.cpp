@@ -28,7 +28,8 @@ Frustum::Frustum(const CameraView& view, float aspect)
       halfExtent_(view.orthographicHeight ? glm::vec2(0.0f)
                                           : std::tan(0.5f * view.verticalFov) * glm::vec2(aspect, 1.0f)),
       base_(0.5f * view.orthographicHeight.value_or(0.0f) * glm::vec2(aspect, 1.0f)),
-      edgeScale_(1.0f / glm::sqrt(1.0f + halfExtent_ * halfExtent_)) {}
+      shift_(view.shift),
+      edgeScale_(edgeScale(halfExtent_.x, shift_.x), edgeScale(halfExtent_.y, shift_.y)) {}
 
 glm::vec3 Frustum::inCameraSpace(const glm::vec3& position) const {
     const glm::vec3 way = position - eye_;
@@ -37,8 +38,8 @@ glm::vec3 Frustum::inCameraSpace(const glm::vec3& position) const {
 
 bool Frustum::meets(const glm::vec3& center, float radius) const {
     const glm::vec3 c = inCameraSpace(center);
-    const ViewFrustum frustum{near_,        halfExtent_.x, halfExtent_.y, edgeScale_.x,
-                              edgeScale_.y, base_.x,       base_.y};
+    const ViewFrustum frustum{near_,   halfExtent_.x, halfExtent_.y, edgeScale_.x, edgeScale_.y,
+                              base_.x, base_.y,       shift_.x,      shift_.y};
     return distanceToFrustum(frustum, c.x, c.y, c.z) <= radius;
 }
 
@@ -48,8 +49,8 @@ bool Frustum::meetsNearPlane(const glm::vec3& center, float radius) const {
 
 Frustum::Rectangle Frustum::projectedBounds(const glm::vec3& center, float radius) const {
     const glm::vec3 c = inCameraSpace(center);
-    const Span across = projectedSpan(c.x, c.z, radius, halfExtent_.x, base_.x);
-    const Span along = projectedSpan(c.y, c.z, radius, halfExtent_.y, base_.y);
+    const Span across = projectedSpan(c.x, c.z, radius, halfExtent_.x, base_.x, shift_.x);
+    const Span along = projectedSpan(c.y, c.z, radius, halfExtent_.y, base_.y, shift_.y);
     return {{across.first, along.first}, {across.last, along.last}};
 }
 

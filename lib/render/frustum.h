@@ -34,7 +34,8 @@ class Frustum {
     float near_;
     glm::vec2 halfExtent_;  ///< Of the picture at a depth of one metre; 0 in an orthographic view.
     glm::vec2 base_;        ///< Half of the picture in an orthographic view; 0 in a perspective one.
-    glm::vec2 edgeScale_;   ///< 1 / length of a side plane's unnormalised normal.
+    glm::vec2 shift_;       ///< `CameraView::shift`.
+    glm::vec2 edgeScale_;   ///< As in `ViewFrustum`.
 };
 
 }  // namespace candela

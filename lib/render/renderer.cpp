@@ -88,6 +88,10 @@ void checkView(const CameraView& view) {
         refuse("the view's verticalFov is " + std::to_string(view.verticalFov) +
                " radians; it has to be over 0 and under pi");
     }
+    if (!std::isfinite(view.shift.x) || !std::isfinite(view.shift.y)) {
+        refuse("the view's shift is (" + std::to_string(view.shift.x) + ", " + std::to_string(view.shift.y) +
+               "); it has to be finite");
+    }
     const bool orthographic = view.orthographicHeight.has_value();
     const auto isPositive = [](float number) { return number > 0.0f && std::isfinite(number); };
     if (orthographic && !isPositive(*view.orthographicHeight)) {

@@ -5,8 +5,8 @@ struct FrameUniforms {
     vec4 eye;  // w: distance of the near plane
     // Perspective: world direction, one metre deep, through the centre of pixel (0, 0). Orthographic: the way from the eye to that pixel.
     vec4 rayCorner;
-    vec4 rayStepX;     // added for each pixel to the right
-    vec4 rayStepY;     // added for each pixel up
+    vec4 rayStepX;     // added for each pixel to the right; w: CameraView::shift in x
+    vec4 rayStepY;     // added for each pixel up; w: CameraView::shift in y
     vec4 cameraRight;  // w: half the picture's width, in a perspective view one metre deep
     vec4 cameraUp;     // w: half its height
     vec4 cameraForward;

@@ -6,14 +6,22 @@
 struct ViewFrustum {
     float nearPlane;
     float halfWidth, halfHeight;   // of the picture at a depth of one metre; 0 in an orthographic view
-    float edgeScaleX, edgeScaleY;  // 1 / sqrt(1 + halfWidth²): 1 / length of a side plane's normal
+    float edgeScaleX, edgeScaleY;  // see edgeScale
     float baseWidth, baseHeight;   // half of the picture's width and height in an orthographic view; 0 in a perspective one
+    float shiftX, shiftY;          // CameraView::shift: of the picture's middle from the axis, in units of its width and height
 };
 
-// How far a point lies outside of the planes of the frustum, at most; negative inside. A sphere whose radius is less lies wholly outside.
+// 1 / length of the normal of the side plane that is farther from the axis. With a shift the distance to the opposite plane is underestimated.
+SHARED_FUNCTION float edgeScale(float halfExtent, float shift) {
+    float slope = halfExtent * (1.0f + 2.0f * (shift < 0.0f ? -shift : shift));
+    return 1.0f / sqrt(1.0f + slope * slope);
+}
+
+// How far a point lies outside of the planes of the frustum, or less than that; negative inside. A sphere whose radius is less lies wholly outside.
 SHARED_FUNCTION Real distanceToFrustum(ViewFrustum frustum, Real x, Real y, Real depth) {
-    Real beside = (abs(x) - frustum.baseWidth - depth * frustum.halfWidth) * frustum.edgeScaleX;
-    Real above = (abs(y) - frustum.baseHeight - depth * frustum.halfHeight) * frustum.edgeScaleY;
+    Real halfWidth = frustum.baseWidth + depth * frustum.halfWidth, halfHeight = frustum.baseHeight + depth * frustum.halfHeight;
+    Real beside = (abs(x - 2.0f * frustum.shiftX * halfWidth) - halfWidth) * frustum.edgeScaleX;
+    Real above = (abs(y - 2.0f * frustum.shiftY * halfHeight) - halfHeight) * frustum.edgeScaleY;
     return max(max(beside, above), frustum.nearPlane - depth);
 }
 
@@ -23,19 +31,20 @@ struct Span {
 };
 
 // The sphere lies wholly in front of the near plane. Tangent lines from the eye, after Mara and McGuire, "2D polyhedral bounds of a
-// clipped, perspective-projected 3D sphere", 2013. `side` is x or y, and `halfExtent` and `base` belong to it.
-SHARED_FUNCTION Span projectedSpan(float side, float depth, float radius, float halfExtent, float base) {
+// clipped, perspective-projected 3D sphere", 2013. `side` is x or y, and `halfExtent`, `base` and `shift` belong to it.
+SHARED_FUNCTION Span projectedSpan(float side, float depth, float radius, float halfExtent, float base, float shift) {
     Span span;
+    float axis = 0.5f - shift;
     if (base > 0.0f) {
-        span.first = 0.5f + 0.5f * (side - radius) / base;
-        span.last = 0.5f + 0.5f * (side + radius) / base;
+        span.first = axis + 0.5f * (side - radius) / base;
+        span.last = axis + 0.5f * (side + radius) / base;
         return span;
     }
     float radius2 = radius * radius;
     float reach = radius * sqrt(max(side * side + depth * depth - radius2, 0.0f));
     float scale = 0.5f / (halfExtent * (depth * depth - radius2));
-    span.first = 0.5f + (side * depth - reach) * scale;
-    span.last = 0.5f + (side * depth + reach) * scale;
+    span.first = axis + (side * depth - reach) * scale;
+    span.last = axis + (side * depth + reach) * scale;
     return span;
 }
 
@@ -63,8 +72,8 @@ SHARED_FUNCTION TileRange tilesUnder(TileGrid grid, ViewFrustum frustum, float x
     tiles.right = grid.columns - 1;
     tiles.top = grid.rows - 1;
     if (depth - radius <= frustum.nearPlane) return tiles;
-    Span across = projectedSpan(x, depth, radius, frustum.halfWidth, frustum.baseWidth);
-    Span along = projectedSpan(y, depth, radius, frustum.halfHeight, frustum.baseHeight);
+    Span across = projectedSpan(x, depth, radius, frustum.halfWidth, frustum.baseWidth, frustum.shiftX);
+    Span along = projectedSpan(y, depth, radius, frustum.halfHeight, frustum.baseHeight, frustum.shiftY);
     tiles.left = tileOf(across.first * float(grid.width) - 1.0f, grid.tileSize, grid.columns);
     tiles.right = tileOf(across.last * float(grid.width) + 1.0f, grid.tileSize, grid.columns);
     tiles.bottom = tileOf(along.first * float(grid.height) - 1.0f, grid.tileSize, grid.rows);

@@ -74,6 +74,8 @@ glm::mat4 orthographicProjection(const CameraView& view, float aspect) {
     clip[2][2] = static_cast<float>(1.0 / range);
     clip[3][2] = static_cast<float>(*view.farPlane / range);
     clip[3][3] = 1.0f;
+    clip[3][0] = -2.0f * view.shift.x;
+    clip[3][1] = -2.0f * view.shift.y;
     return clip;
 }
 
@@ -101,12 +103,17 @@ glm::mat4 projection(const CameraView& view, float aspect) {
     requireAspect(aspect);
     requireFov(view.verticalFov);
     requirePlanes(view);
+    const ErrorContext element("camera view");
+    element.requireFinite("its shift", glm::vec3(view.shift, 0.0f));
     if (view.orthographicHeight) return orthographicProjection(view, aspect);
     const double focal = 1.0 / std::tan(0.5 * view.verticalFov);
     glm::mat4 clip(0.0f);
     clip[0][0] = static_cast<float>(focal / aspect);
     clip[1][1] = static_cast<float>(focal);
     clip[2][3] = -1.0f;
+    // The way along the axis is -z.
+    clip[2][0] = 2.0f * view.shift.x;
+    clip[2][1] = 2.0f * view.shift.y;
     clip[3][2] = view.nearPlane;
     if (!view.farPlane) return clip;
     // Depth is (near / distance - near / far) / (1 - near / far).

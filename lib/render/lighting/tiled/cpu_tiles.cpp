@@ -93,8 +93,8 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     frame.depthRange = uniforms.depthRange.z;
     (frame.orthographic ? frame.base : frame.halfExtent)[0] = uniforms.cameraRight.w;
     (frame.orthographic ? frame.base : frame.halfExtent)[1] = uniforms.cameraUp.w;
-    for (int axis = 0; axis < 2; ++axis)
-        frame.edgeScale[axis] = 1.0f / std::sqrt(1.0f + frame.halfExtent[axis] * frame.halfExtent[axis]);
+    frame.shift[0] = uniforms.rayStepX.w;
+    frame.shift[1] = uniforms.rayStepY.w;
     frame.width = inputs.targets.width;
     frame.height = inputs.targets.height;
     frame.surfaces = surfaces_.data();

@@ -22,7 +22,7 @@ struct TileFrame {
     float eye[3], nearPlane;
     float rayCorner[3], rayStepX[3], rayStepY[3];  ///< As in `FrameUniforms`.
     float right[3], up[3], forward[3];             ///< Axes of the camera, world space.
-    float halfExtent[2], edgeScale[2], base[2];    ///< As in `ViewFrustum`.
+    float halfExtent[2], base[2], shift[2];        ///< As in `ViewFrustum`.
     bool orthographic;
     float nearOverFar,
         depthScale;   ///< Of a perspective view: near / far plane (0 without one), and 1 less that.

@@ -133,9 +133,15 @@ inline VisibleLight visibleLight(std::uint32_t index, const TileRange& tiles) {
 std::size_t cull(const TileFrame& frame, std::uint32_t first, std::uint32_t end, VisibleLight* out) {
     const TileGrid grid{frame.width, frame.height, tileSize, (frame.width + tileSize - 1) / tileSize,
                         (frame.height + tileSize - 1) / tileSize};
-    const ViewFrustum frustum{frame.nearPlane,    frame.halfExtent[0], frame.halfExtent[1],
-                              frame.edgeScale[0], frame.edgeScale[1],  frame.base[0],
-                              frame.base[1]};
+    const ViewFrustum frustum{frame.nearPlane,
+                              frame.halfExtent[0],
+                              frame.halfExtent[1],
+                              edgeScale(frame.halfExtent[0], frame.shift[0]),
+                              edgeScale(frame.halfExtent[1], frame.shift[1]),
+                              frame.base[0],
+                              frame.base[1],
+                              frame.shift[0],
+                              frame.shift[1]};
     std::size_t count = 0;
     for (std::uint32_t i = first; i < end; i += laneCount) {
         // The columns of `reach` end with padding, so that the last vector may read past the lights.
