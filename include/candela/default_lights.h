@@ -8,8 +8,8 @@
 
 namespace candela {
 
-/// Whether a scene brings light: a light of an intensity and a colour over 0, or a material that a node shows
-/// and that is unlit or emits. A material with an emission texture emits where more than half of the texture
+/// Whether a scene brings light: a light of an intensity and a colour over 0, an environment of an intensity
+/// over 0, or a material that a node shows and that is unlit or emits. A material with an emission texture emits where more than half of the texture
 /// is over black: few lamps or displays on an object do not light it.
 CANDELA_API bool hasLight(const Scene& scene);
 

@@ -138,7 +138,8 @@ CANDELA_API void scatterLights(Scene& scene, const LightScatter& scatter);
 ///  - the origin is finite and at most 1e9 m along each axis;
 ///  - as the nodes stand at time 0, their world matrices are finite, and posed meshes and cages, lights and
 ///    cameras stand within 1e9 m of the world's origin along each axis (matrices may be singular);
-///  - emission, and a light's intensity times its colour, are at most 1e20;
+///  - emission, a light's intensity times its colour, and an environment's times its radiance, are at most
+///    1e20;
 ///  - the values of animations, and morph weights, are at most 1e9;
 ///  - no face of a cage names a vertex twice, each crease of a cage is an edge of one of its faces, and faces
 ///    of a Loop cage are triangles; what else a subdivider may reject, `Subdivider::refine` tells;

@@ -73,6 +73,7 @@ constexpr std::array<RigLight, 3> rig{{
 
 bool hasLight(const Scene& scene) {
     if (std::ranges::any_of(scene.lights, shines)) return true;
+    if (scene.environment && scene.environment->intensity > 0.0f) return true;
     const std::vector<bool> shown = shownMaterials(scene);
     for (std::size_t i = 0; i < shown.size(); ++i) {
         if (shown[i] && emits(scene, scene.materials[i])) return true;

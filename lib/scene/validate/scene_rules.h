@@ -47,6 +47,7 @@ void validateSkin(const Skin& skin, const Scene& scene, const ErrorContext& elem
 void validateNode(const Node& node, std::size_t index, const Scene& scene, const ErrorContext& element);
 void validateCamera(const Camera& camera, const Scene& scene, const ErrorContext& element);
 void validateLight(const Light& light, const Scene& scene, const ErrorContext& element);
+void validateEnvironment(const Environment& environment);
 void validateAnimation(const Animation& animation, const Scene& scene, const ErrorContext& element);
 
 /// That the meshes and cages of all nodes fit the nodes' skins and morph weights. All of these have passed.

@@ -135,6 +135,7 @@ void validate(const Scene& scene) {
     for (std::size_t i = 0; i < scene.animations.size(); ++i) {
         validateAnimation(scene.animations[i], scene, ErrorContext("animation", i, scene.animations[i].name));
     }
+    if (scene.environment) validateEnvironment(*scene.environment);
     validatePositions(scene);
 }
 

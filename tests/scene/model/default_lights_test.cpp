@@ -119,6 +119,14 @@ TEST(HasLight, ByLights) {
     EXPECT_FALSE(hasLight(scene));
 }
 
+TEST(HasLight, ByAnEnvironment) {
+    Scene scene = sceneOf({});
+    scene.environment = studioEnvironment();
+    EXPECT_TRUE(hasLight(scene));
+    scene.environment->intensity = 0.0f;
+    EXPECT_FALSE(hasLight(scene));
+}
+
 TEST(HasLight, ByMaterialsThatAreShown) {
     EXPECT_TRUE(hasLight(sceneOf(emitting())));
     Material unlit;
