@@ -37,6 +37,9 @@ struct Texture {
 enum class AlphaMode {
     opaque,
     mask,  ///< A fragment whose alpha is below `alphaCutoff` is not drawn.
+    /// Lets 1 - alpha of each light through to what it shadows. It is drawn as `mask`: pictures have one
+    /// layer.
+    blend,
 };
 
 /// A metallic-roughness material as in glTF 2.0; each texture multiplies its factor. Colours are linear
@@ -56,7 +59,7 @@ struct Material {
     float normalScale = 1.0f;                ///< Multiplies x and y of the normal texture.
     float occlusionStrength = 1.0f;          ///< 0 to 1.
     AlphaMode alphaMode = AlphaMode::opaque;
-    float alphaCutoff = 0.5f;
+    float alphaCutoff = 0.5f;  ///< Of `mask` and `blend`; 0 or more.
     bool doubleSided = false;
     bool unlit = false;  ///< Radiance is the base colour, and no light falls on it (KHR_materials_unlit).
 };

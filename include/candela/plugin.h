@@ -14,7 +14,8 @@
  * other than CANDELA_OK has recorded its reason; the importer then returns CANDELA_FAILED. The host treats
  * the import as failed even if the importer goes on.
  *  - Members that came after version 1.0 say so. Before a plugin uses one of them, it checks that the host's
- * `struct_size` reaches behind it.
+ * `struct_size` reaches behind it. Before it uses a value of an enum that came later, it checks the minor
+ * number that `candela_plugin_query` was given.
  *  - Threads: the functions of the host are called on the thread that called the plugin, and not from a body
  * that `parallel_for` runs.
  *  - Units and conventions: metres, right-handed, +Y up, a camera or a spot looks along -Z of its node,
@@ -33,7 +34,7 @@ extern "C" {
 #endif
 
 #define CANDELA_PLUGIN_MAJOR 1u
-#define CANDELA_PLUGIN_MINOR 4u
+#define CANDELA_PLUGIN_MINOR 5u
 
 typedef enum candela_status { CANDELA_OK = 0, CANDELA_FAILED = 1 } candela_status;
 
@@ -83,7 +84,8 @@ typedef struct candela_texture {
 
 typedef enum candela_alpha_mode {
     CANDELA_ALPHA_OPAQUE = 0,
-    CANDELA_ALPHA_MASK = 1 /* a fragment whose alpha is below alpha_cutoff is not drawn */
+    CANDELA_ALPHA_MASK = 1, /* a fragment whose alpha is below alpha_cutoff is not drawn */
+    CANDELA_ALPHA_BLEND = 2 /* since 1.5; drawn as MASK, and lets 1 - alpha of each light through */
 } candela_alpha_mode;
 
 /* A metallic-roughness material as in glTF 2.0; each texture multiplies its factor. */

@@ -97,7 +97,7 @@ void takeTextures(const candela_material& source, const AbiReader& element, cons
 }  // namespace
 
 Material materialFrom(const candela_material& source, const AbiReader& element, const Scene& scene) {
-    constexpr std::array alphaModes{AlphaMode::opaque, AlphaMode::mask};
+    constexpr std::array alphaModes{AlphaMode::opaque, AlphaMode::mask, AlphaMode::blend};
     Material material;
     material.name = element.name();
     for (int i = 0; i < 4; ++i)

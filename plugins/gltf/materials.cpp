@@ -186,11 +186,12 @@ class MaterialReader {
     void readAlpha(const tinygltf::Material& source, candela_material& material) const {
         material.alpha_cutoff = 0.5f;
         if (source.alphaMode == "OPAQUE") return;
-        material.alpha_mode = CANDELA_ALPHA_MASK;
         if (source.alphaMode == "MASK") {
+            material.alpha_mode = CANDELA_ALPHA_MASK;
             material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
             return;
         }
+        material.alpha_mode = CANDELA_ALPHA_BLEND;
         // A pane with an alpha of 0.4 is drawn, and so is the opaque half of a leaf whose texture has an
         // alpha.
         const float alpha = material.base_color[3];

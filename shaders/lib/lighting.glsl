@@ -109,23 +109,27 @@ Receiver receiverAt(ivec2 at, PixelSurface pixel) {
 
 vec3 pointLight(Receiver receiver, LocalLight light, bool hasShadow) {
 #ifdef SHADOWS
-    if (hasShadow && isReached(receiver.point, light) && isHiddenFromPoint(receiver.rayEnd, light.position)) return vec3(0.0);
+    if (hasShadow && isReached(receiver.point, light)) light.intensity *= transmittanceFromPoint(receiver.rayEnd, light.position);
+    if (light.intensity == vec3(0.0)) return vec3(0.0);
 #endif
     return pointLightRadiance(BRDF, receiver.point, light);
 }
 
 vec3 spotLight(Receiver receiver, LocalLight light, LightCone cone, bool hasShadow) {
 #ifdef SHADOWS
-    if (hasShadow && isReached(receiver.point, light, cone) && isHiddenFromPoint(receiver.rayEnd, light.position)) return vec3(0.0);
+    if (hasShadow && isReached(receiver.point, light, cone)) light.intensity *= transmittanceFromPoint(receiver.rayEnd, light.position);
+    if (light.intensity == vec3(0.0)) return vec3(0.0);
 #endif
     return spotLightRadiance(BRDF, receiver.point, light, cone);
 }
 
 vec3 directionalLight(Receiver receiver, int index) {
     vec3 l = texelFetch(lightRecords, index * LIGHT_TEXELS).xyz;
+    vec3 irradiance = texelFetch(lightRecords, index * LIGHT_TEXELS + 1).rgb;
 #ifdef SHADOWS
-    if (castsShadow(index) && dot(receiver.point.normal, l) > 0.0 && isHiddenFromDirection(receiver.rayEnd, l)) return vec3(0.0);
+    if (castsShadow(index) && dot(receiver.point.normal, l) > 0.0) irradiance *= transmittanceFromDirection(receiver.rayEnd, l);
+    if (irradiance == vec3(0.0)) return vec3(0.0);
 #endif
-    return directionalLightRadiance(BRDF, receiver.point, l, texelFetch(lightRecords, index * LIGHT_TEXELS + 1).rgb);
+    return directionalLightRadiance(BRDF, receiver.point, l, irradiance);
 }
 #endif

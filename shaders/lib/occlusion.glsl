@@ -93,7 +93,7 @@ uint childOf(uint node, int lane) {
 
 // ---- Triangles
 
-bool passesCutout(uint cutout, vec3 weights) {
+float cutoutTransmittance(uint cutout, vec3 weights) {
     int texel = int(cutout) * OCCLUSION_CUTOUT_TEXELS;
     vec4 first = uintBitsToFloat(texelFetch(occlusionCutouts, texel));
     vec4 second = uintBitsToFloat(texelFetch(occlusionCutouts, texel + 1));
@@ -106,7 +106,7 @@ bool passesCutout(uint cutout, vec3 weights) {
                                                (image.w & OCCLUSION_NEAREST) != 0u);
         alpha *= sampleAlpha(int(image.x), sampling, uv);
     }
-    return alpha < third.y;
+    return alphaTransmittance(alpha, third.y, (image.w & OCCLUSION_BLENDS) != 0u);
 }
 
 vec3 sheared(OcclusionRay ray, uvec4 corner) {
@@ -123,7 +123,8 @@ float edgeFunction(vec3 a, vec3 b) {
     return difference;
 }
 
-bool meetsTriangle(OcclusionRay ray, uint triangle, float tMin, float tMax) {
+// The share of the ray that passes: 1 where it misses the triangle.
+float triangleTransmittance(OcclusionRay ray, uint triangle, float tMin, float tMax) {
     int texel = int(triangle) * OCCLUSION_TRIANGLE_TEXELS;
     uvec4 first = texelFetch(occlusionTriangles, texel);
     vec3 a = sheared(ray, first);
@@ -134,26 +135,27 @@ bool meetsTriangle(OcclusionRay ray, uint triangle, float tMin, float tMax) {
     float area = edges.x + edges.y + edges.z;
     float t = dot(edges, vec3(a.z, b.z, c.z)) / area;
     // An area of 0 makes t infinite or not a number.
-    if (outside || area == 0.0 || !(t > tMin && t < tMax)) return false;
-    return first.w == OCCLUSION_NONE || !passesCutout(first.w, edges / area);
+    if (outside || area == 0.0 || !(t > tMin && t < tMax)) return 1.0;
+    return first.w == OCCLUSION_NONE ? 0.0 : cutoutTransmittance(first.w, edges / area);
 }
 
-bool meetsLeaf(OcclusionRay ray, uint leaf, float tMin, float tMax) {
+float leafTransmittance(OcclusionRay ray, uint leaf, float tMin, float tMax) {
     uint triangle = leaf & OCCLUSION_LEAF_FIRST_MASK;
     uint end = triangle + (leaf >> OCCLUSION_LEAF_COUNT_SHIFT & 7u) + 1u;
-    for (; triangle < end; ++triangle) {
-        if (meetsTriangle(ray, triangle, tMin, tMax)) return true;
-    }
-    return false;
+    float passing = 1.0;
+    for (; triangle < end && passing > 0.0; ++triangle) passing *= triangleTransmittance(ray, triangle, tMin, tMax);
+    return passing;
 }
 
 // ---- The walk
 
-// Does the ray from + t way meet a triangle, of either side, for a t between tMin and tMax? tMin is 0 or more; the way has any length over 0.
-// A ray through the edge that two triangles of a mesh share meets one of them.
-bool isOccluded(vec3 from, vec3 way, float tMin, float tMax) {
+// The share of light that passes along the ray from + t way, for t between tMin and tMax: 0 where it meets an opaque triangle, of either side,
+// and the product of 1 - alpha over the blended ones that it meets. tMin is 0 or more; the way has any length over 0. A ray through the edge
+// that two triangles of a mesh share meets one of them at least.
+float transmittance(vec3 from, vec3 way, float tMin, float tMax) {
     uint root = texelFetch(occlusionInstances, 0).x;
-    if (root == OCCLUSION_NONE) return false;
+    if (root == OCCLUSION_NONE) return 1.0;
+    float passing = 1.0;
     OcclusionRay ray = occlusionRay(from, way);
     // Nodes with children that are still to be visited, as meetsChildren returns them: one a level of both trees at most.
     uint stack[2 * OCCLUSION_MAX_DEPTH];
@@ -162,7 +164,7 @@ bool isOccluded(vec3 from, vec3 way, float tMin, float tMax) {
     uint open = meetsChildren(ray, root, tMin, tMax);
     while (true) {
         if ((open & 255u) == 0u) {
-            if (height == 0) return false;
+            if (height == 0) return passing;
             if (height == instanceHeight) {
                 ray = occlusionRay(from, way);
                 instanceHeight = -1;
@@ -174,7 +176,8 @@ bool isOccluded(vec3 from, vec3 way, float tMin, float tMax) {
         open &= open - 1u;  // the lowest bit is that child
         bool isLeaf = (child & OCCLUSION_LEAF) != 0u;
         if (isLeaf && instanceHeight >= 0) {
-            if (meetsLeaf(ray, child, tMin, tMax)) return true;
+            passing *= leafTransmittance(ray, child, tMin, tMax);
+            if (passing == 0.0) return 0.0;
             continue;
         }
         uint node = child;
@@ -192,5 +195,5 @@ bool isOccluded(vec3 from, vec3 way, float tMin, float tMax) {
         if (isLeaf) instanceHeight = height;
         open = meetsChildren(ray, node, tMin, tMax);
     }
-    return false;
+    return passing;
 }

@@ -22,12 +22,13 @@ vec3 rayEndAt(ivec2 pixel, vec3 position) {
     return shadowRayEnd(position, wayToEye(position), surface.geometricNormal, surface.lift, pixelExtent(position));
 }
 
-bool isHiddenFromPoint(vec3 rayEnd, vec3 lightPosition) {
+// What passes of the light of a point or spot light, 0 to 1.
+float transmittanceFromPoint(vec3 rayEnd, vec3 lightPosition) {
     vec3 way = rayEnd - lightPosition;
-    return isOccluded(lightPosition, way, shadowRayStart(lightPosition, way), 1.0);
+    return transmittance(lightPosition, way, shadowRayStart(lightPosition, way), 1.0);
 }
 
-// `l` points to the light.
-bool isHiddenFromDirection(vec3 rayEnd, vec3 l) {
-    return isOccluded(rayEnd, l, 0.0, SHADOW_INFINITY);
+// Of a directional light, to which `l` points.
+float transmittanceFromDirection(vec3 rayEnd, vec3 l) {
+    return transmittance(rayEnd, l, 0.0, SHADOW_INFINITY);
 }

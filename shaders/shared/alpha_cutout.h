@@ -1,4 +1,4 @@
-// Whether a ray passes through a triangle of an alpha-masked material: read by GLSL, where rays are traced in shaders, and by C++ over GLM's
+// What passes through a triangle of a material that masks or blends by alpha: read by GLSL, where rays are traced in shaders, and by C++ over GLM's
 // vectors. The includer defines
 //   SHARED_FUNCTION  what C++ puts before a function; nothing in GLSL
 //   AlphaTexels      an image, and float alphaTexel(AlphaTexels texels, int index): the alpha of a texel of it, row × width + column
@@ -46,4 +46,13 @@ SHARED_FUNCTION float sampleAlpha(AlphaTexels texels, AlphaSampling sampling, ve
     float c = alphaAt(texels, sampling, x, y + 1), d = alphaAt(texels, sampling, x + 1, y + 1);
     float above = a + (b - a) * toRight, below = c + (d - c) * toRight;
     return above + (below - above) * down;
+}
+
+// More than interpolation rounds an alpha of 1.
+const float ALPHA_ROUNDING = 1.0e-5f;
+
+// The share of a ray that passes where the alpha is `alpha`.
+SHARED_FUNCTION float alphaTransmittance(float alpha, float cutoff, bool blends) {
+    if (!blends) return alpha < cutoff ? 1.0f : 0.0f;
+    return alpha > 1.0f - ALPHA_ROUNDING ? 0.0f : 1.0f - max(alpha, 0.0f);
 }

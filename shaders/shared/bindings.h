@@ -23,7 +23,7 @@ const int ALBEDO_UNIT = 4;   // R32F: directional albedo table of the gltf model
 const int OCCLUSION_NODES_UNIT = 8;      // RGBA32UI buffer: OCCLUSION_NODE_TEXELS a node
 const int OCCLUSION_TRIANGLES_UNIT = 9;  // RGBA32UI buffer: OCCLUSION_TRIANGLE_TEXELS a triangle
 const int OCCLUSION_INSTANCES_UNIT = 10; // RGBA32UI buffer: a texel, then OCCLUSION_INSTANCE_TEXELS an instance
-const int OCCLUSION_CUTOUTS_UNIT = 11;   // RGBA32UI buffer: OCCLUSION_CUTOUT_TEXELS an alpha-masked triangle
+const int OCCLUSION_CUTOUTS_UNIT = 11;   // RGBA32UI buffer: OCCLUSION_CUTOUT_TEXELS a triangle that masks or blends by alpha
 const int OCCLUSION_ALPHAS_UNIT = 12;    // R32UI buffer: images of alpha, four texels a word
 
 // Texture units of the display pass; look-up textures of the display transform follow.
@@ -116,6 +116,7 @@ const uint OCCLUSION_LEAF_FIRST_MASK = 0x0fffffffu;
 const int OCCLUSION_MAX_DEPTH = 24;        // nodes on the longest way through one tree
 const int OCCLUSION_WRAP_T_SHIFT = 2;      // in the flags, after wrapS
 const uint OCCLUSION_NEAREST = 16u;
+const uint OCCLUSION_BLENDS = 32u;
 
 // Texels of a material's record.
 const int MATERIAL_BASE_COLOR = 0;  // base colour factor and alpha

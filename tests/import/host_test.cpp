@@ -72,7 +72,7 @@ const InvalidCase invalidMaterials[] = {
      "material 0 'paint': base_color_texture.mag_filter is 3, but 0 to 2 was expected"},
     {"material-texture-scale",
      "material 0 'paint': base_color_texture.scale is nan, but a finite number was expected"},
-    {"material-alpha-mode", "material 0 'paint': alpha_mode is 2, but 0 to 1 was expected"},
+    {"material-alpha-mode", "material 0 'paint': alpha_mode is 3, but 0 to 2 was expected"},
     {"material-unlit", "material 0 'paint': unlit is 7, but 0 or 1 was expected"},
 };
 INSTANTIATE_TEST_SUITE_P(Materials, HostRefuses, testing::ValuesIn(invalidMaterials), nameOf);

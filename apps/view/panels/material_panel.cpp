@@ -99,7 +99,7 @@ bool editNumbers(candela::Material& material) {
     if (changed) material.baseColor = glm::vec4(color, material.baseColor.a);
     changed = slideNumber("metallic", material.metallic, {}) || changed;
     changed = slideNumber("roughness", material.roughness, {}) || changed;
-    if (material.alphaMode == candela::AlphaMode::mask)
+    if (material.alphaMode != candela::AlphaMode::opaque)
         changed = slideNumber("alpha cutoff", material.alphaCutoff, {}) || changed;
     if (material.normalTexture)
         changed = dragNumber("normal scale", material.normalScale, {.min = -16.0f, .max = 16.0f}) || changed;

@@ -38,7 +38,8 @@ void writeRecord(std::span<glm::uvec4> record, const Material& material,
                  const glm::dmat3& workingFromRec709) {
     const glm::vec3 working(workingFromRec709 * glm::dvec3(material.baseColor));
     const GBufferTexel packed = packSurface({.lobes = {working, material.metallic, material.roughness}});
-    const float cutoff = material.alphaMode == AlphaMode::mask ? material.alphaCutoff - alphaRounding : -1.0f;
+    const float cutoff =
+        material.alphaMode == AlphaMode::opaque ? -1.0f : material.alphaCutoff - alphaRounding;
     // Without a normal texture the scale is 0: the default texel can not hold (0, 0, 1) exactly.
     const float normalScale = material.normalTexture ? material.normalScale : 0.0f;
     record[layout::MATERIAL_BASE_COLOR] = bits(material.baseColor);

@@ -193,9 +193,9 @@ void GpuScene::State::setMaterial(std::uint32_t index, const Material& material)
     std::optional<gl::StateGuard> pixelStorage;
     if (hasTextures(material)) pixelStorage.emplace(*binding, "a GpuScene");
     draws.setMaterial(index, material, images);
-    const bool masks =
-        material.alphaMode == AlphaMode::mask || sceneState.materials[index].alphaMode == AlphaMode::mask;
-    if (masks) ++maskVersion;
+    const bool readsAlpha =
+        material.alphaMode != AlphaMode::opaque || sceneState.materials[index].alphaMode != AlphaMode::opaque;
+    if (readsAlpha) ++alphaVersion;
     sceneState.materials[index] = material;
     materials.set(index, material);
     cages.setMaterial(index, material);

@@ -78,7 +78,7 @@ struct GpuScene::State {
     std::uint64_t triangles = 0;
     /// Created by the first frame with shadows.
     std::unique_ptr<OcclusionScene> occlusion;
-    std::uint64_t maskVersion = 1;  ///< Grows when a material that masks by alpha changes.
+    std::uint64_t alphaVersion = 1;  ///< Grows when a material that masks or blends by alpha changes.
 
     NodeTransforms transforms;
     GpuMeshes meshes;

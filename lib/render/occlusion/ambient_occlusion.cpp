@@ -9,7 +9,6 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -88,11 +87,13 @@ class Sampler {
         if (inputs_.surfaces[i].y == 0) return 0.0f;
         const Hemisphere hemisphere = hemisphereAt(i, x, y);
         const auto rays = static_cast<std::uint32_t>(onCircle_.size());
-        std::uint32_t blocked = 0;
-        for (std::uint32_t first = 0; first < rays; first += RayPacket::size)
-            blocked += static_cast<std::uint32_t>(
-                std::popcount(inputs_.occluders.trace(inputs_.occluders.rays, packetOf(hemisphere, first))));
-        return 1.0f - static_cast<float>(blocked) / static_cast<float>(rays);
+        float blocked = 0.0f;
+        for (std::uint32_t first = 0; first < rays; first += RayPacket::size) {
+            float passing[RayPacket::size];
+            inputs_.occluders.trace(inputs_.occluders.rays, packetOf(hemisphere, first), passing);
+            for (const float share : passing) blocked += 1.0f - share;
+        }
+        return 1.0f - blocked / static_cast<float>(rays);
     }
 
   private:

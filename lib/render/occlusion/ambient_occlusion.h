@@ -23,8 +23,8 @@ struct AmbientOcclusionInputs {
 };
 
 /// At each pixel the share of the hemisphere around the shading normal, weighted by the cosine to it, in
-/// which no occluder is nearer than `settings.distance`; 0 on the background and on unlit surfaces. Runs on
-/// all threads of the library; the result depends on their number in no bit.
+/// which no occluder is nearer than `settings.distance`, blended ones by 1 - alpha; 0 on the background and
+/// on unlit surfaces. Runs on all threads of the library; the result depends on their number in no bit.
 ///
 /// The directions are a Hammersley set of points, uniform in the unit disc and lifted to the hemisphere,
 /// which makes their density proportional to the cosine (Malley's method: Pharr, Jakob and Humphreys,

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -53,15 +54,25 @@ struct InstanceEntry {
     bool enabled = true;
 };
 
-/// The rays of a packet to which the mesh's cut-out shows a hole go on.
-void passThroughHoles(const RTCFilterFunctionNArguments* arguments) {
+/// What Embree hands on to the filter function.
+struct TraceContext {
+    RTCIntersectContext base;  ///< The first member: Embree gives its address.
+    float* transmittance;      ///< One a ray, by its id.
+};
+
+/// The rays of a packet of which the mesh's cut-out lets a part through go on, with that part.
+void passThrough(const RTCFilterFunctionNArguments* arguments) {
     const auto& mesh = *static_cast<const OcclusionMesh*>(arguments->geometryUserPtr);
     for (unsigned i = 0; i < arguments->N; ++i) {
         if (arguments->valid[i] != -1) continue;
         const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, i);
         const float u = RTCHitN_u(arguments->hit, arguments->N, i),
                     v = RTCHitN_v(arguments->hit, arguments->N, i);
-        if (isCutOut(mesh, triangle, {1.0f - u - v, u, v})) arguments->valid[i] = 0;
+        const float passing = transmittance(mesh, triangle, {1.0f - u - v, u, v});
+        if (passing == 0.0f) continue;
+        arguments->valid[i] = 0;
+        const auto* context = reinterpret_cast<const TraceContext*>(arguments->context);
+        context->transmittance[RTCRayN_id(arguments->ray, arguments->N, i)] *= passing;
     }
 }
 
@@ -139,7 +150,7 @@ struct EmbreeScene::State {
         if (mesh.opaqueCount() > 0) tree.opaque = makeTriangles(mesh, triangles.first(mesh.opaqueCount()));
         if (!mesh.cutouts.empty()) {
             tree.cutouts = makeTriangles(mesh, triangles.subspan(mesh.opaqueCount()));
-            rtcSetGeometryOccludedFilterFunction(tree.cutouts.get(), passThroughHoles);
+            rtcSetGeometryOccludedFilterFunction(tree.cutouts.get(), passThrough);
         }
         for (const Geometry3* geometry : {&tree.opaque, &tree.cutouts}) {
             if (!*geometry) continue;
@@ -236,7 +247,7 @@ std::uint64_t EmbreeScene::bytes() const {
     return static_cast<std::uint64_t>(std::max<std::int64_t>(state_->bytes.load(), 0));
 }
 
-std::uint32_t EmbreeScene::trace(const RayPacket& packet) const {
+std::uint32_t EmbreeScene::trace(const RayPacket& packet, float* transmittance) const {
     static_assert(RayPacket::size == 16);
     RTCRay16 rays;
     static_assert(sizeof rays.org_x == sizeof packet.origin[0]);
@@ -250,23 +261,27 @@ std::uint32_t EmbreeScene::trace(const RayPacket& packet) const {
     std::memcpy(rays.tfar, packet.tMax, sizeof rays.tfar);
     std::fill_n(rays.time, 16, 0.0f);
     std::fill_n(rays.mask, 16, ~0u);
-    std::fill_n(rays.id, 16, 0u);
+    std::iota(rays.id, rays.id + 16, 0u);
     std::fill_n(rays.flags, 16, 0u);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    std::fill_n(transmittance, 16, 1.0f);
+    TraceContext context{{}, transmittance};
+    rtcInitIntersectContext(&context.base);
     // Not RTC_INTERSECT_CONTEXT_FLAG_COHERENT: with AVX-512, the compiled packet traversal of Debian's Embree
     // 3.13.5 stores a mask of 16 bits where it reads 64, and at times never ends.
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    context.base.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     const FlushDenormals flush;
-    rtcOccluded16(packet.active, state_->top.get(), &context, &rays);
-    std::uint32_t hit = 0;
-    // A ray that meets something ends at minus infinity.
-    for (int i = 0; i < 16; ++i) hit |= (packet.active[i] != 0 && rays.tfar[i] < 0.0f ? 1u : 0u) << i;
-    return hit;
+    rtcOccluded16(packet.active, state_->top.get(), &context.base, &rays);
+    std::uint32_t hidden = 0;
+    for (int i = 0; i < 16; ++i) {
+        // A ray that meets something opaque ends at minus infinity.
+        if (packet.active[i] != 0 && rays.tfar[i] < 0.0f) transmittance[i] = 0.0f;
+        hidden |= (transmittance[i] == 0.0f ? 1u : 0u) << i;
+    }
+    return hidden;
 }
 
-std::uint32_t EmbreeScene::tracePacket(const void* scene, const RayPacket& packet) {
-    return static_cast<const EmbreeScene*>(scene)->trace(packet);
+std::uint32_t EmbreeScene::tracePacket(const void* scene, const RayPacket& packet, float* transmittance) {
+    return static_cast<const EmbreeScene*>(scene)->trace(packet, transmittance);
 }
 
 }  // namespace candela

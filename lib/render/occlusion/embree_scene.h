@@ -31,11 +31,10 @@ class EmbreeScene {
     /// Memory of all trees, bytes.
     std::uint64_t bytes() const;
 
-    /// Sets bit i of the result where the active ray i meets a triangle. Any thread may call it between two
-    /// commits.
-    std::uint32_t trace(const RayPacket& packet) const;
+    /// See `TracePacket`. Any thread may call it between two commits.
+    std::uint32_t trace(const RayPacket& packet, float* transmittance) const;
     /// `trace` for `TracePacket`.
-    static std::uint32_t tracePacket(const void* scene, const RayPacket& packet);
+    static std::uint32_t tracePacket(const void* scene, const RayPacket& packet, float* transmittance);
 
   private:
     struct State;

@@ -234,7 +234,8 @@ void GpuOcclusion::writeCutouts(const Mesh& mesh, const OcclusionMesh& from) {
         record[2] = {bits(cutout.alpha[2]), bits(cutout.cutoff), 0, 0};
         const auto flags = static_cast<std::uint32_t>(cutout.wrapS) |
                            static_cast<std::uint32_t>(cutout.wrapT) << layout::OCCLUSION_WRAP_T_SHIFT |
-                           (cutout.nearest ? layout::OCCLUSION_NEAREST : 0u);
+                           (cutout.nearest ? layout::OCCLUSION_NEAREST : 0u) |
+                           (cutout.blends ? layout::OCCLUSION_BLENDS : 0u);
         record[3] = {layout::OCCLUSION_NONE, 1, 1, flags};
         if (cutout.image == CutoutTriangle::noImage) continue;
         const AlphaImage& image = *from.images[cutout.image];

@@ -12,9 +12,9 @@ namespace candela {
 
 namespace {
 
-bool isMasked(const GpuScene::State& scene, const DrawnPart& part) {
+bool readsAlpha(const GpuScene::State& scene, const DrawnPart& part) {
     return part.material < scene.sceneState.materials.size() &&
-           scene.sceneState.materials[part.material].alphaMode == AlphaMode::mask;
+           scene.sceneState.materials[part.material].alphaMode != AlphaMode::opaque;
 }
 
 AlphaWrap alphaWrap(Wrap wrap) {
@@ -71,6 +71,7 @@ class CutoutMaker {
         const std::span<const glm::uvec4> record = scene.materials.record(materialIndex);
         factor_ = material.baseColor.a;
         triangle_.cutoff = std::bit_cast<float>(record[layout::MATERIAL_FACTORS].w);
+        triangle_.blends = material.alphaMode == AlphaMode::blend;
         for (int row = 0; row < 2; ++row) {
             const glm::uvec4& words = record[static_cast<std::size_t>(layout::MATERIAL_UV_ROWS + row)];
             rows_[row] = {std::bit_cast<float>(words.x), std::bit_cast<float>(words.y),
@@ -110,9 +111,9 @@ class CutoutMaker {
 
 }  // namespace
 
-bool hasMaskedPart(const GpuScene::State& scene, std::uint32_t instance) {
+bool hasAlphaPart(const GpuScene::State& scene, std::uint32_t instance) {
     return std::ranges::any_of(scene.draws.partsOf(instance),
-                               [&](const DrawnPart& part) { return isMasked(scene, part); });
+                               [&](const DrawnPart& part) { return readsAlpha(scene, part); });
 }
 
 OcclusionMesh readOcclusionMesh(const GpuScene::State& scene, std::uint32_t instance, AlphaImages& images) {
@@ -120,14 +121,15 @@ OcclusionMesh readOcclusionMesh(const GpuScene::State& scene, std::uint32_t inst
     OcclusionMesh mesh;
     mesh.positions = source.positions();
     std::vector<DrawnPart> parts = scene.draws.partsOf(instance);
-    const auto masked =
-        std::ranges::stable_partition(parts, [&](const DrawnPart& part) { return !isMasked(scene, part); });
-    const std::vector<GpuMeshes::AlphaVertex> vertices =
-        masked.empty() ? std::vector<GpuMeshes::AlphaVertex>{} : source.alphaVertices(mesh.positions.size());
+    const auto withAlpha =
+        std::ranges::stable_partition(parts, [&](const DrawnPart& part) { return !readsAlpha(scene, part); });
+    const std::vector<GpuMeshes::AlphaVertex> vertices = withAlpha.empty()
+                                                             ? std::vector<GpuMeshes::AlphaVertex>{}
+                                                             : source.alphaVertices(mesh.positions.size());
     for (auto part = parts.begin(); part != parts.end(); ++part) {
         const std::vector<glm::uvec3> triangles = trianglesOf(source.indices(part->indices));
         mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
-        if (part < masked.begin()) continue;
+        if (part < withAlpha.begin()) continue;
         const CutoutMaker maker(scene, part->material, mesh, images);
         for (const glm::uvec3& corners : triangles) mesh.cutouts.push_back(maker.make(corners, vertices));
     }

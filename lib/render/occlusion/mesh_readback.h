@@ -16,7 +16,7 @@ using AlphaImages = std::map<std::uint32_t, std::shared_ptr<const AlphaImage>>;
 /// read.
 OcclusionMesh readOcclusionMesh(const GpuScene::State& scene, std::uint32_t instance, AlphaImages& images);
 
-/// Has a part of what the instance draws an alpha-masked material?
-bool hasMaskedPart(const GpuScene::State& scene, std::uint32_t instance);
+/// Has a part of what the instance draws a material that masks or blends by alpha?
+bool hasAlphaPart(const GpuScene::State& scene, std::uint32_t instance);
 
 }  // namespace candela

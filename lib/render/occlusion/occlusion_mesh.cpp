@@ -38,7 +38,7 @@ static_assert(ALPHA_REPEAT == uint(AlphaWrap::repeat) && ALPHA_CLAMP == uint(Alp
 
 }  // namespace
 
-bool isCutOut(const OcclusionMesh& mesh, std::uint32_t cutout, const glm::vec3& weights) {
+float transmittance(const OcclusionMesh& mesh, std::uint32_t cutout, const glm::vec3& weights) {
     const CutoutTriangle& triangle = mesh.cutouts[cutout];
     float alpha =
         weights.x * triangle.alpha[0] + weights.y * triangle.alpha[1] + weights.z * triangle.alpha[2];
@@ -51,7 +51,7 @@ bool isCutOut(const OcclusionMesh& mesh, std::uint32_t cutout, const glm::vec3& 
                                              static_cast<std::uint32_t>(triangle.wrapT), triangle.nearest};
         alpha *= shared::sampleAlpha(image, sampling, uv);
     }
-    return alpha < triangle.cutoff;
+    return shared::alphaTransmittance(alpha, triangle.cutoff, triangle.blends);
 }
 
 std::size_t OcclusionMesh::bytes() const {

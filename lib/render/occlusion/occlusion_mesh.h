@@ -20,8 +20,8 @@ struct AlphaImage {
 /// Where a coordinate outside of 0 to 1 reads an image.
 enum class AlphaWrap : std::uint32_t { repeat, clampToEdge, mirroredRepeat };
 
-/// A triangle of an alpha-masked material: a ray passes where the alpha is below the cutoff, as fragments of
-/// the geometry pass are discarded there.
+/// A triangle of a material that masks or blends. Through a mask a ray passes where the alpha is below the
+/// cutoff, as fragments of the geometry pass are discarded there; what blends lets 1 - alpha of it through.
 struct CutoutTriangle {
     glm::vec2 uv[3];          ///< With the texture's coordinate transform applied.
     float alpha[3];           ///< The material's factor times the vertex colour's.
@@ -29,6 +29,7 @@ struct CutoutTriangle {
     std::uint32_t image = 0;  ///< Index into the images of the mesh; `noImage`: alpha 1.
     AlphaWrap wrapS = AlphaWrap::repeat, wrapT = AlphaWrap::repeat;
     bool nearest = false;  ///< No interpolation between texels.
+    bool blends = false;   ///< The cutoff is not read.
 
     static constexpr std::uint32_t noImage = 0xffffffffu;
 };
@@ -45,10 +46,10 @@ struct OcclusionMesh {
     std::size_t bytes() const;
 };
 
-/// Does a ray pass through a cut-out triangle of the mesh, `cutouts[cutout]`, at the point that `weights` of
-/// its corners give? The sum of the weights is 1. Shaders compute the same with the same arithmetic
-/// (shaders/shared/alpha_cutout.h).
-bool isCutOut(const OcclusionMesh& mesh, std::uint32_t cutout, const glm::vec3& weights);
+/// The share of a ray, 0 to 1, that passes through a triangle of the mesh, `cutouts[cutout]`, at the point
+/// that `weights` of its corners give. The sum of the weights is 1. Shaders compute the same with the same
+/// arithmetic (shaders/shared/alpha_cutout.h).
+float transmittance(const OcclusionMesh& mesh, std::uint32_t cutout, const glm::vec3& weights);
 
 /// A mesh at a place of the world.
 struct OcclusionInstance {

@@ -111,11 +111,11 @@ void OcclusionScene::updateMeshes(const GpuScene::State& scene) {
         MeshEntry& mesh = meshes_[i];
         const std::uint64_t version = versionOf(scene, mesh.geometry);
         bool stale = mesh.version != version;
-        if (mesh.maskVersion != scene.maskVersion) {
-            const bool masked = hasMaskedPart(scene, mesh.instance);
-            stale = stale || masked || mesh.isMasked;
-            mesh.isMasked = masked;
-            mesh.maskVersion = scene.maskVersion;
+        if (mesh.alphaVersion != scene.alphaVersion) {
+            const bool readsAlpha = hasAlphaPart(scene, mesh.instance);
+            stale = stale || readsAlpha || mesh.readsAlpha;
+            mesh.readsAlpha = readsAlpha;
+            mesh.alphaVersion = scene.alphaVersion;
         }
         if (!stale) continue;
         mesh.version = version;
@@ -137,6 +137,7 @@ void OcclusionScene::build(const GpuScene::State& scene, std::uint32_t index) {
         entry.tree = buildWideTree(triangles);
     }
     fillTriangleBlocks(entry.tree, triangles, entry.blocks);
+    entry.blends = std::ranges::any_of(mesh->cutouts, &CutoutTriangle::blends);
     entry.mesh = mesh;
     entry.isNewToShaders = true;
     embree_.setMesh(index, mesh);
@@ -162,6 +163,7 @@ void OcclusionScene::updateView() {
     top_ = buildWideTree(boxes, 1);
     instancesAreNewToShaders_ = true;
     instanceViews_.clear();
+    bool blends = false;
     for (const WideTree::Leaf& leaf : top_.leaves) {
         const InstanceEntry& instance = instances_[top_.primitives[leaf.first]];
         const MeshEntry& mesh = meshes_[instance.mesh];
@@ -170,9 +172,10 @@ void OcclusionScene::updateView() {
         view.nodes = mesh.tree.nodes.data();
         view.blocks = mesh.blocks.data();
         view.opaqueCount = static_cast<std::uint32_t>(mesh.mesh->opaqueCount());
+        blends = blends || mesh.blends;
     }
     view_ = {top_.empty() ? nullptr : top_.nodes.data(), instanceViews_.data(), &embree_,
-             EmbreeScene::tracePacket};
+             EmbreeScene::tracePacket, blends};
 }
 
 void OcclusionScene::updateShaderForm() {

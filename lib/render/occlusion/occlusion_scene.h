@@ -43,11 +43,12 @@ class OcclusionScene {
     /// What instances share: a mesh of the scene, a deformed mesh or a limit surface.
     struct MeshEntry {
         DrawGeometry geometry;
-        std::uint32_t instance = 0;     ///< One that shows it.
-        std::uint64_t version = 0;      ///< Of the vertices.
-        std::uint64_t maskVersion = 0;  ///< Of the materials that mask.
-        bool isMasked = false;          ///< A part has such a material.
-        bool isNewToShaders = true;     ///< Has changed since `updateShaderForm`.
+        std::uint32_t instance = 0;      ///< One that shows it.
+        std::uint64_t version = 0;       ///< Of the vertices.
+        std::uint64_t alphaVersion = 0;  ///< Of the materials that mask or blend.
+        bool readsAlpha = false;         ///< A part has such a material.
+        bool blends = false;             ///< A part has one that blends.
+        bool isNewToShaders = true;      ///< Has changed since `updateShaderForm`.
         double buildMilliseconds = 0.0;
         std::shared_ptr<const OcclusionMesh> mesh;
         WideTree tree;

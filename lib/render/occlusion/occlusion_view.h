@@ -15,7 +15,7 @@ struct OcclusionInstanceView {
     float localFromWorld[12];     ///< Three rows of four.
     const WideNode* nodes;        ///< Of its mesh; the first is the root.
     const TriangleBlock* blocks;  ///< One for each leaf.
-    std::uint32_t opaqueCount;    ///< Triangles from here on are alpha-masked.
+    std::uint32_t opaqueCount;    ///< Triangles from here on mask or blend by alpha.
 };
 
 /// Instances that may hide one light from a box of pixels.
@@ -32,6 +32,7 @@ struct OcclusionView {
     const OcclusionInstanceView* instances;
     const void* rays;  ///< What `trace` takes.
     TracePacket trace;
+    bool blends;  ///< An instance lets a part of the light through.
 };
 
 }  // namespace candela

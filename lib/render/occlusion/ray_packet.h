@@ -14,7 +14,9 @@ struct alignas(64) RayPacket {
     std::int32_t active[size];     ///< -1: the ray is traced; 0: it is not.
 };
 
-/// Sets bit i of the result where the active ray i meets something.
-using TracePacket = std::uint32_t (*)(const void* structure, const RayPacket& packet);
+/// Fills `transmittance`, a number a ray: the share of light that passes along the active ray i, which is 1
+/// where it meets nothing, 0 where it meets something opaque, and the product of 1 - alpha over the blended
+/// surfaces that it meets; 1 for other rays. Sets bit i of the result where that is 0.
+using TracePacket = std::uint32_t (*)(const void* structure, const RayPacket& packet, float* transmittance);
 
 }  // namespace candela

@@ -28,7 +28,7 @@ void EmbreeScene::commit() {}
 std::uint64_t EmbreeScene::bytes() const {
     return 0;
 }
-std::uint32_t EmbreeScene::tracePacket(const void*, const RayPacket&) {
+std::uint32_t EmbreeScene::tracePacket(const void*, const RayPacket&, float*) {
     return 0;
 }
 

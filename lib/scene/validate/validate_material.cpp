@@ -71,8 +71,9 @@ void validateMaterial(const Material& material, const Scene& scene, const ErrorC
     }
     element.require(std::isfinite(material.normalScale), "its normal scale must be a finite number");
     element.requireWithin("its occlusion strength", material.occlusionStrength, 0.0f, 1.0f);
-    element.require(material.alphaMode == AlphaMode::opaque || material.alphaMode == AlphaMode::mask,
-                    "its alpha mode must be opaque or mask");
+    element.require(material.alphaMode == AlphaMode::opaque || material.alphaMode == AlphaMode::mask ||
+                        material.alphaMode == AlphaMode::blend,
+                    "its alpha mode must be opaque, mask or blend");
     element.require(material.alphaCutoff >= 0.0f && std::isfinite(material.alphaCutoff),
                     "its alpha cutoff must be a finite number, 0 or more");
     validateTexture(material.baseColorTexture, "base colour", scene, element);

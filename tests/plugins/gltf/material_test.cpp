@@ -130,9 +130,9 @@ TEST(Material, unlit) {
     EXPECT_TRUE(materialOf(R"({"extensions":{"KHR_materials_unlit":{}}})").unlit);
 }
 
-TEST(Material, blendIsMaskedAndNoted) {
+TEST(Material, blendIsDrawnAsAMaskAndNoted) {
     const candela::ImportedScene imported = loadMaterial(R"({"name":"glass","alphaMode":"BLEND"})");
-    EXPECT_EQ(imported.scene.materials.at(0).alphaMode, candela::AlphaMode::mask);
+    EXPECT_EQ(imported.scene.materials.at(0).alphaMode, candela::AlphaMode::blend);
     EXPECT_EQ(imported.scene.materials.at(0).alphaCutoff, 0.5f);
     EXPECT_TRUE(hasNote(imported, "material 0 'glass': alphaMode BLEND"));
 }

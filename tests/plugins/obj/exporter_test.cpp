@@ -111,7 +111,7 @@ TEST(ObjExporter, AMapOfOpacityThatIsTheColorMeansItsAlpha) {
     EXPECT_EQ(opaque.scene.materials.at(0).alphaMode, candela::AlphaMode::opaque);
     EXPECT_TRUE(opaque.report.notes.empty());
     EXPECT_EQ(loadMaterial("map_Kd alpha.png\nmap_d alpha.png\n").scene.materials.at(0).alphaMode,
-              candela::AlphaMode::mask);
+              candela::AlphaMode::blend);
 }
 
 TEST(ObjExporter, ABumpMapOfNormalsIsANormalMap) {

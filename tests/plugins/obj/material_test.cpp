@@ -62,12 +62,12 @@ TEST(ObjMaterial, roughnessFromASpecularExponent) {
     EXPECT_FLOAT_EQ(material("Ns 510\n").roughness, 0.25f);
 }
 
-TEST(ObjMaterial, opacityBecomesAMask) {
+TEST(ObjMaterial, opacityBlends) {
     for (const char* statement : {"d 0.25\n", "Tr 0.75\n", "Tr 0.1\nd 0.25\n", "d 0.25\nTr 0.1\n"}) {
         const auto imported = loadMaterial(statement);
         const candela::Material& m = imported.scene.materials.at(0);
         EXPECT_EQ(m.baseColor.a, 0.25f) << statement;
-        EXPECT_EQ(m.alphaMode, candela::AlphaMode::mask);
+        EXPECT_EQ(m.alphaMode, candela::AlphaMode::blend);
         EXPECT_EQ(m.alphaCutoff, 0.5f);
         EXPECT_TRUE(hasNote(imported, "a.mtl, line 1: newmtl 'm': its opacity is drawn as a mask"));
     }
@@ -133,7 +133,7 @@ TEST(ObjMaterial, anOpacityMapBecomesAlpha) {
     const auto imported =
         loadMaterial("map_Kd c.png\nmap_d a.png\n", {{"c.png", png(1, 2, 3, 77)}, {"a.png", png(9, 9, 9)}});
     EXPECT_EQ(texels(imported.scene.images.at(0)), (std::vector<int>{1, 2, 3, 9}));
-    EXPECT_EQ(imported.scene.materials.at(0).alphaMode, candela::AlphaMode::mask);
+    EXPECT_EQ(imported.scene.materials.at(0).alphaMode, candela::AlphaMode::blend);
 }
 
 TEST(ObjMaterial, anOpacityMapWithAnAlphaChannelUsesIt) {

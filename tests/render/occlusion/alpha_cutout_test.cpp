@@ -31,7 +31,7 @@ struct Cutout {
         float low = -1.0f, high = 3.0f;
         for (int i = 0; i < 30; ++i) {
             triangle().cutoff = 0.5f * (low + high);
-            (isCutOut(mesh, 0, middle) ? high : low) = triangle().cutoff;
+            (transmittance(mesh, 0, middle) == 1.0f ? high : low) = triangle().cutoff;
         }
         return 0.5f * (low + high);
     }
@@ -93,7 +93,7 @@ TEST(AlphaCutout, AnAlphaEqualToTheCutoffHidesTheLight) {
     Cutout cutout(1, 1, {255});
     std::fill_n(cutout.triangle().alpha, 3, 0.5f);
     cutout.triangle().cutoff = 0.5f;
-    EXPECT_FALSE(isCutOut(cutout.mesh, 0, {1.0f, 0.0f, 0.0f}));
+    EXPECT_EQ(transmittance(cutout.mesh, 0, {1.0f, 0.0f, 0.0f}), 0.0f);
 }
 
 }  // namespace

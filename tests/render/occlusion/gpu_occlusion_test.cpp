@@ -1,9 +1,8 @@
 // Occlusion rays in a shader, against all triangles in double precision and against Embree.
 
 #include "occlusion/occlusion_scenes.h"
+#include "occlusion/ray_program.h"
 #include "occlusion/ray_references.h"
-
-#include "gl/shader_source.h"
 
 #include <candela/context.h>
 
@@ -14,72 +13,10 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace candela::test {
 namespace {
-
-/// lib/occlusion.glsl with a main that traces rays of a buffer.
-class RayProgram {
-  public:
-    RayProgram() : rays_(GL_RGBA32F, "test rays"), answers_("test answers", gl::BufferUsage::readback) {
-        const std::string text = gl::assembleShader("lib/occlusion.glsl") + R"(
-layout(local_size_x = 64) in;
-layout(binding = 0) uniform samplerBuffer rays;
-layout(std430, binding = 0) writeonly buffer Answers { uint answers[]; };
-layout(location = 0) uniform int firstRay;
-void main() {
-    int i = firstRay + int(gl_GlobalInvocationID.x);
-    if (2 * i >= textureSize(rays)) return;
-    vec4 from = texelFetch(rays, 2 * i), way = texelFetch(rays, 2 * i + 1);
-    answers[i] = isOccluded(from.xyz, way.xyz, from.w, way.w) ? 1u : 0u;
-}
-)";
-        const char* source = text.c_str();
-        const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
-        glShaderSource(shader, 1, &source, nullptr);
-        glCompileShader(shader);
-        program_ = glCreateProgram();
-        glAttachShader(program_, shader);
-        glLinkProgram(program_);
-        glDeleteShader(shader);
-        GLint linked = 0;
-        glGetProgramiv(program_, GL_LINK_STATUS, &linked);
-        char log[2000] = "";
-        glGetProgramInfoLog(program_, sizeof log, nullptr, log);
-        EXPECT_TRUE(linked) << log;
-    }
-    RayProgram(const RayProgram&) = delete;
-    RayProgram& operator=(const RayProgram&) = delete;
-    ~RayProgram() { glDeleteProgram(program_); }
-
-    std::vector<bool> trace(const GpuOcclusion& structure, const std::vector<Ray>& rays) {
-        rays_ = gl::BufferTexture(GL_RGBA32F, "test rays");
-        rays_.upload(std::span<const Ray>(rays));
-        answers_.reserve(rays.size() * sizeof(GLuint));
-        structure.bind();
-        glBindTextureUnit(0, rays_.name());
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, answers_.name());
-        glUseProgram(program_);
-        for (std::size_t first = 0; first < rays.size(); first += 65536) {
-            glUniform1i(0, static_cast<GLint>(first));
-            glDispatchCompute(
-                static_cast<GLuint>((std::min<std::size_t>(rays.size() - first, 65536) + 63) / 64), 1, 1);
-        }
-        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        std::vector<GLuint> answers(rays.size());
-        glGetNamedBufferSubData(answers_.name(), 0, static_cast<GLsizeiptr>(rays.size() * sizeof(GLuint)),
-                                answers.data());
-        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-        return {answers.begin(), answers.end()};
-    }
-
-  private:
-    gl::BufferTexture rays_;
-    gl::Buffer answers_;
-    GLuint program_ = 0;
-};
 
 class GpuOcclusionTest : public testing::Test {
   protected:
@@ -94,7 +31,10 @@ class GpuOcclusionTest : public testing::Test {
     }
 
     static std::vector<bool> trace(const GpuOcclusion& structure, const std::vector<Ray>& rays) {
-        return program_->trace(structure, rays);
+        const std::vector<float> passing = program_->transmittances(structure, rays);
+        std::vector<bool> occluded(passing.size());
+        for (std::size_t i = 0; i < passing.size(); ++i) occluded[i] = passing[i] == 0.0f;
+        return occluded;
     }
 
     /// Rays answered otherwise than by brute force graze an edge. Returns how many those are.
@@ -330,7 +270,7 @@ TEST_F(GpuOcclusionTest, CutoutsLetRaysThroughAsInCpp) {
     std::size_t different = 0, open = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const auto cutout = static_cast<std::uint32_t>(i / 500);
-        const bool passes = isCutOut(mesh, cutout, weights[i]);
+        const bool passes = transmittance(mesh, cutout, weights[i]) == 1.0f;
         open += passes;
         if (answers[i] != passes) continue;
         // Where the alpha crosses the cutoff, or the triangle ends, within what weights are exact to at 80 m.
@@ -338,7 +278,8 @@ TEST_F(GpuOcclusionTest, CutoutsLetRaysThroughAsInCpp) {
         bool changes = std::min({weights[i].x, weights[i].y, weights[i].z}) < 1e-4f;
         for (const glm::vec3 step : {glm::vec3(1, -1, 0), glm::vec3(0, 1, -1), glm::vec3(1, 0, -1)}) {
             for (const float size : {-1e-4f, 1e-4f})
-                changes = changes || isCutOut(mesh, cutout, weights[i] + size * step) != passes;
+                changes =
+                    changes || (transmittance(mesh, cutout, weights[i] + size * step) == 1.0f) != passes;
         }
         EXPECT_TRUE(changes) << "ray " << i << ", image " << mesh.cutouts[cutout].image;
     }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 namespace candela::test {
 
@@ -37,10 +39,11 @@ Visibility visibilityPast(const Triangle& triangle, const Segment& segment) {
 
 }  // namespace
 
-void addTriangles(std::vector<Triangle>& triangles, const Mesh& mesh, const glm::mat4& world) {
+void addTriangles(std::vector<Triangle>& triangles, const Mesh& mesh, const glm::mat4& world, double alpha) {
     const glm::dmat4 matrix(world);
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         Triangle triangle;
+        triangle.alpha = alpha;
         for (std::size_t k = 0; k < 3; ++k)
             triangle.corners[k] = glm::dvec3(matrix * glm::dvec4(mesh.positions[mesh.indices[i + k]], 1.0));
         triangles.push_back(triangle);
@@ -52,7 +55,13 @@ std::vector<Triangle> trianglesOf(const Scene& scene) {
     const std::vector<glm::mat4> world = worldTransforms(scene);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
-        if (node.mesh && node.castsShadow) addTriangles(triangles, scene.meshes[*node.mesh], world[i]);
+        if (!node.mesh || !node.castsShadow) continue;
+        const Mesh& mesh = scene.meshes[*node.mesh];
+        const std::optional<std::uint32_t> index =
+            mesh.submeshes.empty() ? std::nullopt : mesh.submeshes.front().material;
+        const Material material = index ? scene.materials[*index] : Material{};
+        const bool blends = material.alphaMode == AlphaMode::blend;
+        addTriangles(triangles, mesh, world[i], blends ? double(material.baseColor.a) : 1.0);
     }
     return triangles;
 }
@@ -64,6 +73,16 @@ double marginAt(const glm::dvec3& position, const CameraView& view, int height) 
     const double size =
         std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z), distance});
     return 2.0 * (pixel / 256.0 + size * 0x1p-19);
+}
+
+Transmittance transmittanceOf(const std::vector<Triangle>& triangles, const Segment& segment) {
+    Transmittance result;
+    for (const Triangle& triangle : triangles) {
+        const Visibility past = visibilityPast(triangle, segment);
+        if (past == Visibility::blocked) result.share *= 1.0 - triangle.alpha;
+        result.grazing = result.grazing || past == Visibility::grazing;
+    }
+    return result;
 }
 
 Visibility visibilityOf(const std::vector<Triangle>& triangles, const Segment& segment) {

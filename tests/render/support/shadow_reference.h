@@ -15,11 +15,13 @@ namespace candela::test {
 /// In world space.
 struct Triangle {
     glm::dvec3 corners[3];
+    double alpha = 1.0;  ///< Under 1 it lets 1 - alpha of the light through.
 };
 
-void addTriangles(std::vector<Triangle>& triangles, const Mesh& mesh, const glm::mat4& world);
+void addTriangles(std::vector<Triangle>& triangles, const Mesh& mesh, const glm::mat4& world,
+                  double alpha = 1.0);
 
-/// The triangles of a scene's meshes that cast shadows.
+/// The triangles of a scene's meshes that cast shadows, with the alpha of a mesh whose material blends.
 std::vector<Triangle> trianglesOf(const Scene& scene);
 
 /// What a light at `from` has to pass to `to`, a point of a surface that the eye sees.
@@ -32,6 +34,15 @@ struct Segment {
 /// side of the eye, hides nothing.
 enum class Visibility { clear, blocked, grazing };
 
+/// What passes by all triangles, a product of 1 - alpha.
+struct Transmittance {
+    double share = 1.0;
+    bool grazing = false;  ///< Moving the segment by its margin may change it.
+};
+
+Transmittance transmittanceOf(const std::vector<Triangle>& triangles, const Segment& segment);
+
+/// Of opaque triangles.
 Visibility visibilityOf(const std::vector<Triangle>& triangles, const Segment& segment);
 
 /// Not less than `shadowRayEnd` moves a ray's end, nor than single precision and the G-buffer's depth are

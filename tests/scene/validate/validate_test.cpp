@@ -60,7 +60,7 @@ TEST(Validate, Materials) {
          [](Scene& s) { s.materials[0].normalScale = INFINITY; }},
         {"material 0 'wall': its occlusion strength is 1.1, but 0 to 1 was expected",
          [](Scene& s) { s.materials[0].occlusionStrength = 1.1f; }},
-        {"material 0 'wall': its alpha mode must be opaque or mask",
+        {"material 0 'wall': its alpha mode must be opaque, mask or blend",
          [](Scene& s) { s.materials[0].alphaMode = unknown<AlphaMode>(); }},
         {"material 0 'wall': its alpha cutoff must be a finite number, 0 or more",
          [](Scene& s) { s.materials[0].alphaCutoff = -0.1f; }},

@@ -42,19 +42,23 @@ void CpuTiles::Worker::reserve(std::size_t lights) {
     }
 }
 
-void CpuTiles::Worker::reserveShadows(std::size_t lights, std::size_t directionals) {
+void CpuTiles::Worker::reserveShadows(std::size_t lights, std::size_t directionals,
+                                      const OcclusionView& occlusion) {
     ShadowScratch& shadows = scratch->shadows;
     if (instances.size() < lights + directionals) {
         instances.resize(lights + directionals);
-        lightOfSlot.resize(lights);
-        pixels.resize(2 * (lights + directionals));
+        pixels.resize(3 * (lights + directionals));
     }
+    if (lightOfSlot.size() < lights) lightOfSlot.resize(lights);
     const std::size_t all = instances.size();
     shadows.locals = instances.data();
     shadows.directionals = instances.data() + (all - directionals);
     shadows.lightOfSlot = lightOfSlot.data();
     shadows.visible = pixels.data();
     shadows.hidden = pixels.data() + all;
+    shadows.dimmed = pixels.data() + 2 * all;
+    if (occlusion.blends) transmittance.resize(all * std::size_t{RayPacket::size});
+    shadows.transmittance = occlusion.blends ? transmittance.data() : nullptr;
 }
 
 void CpuTiles::readTargets(const LightingInputs& inputs) {
@@ -121,7 +125,9 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
 void CpuTiles::shadeTiles(const TileFrame& frame, BrdfModel brdf, ThreadPool& pool) {
     for (Worker& worker : workers_) {
         worker.reserve(bins_.longest());
-        if (frame.occlusion != nullptr) worker.reserveShadows(bins_.longest(), frame.directionalCount);
+        if (frame.occlusion != nullptr) {
+            worker.reserveShadows(bins_.longest(), frame.directionalCount, *frame.occlusion);
+        }
     }
     const auto shade = kernel_.shade[static_cast<std::size_t>(brdf)];
     pool.run(bins_.order().size(), [&](std::size_t i, unsigned worker) {

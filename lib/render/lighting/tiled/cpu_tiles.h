@@ -40,9 +40,10 @@ class CpuTiles final : public LightingTechnique {
         std::vector<InstanceList> instances;
         std::vector<std::uint32_t> lightOfSlot;
         std::vector<std::uint16_t> pixels;
+        std::vector<float> transmittance;
 
         void reserve(std::size_t lights);
-        void reserveShadows(std::size_t lights, std::size_t directionals);
+        void reserveShadows(std::size_t lights, std::size_t directionals, const OcclusionView& occlusion);
     };
 
     void readTargets(const LightingInputs& inputs);

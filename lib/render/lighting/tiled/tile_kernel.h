@@ -66,6 +66,8 @@ struct ShadowScratch {
     InstanceList* directionals;  ///< One a directional light.
     std::uint16_t* visible;  ///< Of a block: for each of its lights the pixels that it reaches, a bit each.
     std::uint16_t* hidden;   ///< And those from which it is hidden.
+    std::uint16_t* dimmed;   ///< And those that a part of it reaches: not 0 where `transmittance` is filled.
+    float* transmittance;    ///< Of each light sixteen, one a pixel; null where no occluder blends.
     std::uint64_t raysAsked, raysTraced;
 };
 

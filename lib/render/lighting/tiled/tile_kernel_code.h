@@ -223,8 +223,8 @@ void shadeBlock(const TileFrame& frame, int left, int bottom, const std::uint32_
     }
 }
 
-/// Finds which pixels of the block each light of the slots reaches, with `visible` and `hidden` of the
-/// scratch.
+/// Finds which pixels of the block each light of the slots reaches, with `visible`, `hidden`, `dimmed` and
+/// `transmittance` of the scratch.
 template <int brdf>
 void findVisible(const TileFrame& frame, const BlockPixels& pixels, ShadowBlock& block,
                  const std::uint32_t* slots, std::uint32_t count, ShadowScratch& scratch) {
@@ -240,13 +240,14 @@ void findVisible(const TileFrame& frame, const BlockPixels& pixels, ShadowBlock&
     };
     const auto finish = [&](std::uint32_t i, const float* record, const LightSource& light,
                             const InstanceList& instances, std::uint32_t lit) {
-        std::uint32_t hidden = 0;
+        BlockShadow shadow;
         if (castsShadow(record) && lit != 0) {
             scratch.raysAsked += static_cast<std::uint64_t>(__builtin_popcount(lit));
-            hidden = hiddenPixels(frame, light, instances, block, lit, scratch);
+            shadow = shadowOn(frame, light, instances, block, lit, i, scratch);
         }
-        scratch.visible[i] = static_cast<std::uint16_t>(lit & ~hidden);
-        scratch.hidden[i] = static_cast<std::uint16_t>(hidden);
+        scratch.visible[i] = static_cast<std::uint16_t>(lit & ~shadow.hidden);
+        scratch.hidden[i] = static_cast<std::uint16_t>(shadow.hidden);
+        scratch.dimmed[i] = static_cast<std::uint16_t>(shadow.dimmed);
     };
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t light = scratch.lightOfSlot[slots[i]];
@@ -284,6 +285,8 @@ void shadeBlockWithShadows(const TileFrame& frame, int left, int bottom, const s
         // The intensity is masked, not the radiance: the sum is then contracted as that of `shadeBlock`, and
         // the image where nothing is hidden is the same bit for bit.
         const auto visiblePart = [&](std::uint32_t i, Vec3 intensity) {
+            if (scratch.dimmed[i] != 0)
+                return intensity * load(scratch.transmittance + std::uint64_t{i} * raysPerBlock + first);
             const bool partly = (scratch.hidden[i] >> first & group) != 0;
             return partly ? masked(intensity, lanesOf(scratch.visible[i], first)) : intensity;
         };

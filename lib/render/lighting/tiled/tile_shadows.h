@@ -3,7 +3,7 @@
 // Shadows in the kernels of `tiles`. For a box of 16 × 16 pixels and each of its lights, the instances are
 // listed that may hide the light from the box. For a block of pixels and a light their triangles are tested:
 // first against all rays of the block at once, and those that remain against each ray. Where these are many,
-// or alpha-masked, the rays are traced. Included only by tile_kernel_code.h.
+// or mask or blend by alpha, the rays are traced. Included only by tile_kernel_code.h.
 
 #include "render/lighting/tiled/tile_kernel.h"
 #include "render/lighting/tiled/tile_shading.h"
@@ -192,9 +192,9 @@ inline StartedRays raysTo(const LightSource& light, const ShadowBlock& block) {
     return result;
 }
 
-/// Traces the rays of `traced` (a bit each) one by one.
+/// Traces the rays of `traced` (a bit each) one by one. See `TracePacket`.
 inline std::uint32_t traceRays(const TileFrame& frame, const StartedRays& rays, const ShadowBlock& block,
-                               std::uint32_t traced) {
+                               std::uint32_t traced, float* transmittance) {
     RayPacket packet;
     const float* ends[] = {block.ends.x, block.ends.y, block.ends.z};
     const LightSource& light = rays.rays.light;
@@ -207,13 +207,31 @@ inline std::uint32_t traceRays(const TileFrame& frame, const StartedRays& rays, 
         packet.tMax[i] = light.isPoint ? 1.0f : infinity;
         packet.active[i] = (traced >> i & 1) != 0 ? -1 : 0;
     }
-    return frame.occlusion->trace(frame.occlusion->rays, packet);
+    return frame.occlusion->trace(frame.occlusion->rays, packet, transmittance);
 }
 
-/// The pixels of `lit` (a bit each) from which a light is hidden, by the instances of `list`.
-inline std::uint32_t hiddenPixels(const TileFrame& frame, const LightSource& light, const InstanceList& list,
-                                  ShadowBlock& block, std::uint32_t lit, ShadowScratch& scratch) {
-    if (list.count == 0) return 0;
+/// What a light's shadow does to the pixels of a block, a bit each.
+struct BlockShadow {
+    std::uint32_t hidden = 0;
+    std::uint32_t dimmed = 0;  ///< A part of the light reaches them.
+};
+
+/// The share of the light that reaches each pixel, into `kept`, where it is a part at any. `traced` is what
+/// the rays of those that are not `hidden` have found.
+inline std::uint32_t keepTransmittance(const float* traced, std::uint32_t hidden, float* kept) {
+    std::uint32_t dimmed = 0;
+    for (int i = 0; i < raysPerBlock; ++i) dimmed |= (traced[i] > 0.0f && traced[i] < 1.0f ? 1u : 0u) << i;
+    if (dimmed == 0) return 0;
+    for (int i = 0; i < raysPerBlock; ++i) kept[i] = (hidden >> i & 1) != 0 ? 0.0f : traced[i];
+    return dimmed;
+}
+
+/// The shadow of light `index` of the block on the pixels of `lit` (a bit each), cast by the instances of
+/// `list`.
+inline BlockShadow shadowOn(const TileFrame& frame, const LightSource& light, const InstanceList& list,
+                            ShadowBlock& block, std::uint32_t lit, std::uint32_t index,
+                            ShadowScratch& scratch) {
+    if (list.count == 0) return {};
     const OcclusionView& scene = *frame.occlusion;
     const Hull hull = hullOf(light, block.box);
     StartedRays rays;
@@ -245,9 +263,16 @@ inline std::uint32_t hiddenPixels(const TileFrame& frame, const LightSource& lig
     hits.hidden &= lit;
     if (hits.tested || hits.undecided)
         scratch.raysTraced += static_cast<std::uint64_t>(__builtin_popcount(lit));
-    if (hits.undecided && hits.hidden != lit)
-        hits.hidden |= traceRays(frame, worldRays(), block, lit & ~hits.hidden);
-    return hits.hidden;
+    BlockShadow shadow{hits.hidden};
+    if (hits.undecided && hits.hidden != lit) {
+        float transmittance[raysPerBlock];
+        shadow.hidden |= traceRays(frame, worldRays(), block, lit & ~hits.hidden, transmittance);
+        if (scene.blends) {
+            shadow.dimmed = keepTransmittance(transmittance, shadow.hidden,
+                                              scratch.transmittance + std::uint64_t{index} * raysPerBlock);
+        }
+    }
+    return shadow;
 }
 
 // ---- Which pixels a light would light
