@@ -2,7 +2,10 @@
 #include "programs.h"
 #include "textbook_shaders.h"
 
+#include <candela/brdf.h>
 #include <candela/error.h>
+
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <array>
@@ -50,6 +53,40 @@ void requireSupported(const BenchScene& scene, TextbookLighting lighting) {
                                  "' has textures or is unlit");
     }
 }
+
+/// The split sum of the model `course`, for bilinear lookups by n·v and roughness.
+class SplitSum {
+  public:
+    SplitSum() {
+        std::vector<glm::vec2> texels;
+        for (int y = 0; y < size; ++y) {
+            for (int x = 0; x < size; ++x) {
+                const auto albedo = [&](double f0) {
+                    return static_cast<float>(candela::specularAlbedo(candela::BrdfModel::course,
+                                                                      glm::dvec3(f0), (x + 0.5) / size,
+                                                                      (y + 0.5) / size)
+                                                  .x);
+                };
+                texels.emplace_back(albedo(1.0) - albedo(0.0), albedo(0.0));
+            }
+        }
+        glCreateTextures(GL_TEXTURE_2D, 1, &texture_);
+        glTextureStorage2D(texture_, 1, GL_RG32F, size, size);
+        glTextureSubImage2D(texture_, 0, 0, 0, size, size, GL_RG, GL_FLOAT, texels.data());
+        glTextureParameteri(texture_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTextureParameteri(texture_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glTextureParameteri(texture_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    }
+    SplitSum(const SplitSum&) = delete;
+    SplitSum& operator=(const SplitSum&) = delete;
+    ~SplitSum() { glDeleteTextures(1, &texture_); }
+
+    GLuint texture() const { return texture_; }
+
+  private:
+    static constexpr int size = 128;
+    GLuint texture_ = 0;
+};
 
 /// The instanced sphere of a textbook: 16 by 12 segments, scaled by 1.05 so that its flat faces lie outside
 /// the unit sphere.
@@ -244,8 +281,9 @@ class TextbookProgram final : public Program {
     }
 
     void drawLighting() const {
-        const GLuint textures[] = {position_.name(), normal_.name(), color_.name(), lightTexture_};
-        glBindTextures(0, 4, textures);
+        const GLuint textures[] = {position_.name(), normal_.name(), color_.name(), lightTexture_,
+                                   splitSum_.texture()};
+        glBindTextures(0, 5, textures);
         glUseProgram(lightingProgram_);
         glUniform3f(4, eye_.x, eye_.y, eye_.z);
         if (lighting_ == TextbookLighting::volumes) return drawVolumes(framebuffers_[1], lightingProgram_);
@@ -295,6 +333,7 @@ class TextbookProgram final : public Program {
     std::vector<ShaderLight> lights_;
     Sphere sphere_;
     Target position_, normal_, color_, depth_, radiance_, counts_;
+    SplitSum splitSum_;
     Screen screen_;
     GLuint geometryProgram_, lightingProgram_, countProgram_, displayProgram_;
     std::array<GLuint, 3> framebuffers_{};

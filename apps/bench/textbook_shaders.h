@@ -38,6 +38,7 @@ constexpr const char* lightingFunctions = R"(
 layout(binding = 0) uniform sampler2D positions;
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D colors;
+layout(binding = 4) uniform sampler2D splitSum;  // A and B over n.v and roughness, as Karis 2013
 layout(location = 4) uniform vec3 eye;
 
 const float PI = 3.14159265358979;
@@ -86,7 +87,8 @@ vec3 shade(Surface s, vec3 lightPosition, float range, vec3 intensity) {
     float d = distributionGgx(max(dot(s.normal, h), 0.0), alpha);
     float g = geometrySmith(nDotL, nDotV, s.roughness);
     vec3 specular = f * d * g / (4.0 * max(nDotL, 1e-6) * nDotV);
-    vec3 diffuse = (1.0 - f) * (1.0 - s.metallic) * s.color / PI;
+    vec2 ab = texture(splitSum, vec2(nDotV, s.roughness)).rg;
+    vec3 diffuse = (1.0 - (f0 * ab.x + ab.y)) * (1.0 - s.metallic) * s.color / PI;
     float window = max(1.0 - pow(distance / range, 4.0), 0.0);
     return (diffuse + specular) * intensity * (window / (distance * distance)) * nDotL;
 }

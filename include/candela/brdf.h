@@ -7,10 +7,10 @@
 
 namespace candela {
 
-/// The reflection models. Both are f = f_d + f_s with f_s = F G D / (4 (n·l)(n·v)), f_d = (1 - F)(1 -
-/// metallic) colour / pi and F0 = mix(0.04, colour, metallic); see docs/lighting.md. The functions of this
-/// header are the textbook form in double precision. They share no code with the shaders and kernels, whose
-/// pixels the tests compare with them.
+/// The reflection models. Both are f = f_d + f_s with f_s = F G D / (4 (n·l)(n·v)), f_d = (1 - E_s)(1 -
+/// metallic) colour / pi, E_s = `specularAlbedo` and F0 = mix(0.04, colour, metallic); see docs/lighting.md.
+/// The functions of this header are the textbook form in double precision. They share no code with the
+/// shaders and kernels, whose pixels the tests compare with them.
 enum class BrdfModel {
     course,  ///< GGX, Schlick-Smith G with k = (roughness + 1)² / 8, Schlick F.
     gltf,    ///< GGX, height-correlated Smith, Schlick F, with energy compensation after Turquin (2019).
@@ -65,9 +65,15 @@ CANDELA_API double geometrySmithCorrelated(double nDotL, double nDotV, double al
 /// Schlick's Fresnel term; `f0` is 0 or more. Source: Schlick, 1994.
 CANDELA_API glm::dvec3 fresnelSchlick(const glm::dvec3& f0, double vDotH);
 
-/// The directional albedo of the `gltf` model's specular lobe for F = 1: the fraction of light from direction
-/// n·v that leaves the surface. Interpolated in the same table that the shaders read.
-CANDELA_API double directionalAlbedo(double nDotV, double alpha);
+/// The directional albedo of the specular lobe for F = 1, without energy compensation: of light that comes
+/// equally from everywhere, the fraction that the lobe reflects towards n·v. `roughness` is 0 to 1.
+/// Interpolated in the same table that the shaders read; up to 0.8 % too high, so that no surface returns
+/// more than it receives.
+CANDELA_API double directionalAlbedo(BrdfModel model, double nDotV, double roughness);
+
+/// E_s, the same with the Fresnel term and, in the `gltf` model, energy compensation: F0 A + B of the split
+/// sum, for each channel. `f0` is 0 or more. Source: Karis, "Real shading in Unreal Engine 4", 2013.
+CANDELA_API glm::dvec3 specularAlbedo(BrdfModel model, const glm::dvec3& f0, double nDotV, double roughness);
 
 /// f(l, v) per channel, in 1/sr; `l` and `v` are unit vectors (to 0.001) away from the surface. Zero when l
 /// is below the horizon.

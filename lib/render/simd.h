@@ -141,6 +141,12 @@ inline Floats abs(Floats a) {
 /// Four lanes: a row of a block, or the channels of a pixel.
 typedef float Four __attribute__((vector_size(16)));
 
+inline Four loadFour(const float* from) {
+    Four v;
+    __builtin_memcpy(&v, from, sizeof v);
+    return v;
+}
+
 inline Four fourOf(Floats v, int first) {
     float lanes[laneCount];
     store(lanes, v);

@@ -1,5 +1,7 @@
 #include <candela/brdf.h>
 
+#include "shading/directional_albedo.h"
+
 #include <candela/error.h>
 
 #include <glm/common.hpp>
@@ -79,13 +81,6 @@ double clampAlpha(double alpha) {
     return std::max(alpha, minAlpha);
 }
 
-/// What compensation adds to the lobe, per unit of F0: (1 - E) / E. Source: Turquin, "Practical multiple
-/// scattering compensation for microfacet models", 2019.
-double missingEnergy(double nDotV, double alpha) {
-    const double albedo = directionalAlbedo(nDotV, alpha);
-    return (1.0 - albedo) / albedo;
-}
-
 /// G D / (4 (n·l) (n·v)).
 double specularLobe(BrdfModel model, double roughness, double nDotL, double nDotV, double nDotH) {
     const double alpha = clampAlpha(roughness * roughness);
@@ -94,9 +89,22 @@ double specularLobe(BrdfModel model, double roughness, double nDotL, double nDot
     return geometry * distributionGgx(nDotH, alpha) / (4.0 * nDotL * nDotV);
 }
 
-glm::dvec3 compensation(BrdfModel model, const glm::dvec3& f0, double nDotV, double alpha) {
+/// Source: Turquin, "Practical multiple scattering compensation for microfacet models", 2019.
+glm::dvec3 compensation(BrdfModel model, const glm::dvec3& f0, double albedo) {
     if (model == BrdfModel::course) return glm::dvec3(1.0);
-    return 1.0 + f0 * missingEnergy(nDotV, alpha);
+    return 1.0 + f0 * (1.0 - albedo) / albedo;
+}
+
+/// The specular lobe's dependence on the direction of view alone.
+struct LobeEnergy {
+    glm::dvec3 compensation, albedo;  ///< `albedo` is E_s.
+};
+
+LobeEnergy lobeEnergy(BrdfModel model, const glm::dvec3& f0, double nDotV, double roughness) {
+    const LobeAlbedo lobe = lobeAlbedo(model, nDotV, roughness);
+    const glm::dvec3 factor = compensation(model, f0, lobe.albedo);
+    const glm::dvec3 fresnel = f0 * (1.0 - lobe.fresnelWeight) + lobe.fresnelWeight;
+    return {factor, factor * fresnel * lobe.albedo};
 }
 
 /// Unit vector from `from` to `to`; zero where they are the same point.
@@ -128,18 +136,15 @@ glm::dvec3 textbookBrdf(BrdfModel model, const SurfacePoint& surface, const glm:
     if (glm::dot(n, l) <= 0.0) return glm::dvec3(0.0);
     const double nDotL = std::max(glm::dot(n, l), minNDotL);
     const double nDotV = std::max(glm::dot(n, v), minNDotV);
-    const glm::dvec3 h = directionBetween(-v, l);
-    // Opposite directions have no half vector: F is 1 there, so that the diffuse part is 0, and the lobe is
-    // taken as 0.
-    if (h == glm::dvec3(0.0)) return glm::dvec3(0.0);
-    const double alpha = clampAlpha(lobes.roughness * lobes.roughness);
-
     const glm::dvec3 f0 = glm::mix(glm::dvec3(DIELECTRIC_F0), lobes.baseColor, lobes.metallic);
-    const glm::dvec3 fresnel = fresnelSchlick(f0, glm::dot(v, h));
+    const LobeEnergy energy = lobeEnergy(model, f0, nDotV, lobes.roughness);
+    const glm::dvec3 transmitted = glm::max(1.0 - energy.albedo, 0.0);
+    const glm::dvec3 diffuse = transmitted * (1.0 - lobes.metallic) * lobes.baseColor / std::numbers::pi;
+    const glm::dvec3 h = directionBetween(-v, l);
+    // Opposite directions have no half vector: the lobe is taken as 0.
+    if (h == glm::dvec3(0.0)) return diffuse;
     const double lobe = specularLobe(model, lobes.roughness, nDotL, nDotV, glm::dot(n, h));
-    const glm::dvec3 specular = fresnel * lobe * compensation(model, f0, nDotV, alpha);
-    const glm::dvec3 diffuse = (1.0 - fresnel) * (1.0 - lobes.metallic) * lobes.baseColor / std::numbers::pi;
-    return diffuse + specular;
+    return diffuse + fresnelSchlick(f0, glm::dot(v, h)) * lobe * energy.compensation;
 }
 
 }  // namespace
@@ -189,6 +194,19 @@ glm::dvec3 fresnelSchlick(const glm::dvec3& f0, double vDotH) {
     requireCosine(vDotH, "v·h");
     const double sine = 1.0 - std::clamp(vDotH, 0.0, 1.0);
     return f0 + (1.0 - f0) * std::pow(sine, 5.0);
+}
+
+double directionalAlbedo(BrdfModel model, double nDotV, double roughness) {
+    requireCosine(nDotV, "n·v");
+    requireUnitRange(roughness, "roughness");
+    return lobeAlbedo(model, nDotV, roughness).albedo;
+}
+
+glm::dvec3 specularAlbedo(BrdfModel model, const glm::dvec3& f0, double nDotV, double roughness) {
+    require(isNonNegative(f0), "F0", "finite and 0 or more");
+    requireCosine(nDotV, "n·v");
+    requireUnitRange(roughness, "roughness");
+    return lobeEnergy(model, f0, nDotV, roughness).albedo;
 }
 
 glm::dvec3 evaluateBrdf(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& l,

@@ -11,23 +11,22 @@ layout(binding = ALBEDO_UNIT) uniform sampler2D albedoTexture;
 
 #define AlbedoTable sampler2D
 
-// lib/shading/directional_albedo.h makes the table and says how it is laid out.
-float directionalAlbedo(sampler2D table, float nDotV, float alpha) {
-    ivec2 last = textureSize(table, 0) - 1;
-    vec2 position = vec2(nDotV * (1.0 + alpha) / (nDotV + alpha), (alpha - MIN_ALPHA) / (1.0 - MIN_ALPHA));
-    vec2 texel = clamp(position, 0.0, 1.0) * vec2(last);
-    ivec2 low = min(ivec2(texel), last - 1);
-    vec2 weight = texel - vec2(low);
-    float a = mix(texelFetch(table, low, 0).r, texelFetch(table, low + ivec2(1, 0), 0).r, weight.x);
-    float b = mix(texelFetch(table, low + ivec2(0, 1), 0).r, texelFetch(table, low + ivec2(1, 1), 0).r, weight.x);
-    return mix(a, b, weight.y);
-}
-
 float fastDivide(float a, float b) {
     return a / b;
 }
 
 #include "shared/shading.h"
+
+AlbedoTexel readAlbedoTable(sampler2D table, float x, float y) {
+    ivec2 last = textureSize(table, 0) - 1;
+    vec2 texel = clamp(vec2(x, y), 0.0, 1.0) * vec2(last);
+    ivec2 low = min(ivec2(texel), last - 1);
+    vec2 weight = texel - vec2(low);
+    vec2 a = mix(texelFetch(table, low, 0).rg, texelFetch(table, low + ivec2(1, 0), 0).rg, weight.x);
+    vec2 b = mix(texelFetch(table, low + ivec2(0, 1), 0).rg, texelFetch(table, low + ivec2(1, 1), 0).rg, weight.x);
+    vec2 value = mix(a, b, weight.y);
+    return AlbedoTexel(value.x, value.y);
+}
 #ifdef SHADOWS
 #include "lib/shadows.glsl"
 #endif

@@ -17,7 +17,7 @@ const int DEPTH_UNIT = 1;    // reversed depth
 const int LIGHTS_UNIT = 2;   // RGBA32F buffer: LIGHT_TEXELS a light: points, then spots, then directional lights
 const int CONES_UNIT = 3;    // RGBA32F buffer: one texel a spot
 const int SHADOW_UNIT = 7;   // R32UI: the G-buffer's shadow word
-const int ALBEDO_UNIT = 4;   // R32F: directional albedo table of the gltf model
+const int ALBEDO_UNIT = 4;   // RG32F: the model's directional albedo table
 
 // Texture units of the lighting passes with shadows, shaders/lib/occlusion.glsl.
 const int OCCLUSION_NODES_UNIT = 8;      // RGBA32UI buffer: OCCLUSION_NODE_TEXELS a node

@@ -6,9 +6,10 @@
 //   Real, Real3      a number and three of them, with the operators and functions that GLSL has for float and vec3
 //   Scalar           the type of constants
 //   SHARED_FUNCTION  what C++ puts before a function; nothing in GLSL
-//   AlbedoTable      and Real directionalAlbedo(AlbedoTable table, Real nDotV, Real alpha): the table of lib/shading/directional_albedo.h
+//   AlbedoTable      the reflection model's table of lib/shading/directional_albedo.h
 //   fastDivide(a, b) a / b to the last bit but one
-// and includes shared/shading_constants.h and shared/surface_lobes.h. The parameter `brdf` is a constant wherever the functions are called.
+// before it, and `readAlbedoTable` after it, and includes shared/shading_constants.h and shared/surface_lobes.h. The parameter `brdf` is a
+// constant wherever the functions are called.
 
 const int BRDF_COURSE = 0;  // BrdfModel::course
 const int BRDF_GLTF = 1;    // BrdfModel::gltf
@@ -17,17 +18,26 @@ const int BRDF_GLTF = 1;    // BrdfModel::gltf
 struct ShadingPoint {
     Real3 position;
     Real3 normal;
-    Real3 toEye;         // unit length
-    Real nDotV;          // of the true view direction, for t; may be negative
-    Real alpha2;         // alpha²
-    Real viewLobe;       // the factor of D G / (4 (n·l) (n·v)) that does not depend on l
-    Real maskingSlope;   // course: 1 - k; gltf: the root of Smith's term for v
-    Real maskingOffset;  // course: k; gltf: n·v
-    Real3 f0;
-    Real3 oneMinusF0;
-    Real3 diffuse;       // (1 - metallic) baseColor / pi
-    Real3 compensation;  // factor on the specular lobe
+    Real3 toEye;           // unit length
+    Real nDotV;            // of the true view direction, for t; may be negative
+    Real alpha2;           // alpha²
+    Real viewLobe;         // the factor of D G / (4 (n·l) (n·v)) that does not depend on l
+    Real maskingSlope;     // course: 1 - k; gltf: the root of Smith's term for v
+    Real maskingOffset;    // course: k; gltf: n·v
+    Real3 fresnelBase;     // F0 times the energy compensation
+    Real3 fresnelSlope;    // 1 - F0 times the energy compensation
+    Real3 specularAlbedo;  // E_s: what the lobe reflects of light from everywhere, compensation included; 0 to 1
+    Real3 diffuse;         // (1 - E_s) (1 - metallic) baseColor / pi
 };
+
+// A point of the table.
+struct AlbedoTexel {
+    Real albedo;
+    Real cosine;
+};
+
+// Bilinear between the texels, which lie at the corners of the cells; x and y go from 0 to 1.
+SHARED_FUNCTION AlbedoTexel readAlbedoTable(AlbedoTable table, Real x, Real y);
 
 // A point or spot light. `inverseRange2` is 1 / range²; `intensity` is colour × candela in the working space.
 struct LocalLight {
@@ -48,7 +58,7 @@ SHARED_FUNCTION Real3 reflectanceAtNormalIncidence(SurfaceLobes lobes) {
     return lobes.baseColor * lobes.metallic + Real3(DIELECTRIC_F0 * (1.0f - lobes.metallic));
 }
 
-// Lambert without the factor 1 - F.
+// Lambert without the factor 1 - E_s.
 SHARED_FUNCTION Real3 diffuseLobe(SurfaceLobes lobes) {
     return lobes.baseColor * ((1.0f - lobes.metallic) * (1.0f / PI));
 }
@@ -69,6 +79,31 @@ SHARED_FUNCTION Real3 energyCompensation(Real3 f0, Real albedo) {
     return Real3(1.0f) + f0 * missing;
 }
 
+SHARED_FUNCTION Real fifthPower(Real a) {
+    return a * a * (a * a) * a;
+}
+
+// What the lobe reflects towards the eye of light from everywhere, without compensation: albedo (F0 + (1 - F0) fresnelWeight). This is the
+// split sum of Karis, "Real shading in Unreal Engine 4", 2013: A = albedo (1 - fresnelWeight), B = albedo fresnelWeight.
+struct LobeAlbedo {
+    Real albedo;         // for F = 1
+    Real fresnelWeight;  // the mean of Schlick's weight
+};
+
+SHARED_FUNCTION LobeAlbedo lobeAlbedo(const int brdf, AlbedoTable table, Real nDotV, Real roughness, Real alpha) {
+    Real reach = nDotV + alpha;
+    AlbedoTexel texel = readAlbedoTable(table, nDotV * (1.0f + alpha) / reach, roughness);
+    LobeAlbedo lobe;
+    lobe.albedo = texel.albedo;
+    if (brdf == BRDF_COURSE) {
+        Real k = schlickSmithK(roughness);
+        Real side = reach / (reach * (1.0f - k) + k);
+        lobe.albedo = min(texel.albedo * side * side, 1.0f);
+    }
+    lobe.fresnelWeight = fifthPower(max(1.0f - texel.cosine * reach, 0.0f));
+    return lobe;
+}
+
 // The factor of the masking term's denominator that depends on l; n·l of its numerator cancels.
 SHARED_FUNCTION Real maskingDenominator(const int brdf, ShadingPoint point, Real nDotL) {
     if (brdf == BRDF_COURSE) return nDotL * point.maskingSlope + point.maskingOffset;
@@ -77,12 +112,16 @@ SHARED_FUNCTION Real maskingDenominator(const int brdf, ShadingPoint point, Real
 
 // F - F0 over 1 - F0, where v·h = |t| / 2. Schlick, "An inexpensive BRDF model for physically-based rendering", 1994.
 SHARED_FUNCTION Real schlickWeight(Real t2) {
-    Real grazing = max(1.0f - 0.5f * sqrt(max(t2, 1.0e-30f)), 0.0f);
-    Real grazing2 = grazing * grazing;
-    return grazing2 * grazing2 * grazing;
+    return fifthPower(max(1.0f - 0.5f * sqrt(max(t2, 1.0e-30f)), 0.0f));
 }
 
 // ---- The equation
+
+// 1 - E_s, kept from falling below 0 by rounding.
+SHARED_FUNCTION Real3 transmitted(Real3 specularAlbedo) {
+    Real3 rest = Real3(1.0f) - specularAlbedo;
+    return Real3(max(rest.x, 0.0f), max(rest.y, 0.0f), max(rest.z, 0.0f));
+}
 
 // `way` points towards the eye and has any length over 0.
 SHARED_FUNCTION ShadingPoint shadingPoint(const int brdf, SurfaceLobes lobes, Real3 normal, Real3 position, Real3 way, AlbedoTable table) {
@@ -94,21 +133,24 @@ SHARED_FUNCTION ShadingPoint shadingPoint(const int brdf, SurfaceLobes lobes, Re
     Real alpha = max(lobes.roughness * lobes.roughness, MIN_ALPHA);
     Real nDotV = max(point.nDotV, MIN_N_DOT_V);
     point.alpha2 = alpha * alpha;
-    point.f0 = reflectanceAtNormalIncidence(lobes);
-    point.oneMinusF0 = Real3(1.0f) - point.f0;
-    point.diffuse = diffuseLobe(lobes);
+    LobeAlbedo lobe = lobeAlbedo(brdf, table, nDotV, lobes.roughness, alpha);
+    point.fresnelBase = reflectanceAtNormalIncidence(lobes);
+    point.fresnelSlope = Real3(1.0f) - point.fresnelBase;
     if (brdf == BRDF_COURSE) {
         Real k = schlickSmithK(lobes.roughness);
         point.maskingSlope = 1.0f - k;
         point.maskingOffset = k;
         point.viewLobe = point.alpha2 / (4.0f * PI * (nDotV * (1.0f - k) + k));
-        point.compensation = Real3(1.0f);
     } else {
         point.maskingSlope = smithRoot(nDotV, point.alpha2);
         point.maskingOffset = nDotV;
         point.viewLobe = point.alpha2 * (1.0f / (2.0f * PI));
-        point.compensation = energyCompensation(point.f0, directionalAlbedo(table, nDotV, alpha));
+        Real3 compensation = energyCompensation(point.fresnelBase, lobe.albedo);
+        point.fresnelBase = point.fresnelBase * compensation;
+        point.fresnelSlope = point.fresnelSlope * compensation;
     }
+    point.specularAlbedo = (point.fresnelBase + point.fresnelSlope * lobe.fresnelWeight) * lobe.albedo;
+    point.diffuse = diffuseLobe(lobes) * transmitted(point.specularAlbedo);
     return point;
 }
 
@@ -129,11 +171,8 @@ SHARED_FUNCTION Real3 evaluateBrdf(const int brdf, ShadingPoint point, Real3 l, 
     Real nDotT2 = nDotT * nDotT;
     Real t2 = tangential2 + nDotT2;
     Real lobe = specularLobe(brdf, point, tangential2, nDotT2, t2, max(nDotL, 0.0f));
-    Real3 fresnel = point.f0 + point.oneMinusF0 * schlickWeight(t2);
-    Real3 specular = Real3(lobe);
-    if (brdf == BRDF_GLTF) specular = point.compensation * lobe;
-    // diffuse (1 - F) + specular F
-    return point.diffuse + fresnel * (specular - point.diffuse);
+    Real3 fresnel = point.fresnelBase + point.fresnelSlope * schlickWeight(t2);
+    return point.diffuse + fresnel * lobe;
 }
 
 // KHR_lights_punctual's window: 1 - (d / range)^4, or 0.

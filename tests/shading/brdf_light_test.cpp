@@ -33,11 +33,12 @@ double radiance(const WorldLight& light, BrdfModel model = BrdfModel::course) {
 }
 
 TEST(BrdfLight, oneCandelaAtOneMetreMatchesTheClosedForm) {
-    // f at normal incidence is (0.96 + 0.04 / 4) / pi; L = pi f (1 cd / pi) / 1 m².
+    // f at normal incidence is (1 - E_s + 0.04 / 4) / pi; L = pi f (1 cd / pi) / 1 m².
+    const double albedo = specularAlbedo(BrdfModel::course, glm::dvec3(0.04), 1.0, 1.0).x;
     SurfacePoint point = surface(1.0, 0.0, 1.0);
     const glm::dvec3 result =
         reflectedRadiance(BrdfModel::course, point, glm::dvec3(0.0, 0.0, 5.0), pointLight(1.0));
-    EXPECT_NEAR(result.x, 0.97 / std::numbers::pi, singleRounding);
+    EXPECT_NEAR(result.x, (1.01 - albedo) / std::numbers::pi, singleRounding);
 }
 
 TEST(BrdfLight, fallsWithTheSquareOfTheDistance) {

@@ -1,6 +1,7 @@
-#include <candela/brdf.h>
+#include "shading/directional_albedo.h"
 
 #include <gtest/gtest.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -9,6 +10,7 @@
 #include <cstdio>
 #include <numbers>
 #include <random>
+#include <span>
 
 // The merged form of shaders/shared/shading.h, over float and double, against the textbook form.
 
@@ -21,6 +23,21 @@ double alphaOf(double roughness) {
     return std::max(roughness * roughness, minAlpha);
 }
 
+/// The table of lib/shading/directional_albedo.h at x and y.
+template <typename Texel, typename Real>
+Texel texelOf(std::span<const float> table, Real x, Real y) {
+    constexpr int last = albedoTableSize - 1;
+    const int i = std::min(int(x * last), last - 1), j = std::min(int(y * last), last - 1);
+    const auto channel = [&](int c) {
+        const auto row = [&](int of) {
+            const float* texel = table.data() + 2 * (of * albedoTableSize + i) + c;
+            return glm::mix(Real(texel[0]), Real(texel[2]), x * last - Real(i));
+        };
+        return glm::mix(row(j), row(j + 1), y * last - Real(j));
+    };
+    return {channel(0), channel(1)};
+}
+
 #define SHARED_FUNCTION inline
 
 /// shaders/shared/shading.h over double.
@@ -29,7 +46,7 @@ namespace exact {
 using Real = double;
 using Real3 = glm::dvec3;
 using Scalar = double;
-struct AlbedoTable {};
+using AlbedoTable = std::span<const float>;
 inline Real max(Real a, Real b) {
     return std::max(a, b);
 }
@@ -45,13 +62,14 @@ inline Real inversesqrt(Real a) {
 inline Real fastDivide(Real a, Real b) {
     return a / b;
 }
-inline Real directionalAlbedo(AlbedoTable, Real nDotV, Real alpha) {
-    return candela::directionalAlbedo(nDotV, alpha);
-}
 #include "shared/shading_constants.h"
 #include "shared/surface_lobes.h"
 
 #include "shared/shading.h"
+
+inline AlbedoTexel readAlbedoTable(AlbedoTable table, Real x, Real y) {
+    return texelOf<AlbedoTexel, Real>(table, x, y);
+}
 
 }  // namespace exact
 
@@ -61,7 +79,7 @@ namespace single {
 using Real = float;
 using Real3 = glm::vec3;
 using Scalar = float;
-struct AlbedoTable {};
+using AlbedoTable = std::span<const float>;
 inline Real max(Real a, Real b) {
     return std::max(a, b);
 }
@@ -77,13 +95,14 @@ inline Real inversesqrt(Real a) {
 inline Real fastDivide(Real a, Real b) {
     return a / b;
 }
-inline Real directionalAlbedo(AlbedoTable, Real nDotV, Real alpha) {
-    return static_cast<Real>(candela::directionalAlbedo(nDotV, alpha));
-}
 #include "shared/shading_constants.h"
 #include "shared/surface_lobes.h"
 
 #include "shared/shading.h"
+
+inline AlbedoTexel readAlbedoTable(AlbedoTable table, Real x, Real y) {
+    return texelOf<AlbedoTexel, Real>(table, x, y);
+}
 
 }  // namespace single
 
@@ -103,20 +122,20 @@ Lobes whiteMetal(double roughness) {
 double mergedLobe(BrdfModel model, double roughness, const glm::dvec3& n, const glm::dvec3& l,
                   const glm::dvec3& v) {
     const int brdf = static_cast<int>(model);
-    exact::ShadingPoint point =
-        exact::shadingPoint(brdf, whiteMetal<exact::SurfaceLobes>(roughness), n, glm::dvec3(0.0), v, {});
-    point.compensation = glm::dvec3(1.0);
+    exact::ShadingPoint point = exact::shadingPoint(brdf, whiteMetal<exact::SurfaceLobes>(roughness), n,
+                                                    glm::dvec3(0.0), v, directionalAlbedoTable(model));
+    point.fresnelBase = glm::dvec3(1.0);
     return exact::evaluateBrdf(brdf, point, l, glm::dot(n, l)).x;
 }
 
 float mergedLobe(BrdfModel model, float roughness, const glm::vec3& n, const glm::vec3& l,
                  const glm::vec3& v) {
     const int brdf = static_cast<int>(model);
-    single::ShadingPoint point =
-        single::shadingPoint(brdf, whiteMetal<single::SurfaceLobes>(roughness), n, glm::vec3(0.0f), v, {});
+    single::ShadingPoint point = single::shadingPoint(brdf, whiteMetal<single::SurfaceLobes>(roughness), n,
+                                                      glm::vec3(0.0f), v, directionalAlbedoTable(model));
     point.toEye = v;  // As it was given: the error of normalising it is not that of the merged form.
     point.nDotV = glm::dot(n, v);
-    point.compensation = glm::vec3(1.0f);
+    point.fresnelBase = glm::vec3(1.0f);
     return single::evaluateBrdf(brdf, point, l, glm::dot(n, l)).x;
 }
 
@@ -223,11 +242,17 @@ TEST(BrdfMerged, wholeEquationIsThatOfTheEvaluator) {
             const int brdf = static_cast<int>(model);
             const exact::ShadingPoint point = exact::shadingPoint(
                 brdf, {surface.lobes.baseColor, surface.lobes.metallic, surface.lobes.roughness}, n,
-                glm::dvec3(0.0), v, {});
+                glm::dvec3(0.0), v, directionalAlbedoTable(model));
             const glm::dvec3 merged = exact::evaluateBrdf(brdf, point, l, glm::dot(n, l));
             const glm::dvec3 textbook = evaluateBrdf(model, surface, l, v);
             // Rounding of double, magnified by 1 / alpha^2 = 1e4 at most.
-            for (int c = 0; c < 3; ++c) ASSERT_NEAR(merged[c] / textbook[c], 1.0, 1.0e-8);
+            const glm::dvec3 f0 = glm::mix(glm::dvec3(0.04), surface.lobes.baseColor, surface.lobes.metallic);
+            const glm::dvec3 albedo =
+                specularAlbedo(model, f0, std::max(glm::dot(n, v), minNDotV), surface.lobes.roughness);
+            for (int c = 0; c < 3; ++c) {
+                ASSERT_NEAR(merged[c] / textbook[c], 1.0, 1.0e-8);
+                ASSERT_NEAR(point.specularAlbedo[c], albedo[c], 1.0e-12);
+            }
         }
 }
 

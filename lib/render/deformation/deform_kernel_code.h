@@ -23,12 +23,6 @@ struct alignas(64) BlockColumns {
     float result[restColumnsWithTangents][deformBlockSize];
 };
 
-inline Four loadFour(const float* from) {
-    Four v;
-    __builtin_memcpy(&v, from, sizeof v);
-    return v;
-}
-
 inline void storeFour(float* to, Four v) {
     __builtin_memcpy(to, &v, sizeof v);
 }

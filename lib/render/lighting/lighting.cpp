@@ -9,7 +9,6 @@ namespace candela {
 Lighting::Lighting(const Context& context)
     : deviceBackend_(context.isSoftware() ? TileBackend::cpu : TileBackend::compute),
       limit_(context.isSoftware() ? LightsPerInvocation{} : LightsPerInvocation::onGpu()),
-      albedo_(makeAlbedoTexture()),
       fullscreen_(limit_) {}
 
 std::unique_ptr<LightingTechnique> Lighting::create(Technique technique, TileBackend backend) const {
@@ -48,8 +47,10 @@ std::vector<float> Lighting::shadowedPerPixel(const LightingInputs& inputs) {
     return shadowTiles_->shadowedPerPixel(inputs);
 }
 
-void Lighting::bind(const LightingInputs& inputs) const {
-    bindForLighting(inputs.targets, inputs.lights, albedo_);
+void Lighting::bind(const LightingInputs& inputs) {
+    std::optional<gl::Texture>& albedo = albedo_[static_cast<std::size_t>(inputs.brdf)];
+    if (!albedo) albedo = makeAlbedoTexture(inputs.brdf);
+    bindForLighting(inputs.targets, inputs.lights, *albedo);
     if (inputs.occlusion != nullptr && inputs.occlusion->shaderForm() != nullptr)
         inputs.occlusion->shaderForm()->bind();
 }

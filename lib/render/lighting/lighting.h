@@ -8,8 +8,10 @@
 #include <candela/context.h>
 #include <candela/frame_settings.h>
 
+#include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,14 +37,14 @@ class Lighting {
     bool tracesInShaders(Technique technique, TileBackend backend) const;
 
     /// Binds the textures that all techniques read.
-    void bind(const LightingInputs& inputs) const;
+    void bind(const LightingInputs& inputs);
 
   private:
     std::unique_ptr<LightingTechnique> create(Technique technique, TileBackend backend) const;
 
     TileBackend deviceBackend_;
     LightsPerInvocation limit_;
-    gl::Texture albedo_;
+    std::array<std::optional<gl::Texture>, 2> albedo_;  ///< For each `BrdfModel`, made when first needed.
     FullscreenPass fullscreen_;
     std::map<std::pair<Technique, TileBackend>, std::unique_ptr<LightingTechnique>> techniques_;
     std::unique_ptr<PairCounter> counter_;

@@ -16,11 +16,11 @@ const char* brdfDefinition(BrdfModel model) {
 
 }  // namespace
 
-gl::Texture makeAlbedoTexture() {
+gl::Texture makeAlbedoTexture(BrdfModel model) {
     gl::Texture texture =
-        gl::Texture::target2d(GL_R32F, albedoTableSize, albedoTableSize, "directional albedo");
-    glTextureSubImage2D(texture.name(), 0, 0, 0, albedoTableSize, albedoTableSize, GL_RED, GL_FLOAT,
-                        directionalAlbedoTable().data());
+        gl::Texture::target2d(GL_RG32F, albedoTableSize, albedoTableSize, "directional albedo");
+    glTextureSubImage2D(texture.name(), 0, 0, 0, albedoTableSize, albedoTableSize, GL_RG, GL_FLOAT,
+                        directionalAlbedoTable(model).data());
     return texture;
 }
 

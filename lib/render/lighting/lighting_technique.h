@@ -66,8 +66,8 @@ struct LightsPerInvocation {
     int of(const LightingInputs& inputs) const { return inputs.occlusion == nullptr ? plain : traced; }
 };
 
-/// The directional albedo table as a texture.
-gl::Texture makeAlbedoTexture();
+/// The model's directional albedo table as a texture.
+gl::Texture makeAlbedoTexture(BrdfModel model);
 
 /// Binds the textures that shaders/lib/lighting.glsl reads in frames without shadows.
 void bindForLighting(const GBufferTargets& targets, const GpuLights& lights, const gl::Texture& albedo);

@@ -27,8 +27,9 @@ Material white(float roughness = 1.0f) {
     return material;
 }
 
-/// f(n, n) of a white dielectric of roughness 1: 0.96 / pi, and a lobe of 0.04 / (4 pi) for D = 1 / pi.
-constexpr float normalIncidence = (0.96f + 0.01f) / pi;
+/// f(n, n) of a white dielectric of roughness 1: 1 - E_s over pi, and a lobe of 0.04 / (4 pi) for D = 1 / pi.
+const float normalIncidence =
+    (1.01f - float(specularAlbedo(BrdfModel::course, glm::dvec3(0.04), 1.0, 1.0).x)) / pi;
 
 /// The radiance of a white square, which faces the lights, with the renderer's ranges and with none.
 struct WithAndWithoutRanges {

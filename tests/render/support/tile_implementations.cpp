@@ -59,7 +59,7 @@ std::vector<float> radianceOf(const Context& context, const TileImplementation& 
     const gl::StateGuard guard(*context.state().binding, "a test");
     const GBufferTargets targets(picture.width, picture.height);
     GeometryPass geometry;
-    const gl::Texture albedo = makeAlbedoTexture();
+    const gl::Texture albedo = makeAlbedoTexture(picture.brdf);
     CameraView view = picture.view;
     // As the renderer does: behind every surface of the test scenes.
     if (view.orthographicHeight && !view.farPlane) view.farPlane = 1000.0f;

@@ -117,7 +117,7 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     frame.localCount = static_cast<std::uint32_t>(counts.points + counts.spots);
     frame.directionalCount = static_cast<std::uint32_t>(counts.directionals);
     frame.srgbDecode = srgbDecode_.data();
-    frame.albedoTable = directionalAlbedoTable().data();
+    frame.albedoTable = directionalAlbedoTable(inputs.brdf).data();
     frame.albedoTableSize = albedoTableSize;
     return frame;
 }

@@ -45,7 +45,7 @@ struct TileFrame {
                             ///< Null where pixels are shaded.
 
     const float* srgbDecode;   ///< 256 values.
-    const float* albedoTable;  ///< See directional_albedo.h.
+    const float* albedoTable;  ///< Of the reflection model: see directional_albedo.h.
     int albedoTableSize;
 };
 
