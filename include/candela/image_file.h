@@ -1,6 +1,7 @@
 #pragma once
 
 #include <candela/export.h>
+#include <candela/image.h>
 
 #include <glm/vec2.hpp>
 
@@ -46,5 +47,21 @@ CANDELA_API void writePng(const std::filesystem::path& path, std::uint32_t width
 /// have the same name, a name is not 1 to 255 bytes long, or a channel does not have one value per pixel.
 CANDELA_API void writeExr(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
                           std::span<const ExrChannel> channels, const Chromaticities& chromaticities);
+
+/// A picture of linear light, and what was repaired in it.
+struct HdrFile {
+    Image image;  ///< `PixelFormat::rgba32f`, linear Rec.709, 0 to 1e20; alpha is 1. Its name is the file's.
+    std::vector<std::string> notes;  ///< A line each, which begins with the path.
+};
+
+/// Reads a Radiance picture (.hdr: run-length coded or not, RGB or XYZ, any orientation; exposure and colour
+/// correction are undone) or an OpenEXR file (.exr: channels R, G and B, or Y, of the first part, of any
+/// type; what lies outside of its data window is black). What a file is, its first bytes say. Colours are
+/// converted from the primaries that the file states. Values that are no light are replaced, with a note:
+/// those below 0 or that are no number by 0, those that are infinite or over 1e20 by the largest of the
+/// others. Throws `Error` that names the file: environment when it can not be read; badInput when it is
+/// neither, cut off or damaged, has other channels, a side of more than 32768 or more than 2^27 pixels;
+/// unsupported for deep data; limit when memory does not hold it.
+CANDELA_API HdrFile readHdrFile(const std::filesystem::path& path);
 
 }  // namespace candela

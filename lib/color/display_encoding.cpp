@@ -1,6 +1,6 @@
 #include "color/display_encoding.h"
 
-#include "color/primaries.h"
+#include "base/primaries.h"
 
 #include <array>
 #include <cmath>

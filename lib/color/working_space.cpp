@@ -2,7 +2,7 @@
 
 #include <candela/error.h>
 
-#include "color/primaries.h"
+#include "base/primaries.h"
 
 #include <glm/gtc/matrix_access.hpp>
 

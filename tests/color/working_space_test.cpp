@@ -1,6 +1,6 @@
 #include <candela/color.h>
 
-#include "color/primaries.h"
+#include "base/primaries.h"
 #include "temporary_config.h"
 
 #include <gtest/gtest.h>

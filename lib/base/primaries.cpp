@@ -1,4 +1,4 @@
-#include "color/primaries.h"
+#include "base/primaries.h"
 
 #include <array>
 
