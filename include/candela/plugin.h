@@ -286,6 +286,23 @@ typedef struct candela_light {
                    * shadows; directional: ignored */
 } candela_light;
 
+/* Light from everywhere, infinitely far away (since 1.5): an equirectangular picture of what surrounds the
+ * scene. Its rows go from the top (+Y), its columns from the left, where the middle column lies at -Z, the
+ * quarter to its right at +X and the borders at +Z. */
+typedef struct candela_environment {
+    uint32_t struct_size;
+    const char* name;
+    uint32_t width, height; /* 1 to 32768 */
+    const float* pixels;  /* 4 a texel: radiance, linear Rec.709, candela per square metre, 0 or more; and an
+                           * alpha that is not read */
+    uint64_t pixels_size; /* bytes: width × height × 16 */
+    float rotation[4];    /* world from the picture's frame: unit quaternion x, y, z, w */
+    float intensity;      /* factor on the radiance, 0 or more */
+    uint32_t is_hidden;   /* 1: it is not seen behind the scene; or 0 */
+    float occlusion_distance; /* metres: surfaces farther from a point do not hide the environment from it; 0:
+                               * every surface hides what lies behind it */
+} candela_environment;
+
 /* A node of the hierarchy. Parents are added before their children. The local matrix is `matrix` where it is
  * not NULL, and translation × rotation × scale otherwise. */
 typedef struct candela_node {
@@ -404,6 +421,9 @@ typedef struct candela_host {
     candela_status (*read_optional_file)(void* self, const char* path, candela_bytes* out,
                                          const char** reason);
     candela_status (*add_deformation)(void* self, const candela_deformation* deformation);
+
+    /* since 1.5: at most once */
+    candela_status (*set_environment)(void* self, const candela_environment* environment);
 } candela_host;
 
 /* ---- The subdivider (since 1.1) */

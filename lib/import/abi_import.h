@@ -21,6 +21,7 @@ Skin skinFrom(const candela_skin& source, const AbiReader& element, const Scene&
 Node nodeFrom(const candela_node& source, const AbiReader& element, const Scene& scene);
 Camera cameraFrom(const candela_camera& source, const AbiReader& element, const Scene& scene);
 Light lightFrom(const candela_light& source, const AbiReader& element, const Scene& scene);
+Environment environmentFrom(const candela_environment& source, const AbiReader& element);
 Animation animationFrom(const candela_animation& source, const AbiReader& element, const Scene& scene);
 
 /// Adds an instance of a cage to its node.

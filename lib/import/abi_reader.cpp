@@ -117,6 +117,18 @@ glm::mat4 AbiReader::affine(const std::string& member, glm::mat4 matrix) const {
     return matrix;
 }
 
+glm::quat AbiReader::unitQuaternion(const char* member, const float (&xyzw)[4]) const {
+    // The error of 8-bit quantised quaternions, sqrt(4) × 0.5 / 127 = 0.0079, rounded up.
+    constexpr double tolerance = 0.01;
+    double square = 0.0;
+    for (const float number : xyzw) square += double{finite(member, number)} * number;
+    const double length = std::sqrt(square);
+    if (std::abs(length - 1.0) > tolerance)
+        refuse(joined(member, " has the length ", length, ", but a unit quaternion was expected"));
+    const auto part = [&](int i) { return static_cast<float>(xyzw[i] / length); };
+    return {part(3), part(0), part(1), part(2)};
+}
+
 std::optional<std::uint32_t> AbiReader::reference(const char* member, std::int32_t index,
                                                   std::size_t count) const {
     if (index == -1) return std::nullopt;

@@ -4,6 +4,7 @@
 #include "import/plugin_abi.h"
 #include "import/text.h"
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
@@ -98,6 +99,9 @@ class AbiReader {
 
     /// The last row of `matrix` has to be 0, 0, 0, 1 but for rounding, and is so exactly in what is returned.
     glm::mat4 affine(const std::string& member, glm::mat4 matrix) const;
+
+    /// x, y, z, w of length 1, but for the error of 8-bit quantised numbers.
+    glm::quat unitQuaternion(const char* member, const float (&xyzw)[4]) const;
 
     /// An index of one of the `count` elements of a kind that were added so far; -1 is none.
     std::optional<std::uint32_t> reference(const char* member, std::int32_t index, std::size_t count) const;

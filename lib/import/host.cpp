@@ -104,6 +104,18 @@ candela_status ImportHost::addDeformation(const candela_deformation* deformation
     return done ? CANDELA_OK : CANDELA_FAILED;
 }
 
+candela_status ImportHost::setEnvironment(const candela_environment* environment) noexcept {
+    const bool done = guarded("an environment", [&] {
+        const AbiReader call("set_environment", std::nullopt, nullptr);
+        if (!environment) call.refuse("the struct is NULL");
+        const auto copy = copyOf(environment);
+        if (!copy) call.refuse("struct_size " + sizeFault(environment));
+        if (scene_.environment) call.refuse("the scene has an environment already");
+        scene_.environment = environmentFrom(*copy, AbiReader("environment", std::nullopt, copy->name));
+    });
+    return done ? CANDELA_OK : CANDELA_FAILED;
+}
+
 candela_bytes ImportHost::fileBytes(const char* path) {
     if (!files_)
         throw Error(
@@ -252,6 +264,10 @@ struct ImportHost::Functions {
         return from(self).addDeformation(deformation);
     }
 
+    static candela_status setEnvironment(void* self, const candela_environment* environment) {
+        return from(self).setEnvironment(environment);
+    }
+
     static void parallelFor(void* self, std::uint32_t count, candela_parallel_body body, void* context) {
         runParallelLoop(*from(self).pool_, count, body, context);
     }
@@ -279,6 +295,7 @@ struct ImportHost::Functions {
         host.add_note = addNote;
         host.read_optional_file = readOptionalFile;
         host.add_deformation = addDeformation;
+        host.set_environment = setEnvironment;
         return host;
     }
 };

@@ -13,23 +13,10 @@ namespace candela {
 
 namespace {
 
-// The error of 8-bit quantised quaternions, sqrt(4) × 0.5 / 127 = 0.0079, rounded up.
-constexpr double unitTolerance = 0.01;
-
-glm::quat unitQuaternion(const AbiReader& element, const float (&xyzw)[4]) {
-    double square = 0.0;
-    for (const float number : xyzw) square += double{element.finite("rotation", number)} * number;
-    const double length = std::sqrt(square);
-    if (std::abs(length - 1.0) > unitTolerance)
-        element.refuse(joined("rotation has the length ", length, ", but a unit quaternion was expected"));
-    const auto part = [&](int i) { return static_cast<float>(xyzw[i] / length); };
-    return {part(3), part(0), part(1), part(2)};
-}
-
 Transform transformFrom(const candela_node& source, const AbiReader& element) {
     Transform transform;
     transform.translation = element.finiteVector("translation", source.translation);
-    transform.rotation = unitQuaternion(element, source.rotation);
+    transform.rotation = element.unitQuaternion("rotation", source.rotation);
     transform.scale = element.finiteVector("scale", source.scale);
     return transform;
 }

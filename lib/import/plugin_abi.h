@@ -54,6 +54,8 @@ inline constexpr const char* firstVersionOf<candela_cage_instance> = "1.1";
 template <>
 inline constexpr const char* firstVersionOf<candela_deformation> = "1.3";
 template <>
+inline constexpr const char* firstVersionOf<candela_environment> = "1.5";
+template <>
 inline constexpr const char* firstVersionOf<candela_refined_cage> = "1.1";
 template <>
 inline constexpr const char* firstVersionOf<candela_subdivider> = "1.1";

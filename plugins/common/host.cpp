@@ -90,6 +90,14 @@ void Host::add(const candela_deformation& deformation) const {
     if (host_.add_deformation(host_.self, &deformation) != CANDELA_OK) throw HostRefused{};
 }
 
+void Host::set(const candela_environment& environment) const {
+    if (host_.set_environment(host_.self, &environment) != CANDELA_OK) throw HostRefused{};
+}
+
+bool Host::takesEnvironments() const {
+    return host_.struct_size >= offsetof(candela_host, set_environment) + sizeof host_.set_environment;
+}
+
 bool Host::takesDeformations() const {
     return host_.struct_size >= offsetof(candela_host, add_deformation) + sizeof host_.add_deformation;
 }

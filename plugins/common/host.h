@@ -52,11 +52,14 @@ class Host {
     std::int32_t add(const candela_skin& skin) const;
     void add(const candela_cage_instance& instance) const;
     void add(const candela_deformation& deformation) const;
+    void set(const candela_environment& environment) const;
 
     /// Whether the host has cages, skins and polygons, which came with version 1.1.
     bool takesCages() const;
     /// Whether the host has what deforms meshes, which came with version 1.3.
     bool takesDeformations() const;
+    /// Whether the host has environments, which came with version 1.5.
+    bool takesEnvironments() const;
 
     /// Calls `body(index)` for each index below `count` on the threads of the host, see `parallel.h`.
     template <typename Body>

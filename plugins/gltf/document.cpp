@@ -201,6 +201,7 @@ Document readDocument(const Bytes& text, const Host& host) {
     document.faults = compressedElements(json);
     document.cages = readCageSettings(json, host);
     document.shadows = readShadowExtras(json, host);
+    document.imageBasedLight = readImageBasedLight(json, host);
     Conformity conformity = conform(json, documentSchema(), host);
     document.faults.merge(conformity.faults);
     document.lostGeometry = std::move(conformity.lostGeometry);

@@ -11,6 +11,7 @@
 #include "../common/failure.h"
 #include "../common/host.h"
 #include "cage_settings.h"
+#include "image_based_light.h"
 #include "schema.h"
 #include "shadow_extras.h"
 
@@ -50,6 +51,7 @@ struct Document {
     std::vector<SkinSource> skins;
     std::map<std::size_t, CageSettings> cages;  ///< By mesh: those that are subdivision cages.
     ShadowExtras shadows;
+    std::optional<ImageBasedLight> imageBasedLight;  ///< Of the scene that is drawn.
     std::vector<Bytes> buffers;  ///< Filled by `loadBuffers`; empty where it has a fault.
     bool quantized = false;      ///< KHR_mesh_quantization is in use.
 };

@@ -13,8 +13,9 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view supported[] = {
-    "FB_ngon_encoding",    "KHR_lights_punctual",   "KHR_materials_emissive_strength",
-    "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform",
+    "EXT_lights_image_based",          "FB_ngon_encoding",    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_mesh_quantization",
+    "KHR_texture_transform",
 };
 
 /// Extensions without which a picture lacks nothing, or whose loss is told where it matters.
@@ -55,7 +56,6 @@ struct Loss {
 
 constexpr Loss losses[] = {
     {"EXT_lights_ies", "the profile of its light (EXT_lights_ies)"},
-    {"EXT_lights_image_based", "its image-based light (EXT_lights_image_based)"},
     {"EXT_mesh_gpu_instancing", "its instances (EXT_mesh_gpu_instancing): drawn once"},
     {"KHR_materials_anisotropy", "anisotropy (KHR_materials_anisotropy)"},
     {"KHR_materials_clearcoat", "the clear coat (KHR_materials_clearcoat)"},

@@ -32,15 +32,16 @@ std::string imageName(const Source& source) {
     return source.name.empty() && hasFile ? *source.uri : source.name;
 }
 
-Bytes fileOf(const Document& document, const Source& source, const std::string& element, Storage& storage,
-             const Host& host) {
-    requireUsable(document, element);
+}  // namespace
+
+Bytes imageFile(const Document& document, std::size_t index, const std::string& element, Storage& storage,
+                const Host& host) {
+    const Source& source = document.imageSources.at(index);
+    requireUsable(document, elementName("image", index, source.name));
     if (source.uri) return loadUri(*source.uri, element, storage, host);
     if (source.bufferView) return viewBytes(document, *source.bufferView, element);
     throw Failure{element, "neither a URI nor a bufferView"};
 }
-
-}  // namespace
 
 std::vector<std::int32_t> addImages(const Document& document, Storage& storage, const Host& host, double from,
                                     double to) {
@@ -52,7 +53,7 @@ std::vector<std::int32_t> addImages(const Document& document, Storage& storage, 
         const Source& source = document.imageSources[i];
         const std::string element = elementName("image", i, source.name);
         host.leavesOut([&] {
-            const Bytes file = fileOf(document, source, element, storage, host);
+            const Bytes file = imageFile(document, i, element, storage, host);
             jobs.push_back(
                 {imageName(source), decodedSize(file), [=] { return decodeImage(file, element); }});
             images.push_back(i);

@@ -25,6 +25,10 @@ struct AddedMaterials {
 AddedMaterials addMaterials(const Document& document, const std::vector<std::int32_t>& images,
                             const std::vector<bool>& usedMeshes, const Host& host);
 
+/// The bytes of image `index` of the file. Throws `Failure` for `element` when it cannot be read.
+Bytes imageFile(const Document& document, std::size_t index, const std::string& element, Storage& storage,
+                const Host& host);
+
 /// Decodes the images that materials use, and adds them. Returns the host's index of each image of the
 /// file, -1 for those that nothing uses, and, with a note, for those that cannot be read. Progress goes from
 /// `from` to `to`.

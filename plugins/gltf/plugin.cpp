@@ -9,6 +9,7 @@
 #include "buffers.h"
 #include "cages.h"
 #include "document.h"
+#include "image_based_light.h"
 #include "materials.h"
 #include "mesh_deformations.h"
 #include "meshes.h"
@@ -60,6 +61,7 @@ void importFile(const std::string& name, const Host& host) {
     const AddedNodes nodes = addNodes(document, drawn, meshes, host);
     addCameras(document, drawn, nodes.indices, host);
     addLights(document, drawn, nodes.indices, host);
+    addEnvironment(document, storage, host);
     Skins skins(document, nodes.indices, host);
     addCageInstances(document, drawn, nodes.indices, cages, skins, host);
     addMeshDeformations(document, drawn, nodes, meshes, skins, host);

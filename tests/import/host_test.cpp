@@ -226,7 +226,8 @@ TEST(Host, AMeshWithoutSubmeshesIsDrawnAsAWhole) {
 TEST(Host, PluginsBuiltForOlderVersionsImport) {
     const PluginRegistry old({std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-0",
                               std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-1",
-                              std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-3"});
+                              std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-3",
+                              std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-4"});
     const Scene first = importScene(old, "built-for-1-0:").scene;
     EXPECT_EQ(first.meshes.at(0).indices.size(), 3u);
     ASSERT_EQ(first.lights.size(), 1u);
@@ -246,6 +247,11 @@ TEST(Host, PluginsBuiltForOlderVersionsImport) {
     EXPECT_EQ(third.lights[0].node, 0u);
     EXPECT_TRUE(third.lights[0].castsShadow);
     EXPECT_EQ(third.lights[0].radius, 0.0f);
+    const Scene fourth = importScene(old, "built-for-1-4:").scene;
+    EXPECT_FALSE(fourth.nodes.at(0).castsShadow);
+    ASSERT_EQ(fourth.lights.size(), 1u);
+    EXPECT_EQ(fourth.lights[0].radius, 0.5f);
+    EXPECT_FALSE(fourth.environment);
 }
 
 TEST(Host, RunsParallelLoops) {

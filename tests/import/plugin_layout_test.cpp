@@ -156,6 +156,18 @@ static_assert(offsetof(candela_light, casts_no_shadow) == 80);
 static_assert(offsetof(candela_light, radius) == 84);
 static_assert(sizeof(candela_light) == 88);
 
+static_assert(offsetof(candela_environment, struct_size) == 0);
+static_assert(offsetof(candela_environment, name) == 8);
+static_assert(offsetof(candela_environment, width) == 16);
+static_assert(offsetof(candela_environment, height) == 20);
+static_assert(offsetof(candela_environment, pixels) == 24);
+static_assert(offsetof(candela_environment, pixels_size) == 32);
+static_assert(offsetof(candela_environment, rotation) == 40);
+static_assert(offsetof(candela_environment, intensity) == 56);
+static_assert(offsetof(candela_environment, is_hidden) == 60);
+static_assert(offsetof(candela_environment, occlusion_distance) == 64);
+static_assert(sizeof(candela_environment) == 72);
+
 static_assert(offsetof(candela_node, struct_size) == 0);
 static_assert(offsetof(candela_node, name) == 8);
 static_assert(offsetof(candela_node, parent) == 16);
@@ -208,7 +220,8 @@ static_assert(offsetof(candela_host, parallel_for) == 136);
 static_assert(offsetof(candela_host, add_note) == 144);
 static_assert(offsetof(candela_host, read_optional_file) == 152);
 static_assert(offsetof(candela_host, add_deformation) == 160);
-static_assert(sizeof(candela_host) == 168);
+static_assert(offsetof(candela_host, set_environment) == 168);
+static_assert(sizeof(candela_host) == 176);
 
 static_assert(offsetof(candela_stencil_table, stencil_count) == 0);
 static_assert(offsetof(candela_stencil_table, offsets) == 8);
