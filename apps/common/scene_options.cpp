@@ -1,6 +1,7 @@
 #include "scene_options.h"
 
 #include "parse.h"
+#include "scene_environment.h"
 #include "shadow_stats.h"
 
 #include <CLI/CLI.hpp>
@@ -54,6 +55,13 @@ constexpr const char* ortho = "An orthographic view in which the picture is HEIG
 constexpr const char* defaultLights =
     "Add a key, a fill and a rim light that move with the camera: auto (where the\n"
     "scene has no light), on or off. Default: auto";
+constexpr const char* environment =
+    "What surrounds and lights the scene instead of its own environment: a picture\n"
+    "in linear light, studio (soft boxes), sky (a clear day with its sun) or none.\n"
+    "DEGREES turn it about +Y, STOPS brighten it";
+constexpr const char* background =
+    "Whether the environment is seen behind the scene: on or off. Default: on, but\n"
+    "for studio";
 constexpr const char* brdf =
     "Reflection model: course (GGX with Schlick-Smith), or gltf (height-correlated,\n"
     "energy-compensated). Default: course";
@@ -252,6 +260,21 @@ void SceneOptionReader::declareLighting(CLI::App& app) {
            "--default-lights",
            [this](const std::string& text) { options_.defaultLights = parseDefaultLights(text); },
            help::defaultLights)
+        ->type_name("WORD")
+        ->group("Lighting");
+    app.add_option_function<std::string>(
+           "--environment",
+           [this](const std::string& text) { options_.environment = parseEnvironment(text); },
+           help::environment)
+        ->type_name("FILE|studio|sky|none[,DEGREES[,STOPS]]")
+        ->group("Lighting");
+    app.add_option_function<std::string>(
+           "--background",
+           [this](const std::string& text) {
+               options_.background = parseWord("--background", text, std::array{true, false},
+                                               [](bool shown) { return shown ? "on" : "off"; });
+           },
+           help::background)
         ->type_name("WORD")
         ->group("Lighting");
     app.add_option_function<std::string>(

@@ -33,6 +33,15 @@ enum class DefaultLights {
 /// The word on the command line: "auto", "on", "off".
 const char* toString(DefaultLights option);
 
+/// --environment: what surrounds the scene. That of a file, or "studio" or "sky", replaces the scene's own.
+struct EnvironmentOption {
+    enum class Source { own, none, studio, sky, file };
+    Source source = Source::own;  ///< The scene's own: the default.
+    std::string file;             ///< Of Source::file.
+    double degrees = 0.0;         ///< The rotation about +Y, counter-clockwise from above.
+    double stops = 0.0;           ///< How much brighter: each doubles the light.
+};
+
 /// --show: a debug view, and overlays.
 struct DebugViewOptions {
     candela::DebugView view = candela::DebugView::none;
@@ -61,6 +70,8 @@ struct SceneOptions {
     std::optional<float> orthographicHeight;  ///< Metres: an orthographic view.
 
     DefaultLights defaultLights = DefaultLights::automatic;
+    EnvironmentOption environment;
+    std::optional<bool> background;  ///< Whether the environment is seen; none: as `Environment` has it.
     candela::BrdfModel brdf = candela::BrdfModel::course;
     candela::Technique technique = candela::Technique::automatic;
     candela::TileBackend tileBackend = candela::TileBackend::automatic;

@@ -2,6 +2,7 @@
 
 #include "common/output_file.h"
 #include "common/program.h"
+#include "common/scene_environment.h"
 #include "common/scene_lights.h"
 #include "common/scene_selection.h"
 #include "frame_writer.h"
@@ -80,6 +81,15 @@ candela::Scene readScene(Session& session, const candela::PluginRegistry& plugin
     if (session.options.scatter)
         addScatteredLights(imported.scene, *session.options.scatter, session.options.scene);
     return std::move(imported.scene);
+}
+
+/// Gives the scene the environment of the options, and its sun. Returns its name.
+std::string useEnvironment(Session& session, candela::Scene& scene) {
+    EnvironmentLight light = placedEnvironment(loadEnvironment(scene, session.options), session.options);
+    for (const std::string& note : light.notes) session.note(note);
+    scene.environment = std::move(light.environment);
+    if (light.sun) scene.lights.push_back(*light.sun);
+    return light.name;
 }
 
 void noteLights(Session& session, const candela::LightReport& report) {
@@ -239,7 +249,8 @@ void renderFrames(const Options& options) {
     std::optional<candela::DisplayTransform> display = chooseDisplay(session, color);
 
     const candela::PluginRegistry plugins(options.pluginFolders);
-    const candela::Scene scene = readScene(session, plugins);
+    candela::Scene scene = readScene(session, plugins);
+    const std::string environment = useEnvironment(session, scene);
     const CameraSelection views(scene, options, [&] { return framedBox(scene); });
 
     session.progress.show("preparing the scene for drawing");
@@ -281,6 +292,7 @@ void renderFrames(const Options& options) {
     stats.triangles = gpuScene.triangleCount() + gpuScene.cageReport().triangles;
     stats.materials = gpuScene.materialCount();
     stats.lights = gpuScene.lightReport().lights;
+    stats.environment = environment;
     if (options.stats) {
         session.progress.show("counting pairs of pixel and light");
         // Debug views show no light.

@@ -65,6 +65,7 @@ std::string statsJson(const Stats& stats) {
         {"tile_backend", stats.tileBackend},
         {"subdivision_evaluator", stats.vertexEvaluator},
         {"shadows", stats.shadows ? shadowJson(*stats.shadows) : Json()},
+        {"environment", stats.environment},
     };
     constexpr int indent = 2;
     return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -17,6 +17,7 @@ struct Stats {
     candela::BrdfModel brdf = candela::BrdfModel::course;
     std::uint64_t triangles = 0, materials = 0, lights = 0;
     unsigned threads = 0;                ///< That parallel work used.
+    std::string environment;             ///< "studio", "sky", "scene" or a file; empty without one.
     std::string tileBackend;             ///< "cpu" or "compute"; empty where another technique ran.
     std::string vertexEvaluator;         ///< "cpu" or "compute"; empty without refined cages.
     std::vector<FrameTiming> timings;    ///< One or more.

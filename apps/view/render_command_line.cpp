@@ -1,5 +1,6 @@
 #include "render_command_line.h"
 
+#include "common/scene_environment.h"
 #include "common/shadow_stats.h"
 
 #include <algorithm>
@@ -116,6 +117,9 @@ std::string renderCommandLine(const SceneOptions& options) {
         command.option("--plugin-path", folder.string());
     if (options.defaultLights != DefaultLights::automatic)
         command.option("--default-lights", toString(options.defaultLights));
+    if (options.environment.source != EnvironmentOption::Source::own)
+        command.option("--environment", toString(options.environment));
+    if (options.background) command.option("--background", *options.background ? "on" : "off");
     command.option("--brdf", candela::toString(options.brdf));
     command.option("--technique", candela::toString(options.technique));
     if (options.tileBackend != candela::TileBackend::automatic)

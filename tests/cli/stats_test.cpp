@@ -33,7 +33,8 @@ TEST(Stats, KeysAreTheDocumentedOnes) {
     const Json stats = statsOf({"plaza:16", "--size", "64x36"});
     EXPECT_EQ(keys(stats),
               (Names{"version", "renderer", "width", "height", "technique", "brdf", "scene", "passes",
-                     "frame_ms", "counters", "threads", "tile_backend", "subdivision_evaluator", "shadows"}));
+                     "frame_ms", "counters", "threads", "tile_backend", "subdivision_evaluator", "shadows",
+                     "environment"}));
     EXPECT_EQ(keys(stats["scene"]), (Names{"triangles", "materials", "lights"}));
     EXPECT_EQ(keys(stats["frame_ms"]), (Names{"median", "min", "max", "count"}));
     EXPECT_EQ(keys(stats["counters"]),
