@@ -21,7 +21,10 @@ if(CANDELA_BUILD_RENDER OR CANDELA_BUILD_VIEW OR CANDELA_BUILD_BENCH OR CANDELA_
 endif()
 if(CANDELA_BUILD_PLUGINS)
   find_package(JPEG REQUIRED)
+  pkg_check_modules(webp REQUIRED IMPORTED_TARGET libwebp>=1.2)
   find_package(TinyGLTF REQUIRED)
+  find_package(draco 1.5 REQUIRED)
+  find_package(meshoptimizer 0.18 REQUIRED)
 endif()
 if(CANDELA_BUILD_PLUGINS OR CANDELA_BUILD_BENCH)
   # Debian's CMake package of OpenSubdiv names static libraries that Debian does not have.

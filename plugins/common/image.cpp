@@ -46,7 +46,6 @@ using namespace std::string_view_literals;
 constexpr Signature signatures[] = {
     {"\xABKTX 20\xBB"sv, "a KTX2 file"},
     {"\xABKTX 11\xBB"sv, "a KTX file"},
-    {"RIFF????WEBP"sv, "a WebP file"},
     {"GIF8"sv, "a GIF file"},
     {"BM????\0\0\0\0"sv, "a BMP file"},
     {"DDS "sv, "a DDS file"},
@@ -81,22 +80,25 @@ bool begins(const Bytes& file, std::string_view signature) {
 }  // namespace
 
 std::string otherFormat(const Bytes& file) {
-    if (file.size == 0) return "an empty file, expected PNG or JPEG";
+    const std::string expected = ", expected PNG, JPEG or WebP";
+    if (file.size == 0) return "an empty file" + expected;
     for (const Signature& signature : signatures) {
-        if (begins(file, signature.bytes)) return std::string(signature.name) + ", expected PNG or JPEG";
+        if (begins(file, signature.bytes)) return signature.name + expected;
     }
-    return "neither a PNG nor a JPEG file";
+    return "of no known format" + expected;
 }
 
 Image decodeImage(const Bytes& file, const std::string& element) {
     if (isPng(file)) return decodePng(file, element);
     if (isJpeg(file)) return decodeJpeg(file, element);
+    if (isWebp(file)) return decodeWebp(file, element);
     throw Failure{element, otherFormat(file)};
 }
 
 std::uint64_t decodedSize(const Bytes& file) {
     if (isPng(file)) return decodedPngSize(file);
-    return isJpeg(file) ? decodedJpegSize(file) : 0;
+    if (isJpeg(file)) return decodedJpegSize(file);
+    return isWebp(file) ? decodedWebpSize(file) : 0;
 }
 
 std::vector<std::int32_t> addImages(const std::vector<ImageJob>& jobs, const Host& host, double from,

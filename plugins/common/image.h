@@ -26,6 +26,7 @@ inline constexpr std::uint32_t maxSide = 32768;
 
 bool isPng(const Bytes& file);
 bool isJpeg(const Bytes& file);
+bool isWebp(const Bytes& file);
 
 /// Decodes a PNG file; 16-bit samples are kept, all others become 8 bits. Colour profiles and gamma are
 /// ignored, as glTF 2.0, 3.8.3 asks. Throws `Failure` for `element` when the file is damaged or cut off.
@@ -34,16 +35,21 @@ Image decodePng(const Bytes& file, const std::string& element);
 /// Decodes a JPEG file of grey or colour. Throws `Failure` for `element` when the file is damaged or cut off.
 Image decodeJpeg(const Bytes& file, const std::string& element);
 
+/// Decodes a WebP file, lossy or lossless. Throws `Failure` for `element` when the file is damaged, cut off
+/// or animated.
+Image decodeWebp(const Bytes& file, const std::string& element);
+
 /// The bytes of the decoded image as the header of the file says; 0 where it cannot be read.
 std::uint64_t decodedPngSize(const Bytes& file);
 std::uint64_t decodedJpegSize(const Bytes& file);
-/// The same for either format; 0 for other files.
+std::uint64_t decodedWebpSize(const Bytes& file);
+/// The same for any of these formats; 0 for other files.
 std::uint64_t decodedSize(const Bytes& file);
 
-/// What a file is that is neither PNG nor JPEG, for messages: "a WebP file, expected PNG or JPEG".
+/// What a file is of no format that is read, for messages: "a GIF file, expected PNG, JPEG or WebP".
 std::string otherFormat(const Bytes& file);
 
-/// Decodes a PNG or JPEG file. Throws `Failure` for `element` when it is neither, damaged or cut off.
+/// Decodes a PNG, JPEG or WebP file. Throws `Failure` for `element` when it is none, damaged or cut off.
 Image decodeImage(const Bytes& file, const std::string& element);
 
 /// An image to be created and added.

@@ -261,21 +261,25 @@ void loadBuffers(Document& document, const Container& container, Storage& storag
     }
 }
 
+Bytes bufferBytes(const Document& document, std::size_t buffer, std::uint64_t byteOffset,
+                  std::uint64_t byteLength, const std::string& part, const std::string& element) {
+    const std::string name = elementName("buffer", buffer, document.bufferSources.at(buffer).name);
+    requireUsable(document, name, element);
+    // What lies behind the buffer's byteLength is read where it is there.
+    const Bytes& bytes = document.buffers.at(buffer);
+    if (byteOffset > bytes.size || byteLength > bytes.size - byteOffset) {
+        throw Failure{element, part + " ends at byte " + std::to_string(byteOffset + byteLength) + ", but " +
+                                   name + " has " + std::to_string(bytes.size)};
+    }
+    return {bytes.data + byteOffset, byteLength};
+}
+
 Bytes viewBytes(const Document& document, std::size_t bufferView, const std::string& element) {
     const BufferView& view = document.bufferViews.at(bufferView);
-    const std::string viewName = elementName("bufferView", bufferView, view.name);
-    requireUsable(document, viewName, element);
-    const std::string bufferName =
-        elementName("buffer", view.buffer, document.bufferSources.at(view.buffer).name);
-    requireUsable(document, bufferName, element);
-    // What lies behind the buffer's byteLength is read where it is there.
-    const Bytes& buffer = document.buffers.at(view.buffer);
-    if (view.byteOffset > buffer.size || view.byteLength > buffer.size - view.byteOffset) {
-        throw Failure{element, viewName + " ends at byte " +
-                                   std::to_string(view.byteOffset + view.byteLength) + ", but " + bufferName +
-                                   " has " + std::to_string(buffer.size)};
-    }
-    return {buffer.data + view.byteOffset, view.byteLength};
+    const std::string name = elementName("bufferView", bufferView, view.name);
+    requireUsable(document, name, element);
+    if (view.decoded) return *view.decoded;
+    return bufferBytes(document, view.buffer, view.byteOffset, view.byteLength, name, element);
 }
 
 }  // namespace candela_plugins::gltf

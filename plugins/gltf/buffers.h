@@ -31,7 +31,8 @@ std::vector<std::uint8_t> decodeDataUri(const std::string& uri, const std::strin
 /// a scheme or is badly encoded.
 std::string pathOfUri(const std::string& uri, const std::string& element);
 
-/// Owns the bytes decoded from data URIs. A deque, whose elements do not move when it grows.
+/// Owns the bytes decoded from data URIs and compressed data. A deque, whose elements do not move when it
+/// grows.
 using Storage = std::deque<std::vector<std::uint8_t>>;
 
 /// The bytes of a URI: a data URI is decoded into `storage`, a file is read by the host. Throws `Failure` for
@@ -42,8 +43,13 @@ Bytes loadUri(const std::string& uri, const std::string& element, Storage& stora
 /// byteLength is noted.
 void loadBuffers(Document& document, const Container& container, Storage& storage, const Host& host);
 
-/// The bytes of a buffer view. Throws `Failure` for `element` when it reaches beyond its buffer, or when
-/// either has a fault.
+/// A part of a buffer, which messages call `part`. Throws `Failure` for `element` when it reaches beyond the
+/// buffer, or this has a fault.
+Bytes bufferBytes(const Document& document, std::size_t buffer, std::uint64_t byteOffset,
+                  std::uint64_t byteLength, const std::string& part, const std::string& element);
+
+/// The bytes of a buffer view, decoded where they are compressed. Throws `Failure` for `element` when it
+/// reaches beyond its buffer, or when either has a fault.
 Bytes viewBytes(const Document& document, std::size_t bufferView, const std::string& element);
 
 }  // namespace candela_plugins::gltf

@@ -107,16 +107,82 @@ std::vector<Source> takeSources(Json& document, const char* member) {
     return sources;
 }
 
+template <typename Value, std::size_t count>
+Value namedValue(const Json& object, const char* member,
+                 const std::pair<const char*, Value> (&values)[count]) {
+    const std::string name = object.value(member, std::string(values[0].first));
+    for (const auto& [valueName, value] : values) {
+        if (name == valueName) return value;
+    }
+    return values[0].second;
+}
+
+std::optional<CompressedData> compressedDataOf(const Json& view) {
+    using Mode = CompressedData::Mode;
+    using Filter = CompressedData::Filter;
+    constexpr std::pair<const char*, Mode> modes[] = {
+        {"ATTRIBUTES", Mode::attributes}, {"TRIANGLES", Mode::triangles}, {"INDICES", Mode::indices}};
+    constexpr std::pair<const char*, Filter> filters[] = {{"NONE", Filter::none},
+                                                          {"OCTAHEDRAL", Filter::octahedral},
+                                                          {"QUATERNION", Filter::quaternion},
+                                                          {"EXPONENTIAL", Filter::exponential},
+                                                          {"COLOR", Filter::color}};
+    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+        const Json::json_pointer place(std::string("/extensions/") + name);
+        if (!view.contains(place)) continue;
+        const Json& extension = view[place];
+        return CompressedData{name,
+                              extension["buffer"].get<std::size_t>(),
+                              extension.value("byteOffset", std::uint64_t(0)),
+                              extension["byteLength"].get<std::uint64_t>(),
+                              extension["byteStride"].get<std::uint64_t>(),
+                              extension["count"].get<std::uint64_t>(),
+                              namedValue(extension, "mode", modes),
+                              namedValue(extension, "filter", filters)};
+    }
+    return std::nullopt;
+}
+
 std::vector<BufferView> takeBufferViews(Json& document) {
     std::vector<BufferView> views;
     forEachObject(document, "bufferViews", [&](Json& element) {
         views.push_back({element.value("name", std::string()), element["buffer"].get<std::size_t>(),
                          element.value("byteOffset", std::uint64_t(0)),
                          element["byteLength"].get<std::uint64_t>(),
-                         element.value("byteStride", std::uint64_t(0))});
+                         element.value("byteStride", std::uint64_t(0)), compressedDataOf(element)});
     });
     document.erase("bufferViews");
     return views;
+}
+
+/// Hidden from tinygltf, which may be built to decode them itself.
+void takeCompressedPrimitives(Json& json, Document& document) {
+    std::size_t meshes = 0;
+    forEachObject(json, "meshes", [&](Json& mesh) {
+        const std::size_t meshIndex = meshes++;
+        std::size_t primitives = 0;
+        forEachObject(mesh, "primitives", [&](Json& primitive) {
+            const std::size_t primitiveIndex = primitives++;
+            const Json::json_pointer place("/extensions/KHR_draco_mesh_compression");
+            if (!primitive.contains(place)) return;
+            CompressedPrimitive compressed{primitive[place]["bufferView"].get<std::size_t>(), {}};
+            for (const auto& [name, id] : primitive[place]["attributes"].items()) {
+                if (id.is_number_unsigned()) compressed.attributes.emplace(name, id.get<std::uint32_t>());
+            }
+            document.compressedPrimitives.emplace(std::pair(meshIndex, primitiveIndex),
+                                                  std::move(compressed));
+            primitive["extensions"].erase("KHR_draco_mesh_compression");
+        });
+    });
+}
+
+/// The image of an extension is used where a texture has no other.
+void chooseTextureSources(Json& document) {
+    forEachObject(document, "textures", [](Json& texture) {
+        const Json::json_pointer webp("/extensions/EXT_texture_webp/source");
+        if (!texture.contains("source") && texture.contains(webp)) texture["source"] = texture[webp];
+        texture.erase("extensions");
+    });
 }
 
 std::vector<std::string> imageExtensionsOf(Json& document) {
@@ -198,22 +264,23 @@ Document readDocument(const Bytes& text, const Host& host) {
     Document document;
     document.quantized = usesExtension(json, "KHR_mesh_quantization");
     document.imageExtensions = imageExtensionsOf(json);
-    document.faults = compressedElements(json);
     document.cages = readCageSettings(json, host);
     document.shadows = readShadowExtras(json, host);
     document.imageBasedLight = readImageBasedLight(json, host);
     Conformity conformity = conform(json, documentSchema(), host);
-    document.faults.merge(conformity.faults);
+    document.faults = std::move(conformity.faults);
     document.lostGeometry = std::move(conformity.lostGeometry);
     fillChannelNodes(json);
     refuseIncompleteCameras(json, document.faults);
     fillDefaults(json, host);
     removeAmbiguousTransforms(json, host);
     moveIndices(json);
+    chooseTextureSources(json);
     document.bufferSources = takeSources(json, "buffers");
     document.bufferViews = takeBufferViews(json);
     document.imageSources = takeSources(json, "images");
     document.skins = takeSkins(json);
+    takeCompressedPrimitives(json, document);
     loadModel(document.model, json);
     repairEncodings(document, host);
     return document;

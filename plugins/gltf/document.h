@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../common/failure.h"
@@ -25,12 +26,33 @@ struct Source {
     std::optional<std::uint64_t> byteLength;  ///< Buffers only.
 };
 
+/// What EXT_meshopt_compression or KHR_meshopt_compression says of a buffer view.
+struct CompressedData {
+    enum class Mode { attributes, triangles, indices };
+    enum class Filter { none, octahedral, quaternion, exponential, color };
+
+    std::string extension;
+    std::size_t buffer = 0;
+    std::uint64_t byteOffset = 0, byteLength = 0;  ///< Of the compressed data.
+    std::uint64_t byteStride = 0, count = 0;       ///< Of the elements.
+    Mode mode = Mode::attributes;
+    Filter filter = Filter::none;
+};
+
 /// A part of a buffer. Hidden from tinygltf, which refuses strides that can be read.
 struct BufferView {
     std::string name;
     std::size_t buffer = 0;
     std::uint64_t byteOffset = 0, byteLength = 0;
     std::uint64_t byteStride = 0;  ///< 0: the elements are tightly packed.
+    std::optional<CompressedData> compressed = {};
+    std::optional<Bytes> decoded = {};  ///< In place of a part of the buffer.
+};
+
+/// What KHR_draco_mesh_compression says of a primitive.
+struct CompressedPrimitive {
+    std::size_t bufferView = 0;
+    std::map<std::string, std::uint32_t> attributes;  ///< The unique ids in the compressed data.
 };
 
 /// The joints of a skin. They are hidden from tinygltf, which refuses skins without inverseBindMatrices.
@@ -49,6 +71,8 @@ struct Document {
     std::vector<BufferView> bufferViews;
     std::vector<std::string> imageExtensions;  ///< By texture: that of an image of another format, or empty.
     std::vector<SkinSource> skins;
+    std::map<std::pair<std::size_t, std::size_t>, CompressedPrimitive>
+        compressedPrimitives;                   ///< By mesh and primitive.
     std::map<std::size_t, CageSettings> cages;  ///< By mesh: those that are subdivision cages.
     ShadowExtras shadows;
     std::optional<ImageBasedLight> imageBasedLight;  ///< Of the scene that is drawn.

@@ -91,11 +91,22 @@ const ObjectSchema asset{"asset", {required(text("version"))}};
 const ObjectSchema buffer{.noun = "buffer",
                           .properties = {text("name"), essential(text("uri")), size("byteLength")},
                           .stub = R"({"uri":""})"};
-// The largest byteStride times the largest count of an accessor does not overflow 64 bits.
+// The largest byteStride times the largest count does not overflow 64 bits.
+constexpr double maxCount = 4294967295.0;
+const ObjectSchema meshoptCompression{
+    "meshopt_compression",
+    {required(index("buffer", Target::buffers)), essential(size("byteOffset")), required(size("byteLength")),
+     required(integer("byteStride", 1)), required(integer("count", 0, maxCount)),
+     required(words("mode", {"ATTRIBUTES", "TRIANGLES", "INDICES"})),
+     essential(words("filter", {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"}))}};
+const ObjectSchema bufferViewExtensions{"",
+                                        {essential(object("EXT_meshopt_compression", meshoptCompression)),
+                                         essential(object("KHR_meshopt_compression", meshoptCompression))}};
 const ObjectSchema bufferView{
     .noun = "bufferView",
     .properties = {text("name"), required(index("buffer", Target::buffers)), essential(size("byteOffset")),
-                   required(size("byteLength")), essential(integer("byteStride"))},
+                   required(size("byteLength")), essential(integer("byteStride")),
+                   essential(object("extensions", bufferViewExtensions))},
     .stub = R"({"buffer":0,"byteLength":0})"};
 
 const ObjectSchema sparseIndices{"indices",
@@ -110,7 +121,7 @@ const ObjectSchema accessor{
     .noun = "accessor",
     .properties = {text("name"), essential(index("bufferView", Target::bufferViews)),
                    essential(size("byteOffset")), required(integer("componentType", 5120, 5126)),
-                   flag("normalized"), required(integer("count", 0, 4294967294.0)),
+                   flag("normalized"), required(integer("count", 0, maxCount - 1.0)),
                    required(words("type", {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"})),
                    essential(object("sparse", sparse))},
     .stub = R"({"componentType":5126,"count":0,"type":"SCALAR"})"};
@@ -122,10 +133,13 @@ const ObjectSchema image{
 const ObjectSchema sampler{
     "sampler",
     {text("name"), integer("magFilter"), integer("minFilter"), integer("wrapS"), integer("wrapT")}};
-const ObjectSchema texture{.noun = "texture",
-                           .properties = {text("name"), index("sampler", Target::samplers),
-                                          essential(index("source", Target::images))},
-                           .stub = R"({"name":""})"};
+const ObjectSchema otherImage{"image", {required(index("source", Target::images))}};
+const ObjectSchema imageExtensions{"", {object("EXT_texture_webp", otherImage)}};
+const ObjectSchema texture{
+    .noun = "texture",
+    .properties = {text("name"), index("sampler", Target::samplers),
+                   essential(index("source", Target::images)), object("extensions", imageExtensions)},
+    .stub = R"({"name":""})"};
 
 const ObjectSchema textureTransform{
     "KHR_texture_transform",
@@ -170,7 +184,15 @@ const ObjectSchema attributes{"attribute",
 const ObjectSchema targetAttributes{"attribute",
                                     {{.name = "POSITION"}, {.name = "NORMAL"}, {.name = "TANGENT"}}};
 const ObjectSchema ngonEncoding{"FB_ngon_encoding", {}};
-const ObjectSchema primitiveExtensions{"", {object("FB_ngon_encoding", ngonEncoding)}};
+const ObjectSchema dracoAttributes{.noun = "attributes",
+                                   .properties = {integer("POSITION"), integer("NORMAL"), integer("TANGENT")},
+                                   .numberedNames = {"TEXCOORD_", "COLOR_", "JOINTS_", "WEIGHTS_"}};
+const ObjectSchema dracoCompression{
+    "KHR_draco_mesh_compression",
+    {required(index("bufferView", Target::bufferViews)), required(object("attributes", dracoAttributes))}};
+const ObjectSchema primitiveExtensions{"",
+                                       {object("FB_ngon_encoding", ngonEncoding),
+                                        essential(object("KHR_draco_mesh_compression", dracoCompression))}};
 const ObjectSchema primitive{.noun = "primitive",
                              .properties = {required({.name = "attributes",
                                                       .kind = Kind::indexMap,
@@ -183,7 +205,7 @@ const ObjectSchema primitive{.noun = "primitive",
                                              .kind = Kind::indexMaps,
                                              .target = Target::accessors,
                                              .schema = &targetAttributes},
-                                            object("extensions", primitiveExtensions)},
+                                            essential(object("extensions", primitiveExtensions))},
                              .stub = R"({"attributes":{}})"};
 const ObjectSchema mesh{
     .noun = "mesh",

@@ -13,8 +13,9 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view supported[] = {
-    "EXT_lights_image_based",          "FB_ngon_encoding",    "KHR_lights_punctual",
-    "KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_mesh_quantization",
+    "EXT_meshopt_compression",    "EXT_texture_webp",      "FB_ngon_encoding",
+    "KHR_draco_mesh_compression", "KHR_lights_punctual",   "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",        "KHR_mesh_quantization", "KHR_meshopt_compression",
     "KHR_texture_transform",
 };
 
@@ -29,7 +30,6 @@ constexpr std::string_view silent[] = {
     "EXT_mesh_manifold",
     "EXT_structural_metadata",
     "EXT_texture_avif",
-    "EXT_texture_webp",
     "FB_geometry_metadata",
     "GODOT_single_root",
     "KHR_animation_pointer",
@@ -43,10 +43,6 @@ constexpr std::string_view silent[] = {
     "VRMC_node_constraint",
     "VRMC_springBone",
     "VRMC_vrm",
-    // Without their data primitives are left out, with a note that names the extension.
-    "EXT_meshopt_compression",
-    "KHR_draco_mesh_compression",
-    "KHR_meshopt_compression",
 };
 
 struct Loss {
@@ -182,49 +178,12 @@ std::vector<std::string> extensionList(const Json& document, const char* member)
     return names;
 }
 
-/// The element of an array of the document; null where there is none.
-const Json& elementAt(const Json& document, const char* array, const Json& index) {
-    static const Json null;
-    const auto found = document.find(array);
-    if (found == document.end() || !found->is_array() || !index.is_number_unsigned()) return null;
-    const std::size_t i = index.get<std::size_t>();
-    return i < found->size() ? (*found)[i] : null;
-}
-
 /// A member of an object; null where it has none.
 const Json& memberOf(const Json& object, const char* name) {
     static const Json null;
     if (!object.is_object()) return null;
     const auto found = object.find(name);
     return found == object.end() ? null : *found;
-}
-
-bool hasData(const Json& document, const Json& accessorIndex) {
-    const Json& accessor = elementAt(document, "accessors", accessorIndex);
-    return accessor.is_object() && (accessor.contains("bufferView") || accessor.contains("sparse"));
-}
-
-void addCompressedPrimitives(const Json& document, const Json& mesh, const std::string& element,
-                             Faults& faults) {
-    const Json& primitives = memberOf(mesh, "primitives");
-    if (!primitives.is_array()) return;
-    for (std::size_t i = 0; i < primitives.size(); ++i) {
-        const Json& extension = memberOf(memberOf(primitives[i], "extensions"), "KHR_draco_mesh_compression");
-        const Json& position = memberOf(memberOf(primitives[i], "attributes"), "POSITION");
-        if (extension.is_null() || hasData(document, position)) continue;
-        const std::string where = element + ", primitive " + std::to_string(i);
-        faults.emplace(
-            where,
-            Failure{where,
-                    "its geometry is compressed by KHR_draco_mesh_compression, which is not supported"});
-    }
-}
-
-/// A buffer whose bytes are only made by decompression has neither a URI nor, as buffer 0, a BIN chunk.
-bool isFallback(const Json& document, const Json& view) {
-    const Json& index = memberOf(view, "buffer");
-    const Json& buffer = elementAt(document, "buffers", index);
-    return !buffer.is_object() || (!buffer.contains("uri") && index != 0);
 }
 
 }  // namespace
@@ -245,28 +204,8 @@ bool usesExtension(const Json& document, const char* name) {
     return false;
 }
 
-Faults compressedElements(const Json& document) {
-    Faults faults;
-    const Json& meshes = memberOf(document, "meshes");
-    for (std::size_t i = 0; meshes.is_array() && i < meshes.size(); ++i) {
-        addCompressedPrimitives(document, meshes[i], elementName("mesh", i, nameOf(meshes[i])), faults);
-    }
-    const Json& views = memberOf(document, "bufferViews");
-    for (std::size_t i = 0; views.is_array() && i < views.size(); ++i) {
-        for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
-            if (memberOf(memberOf(views[i], "extensions"), name).is_null() || !isFallback(document, views[i]))
-                continue;
-            const std::string view = elementName("bufferView", i, nameOf(views[i]));
-            faults.emplace(
-                view, Failure{view, std::string("is compressed by ") + name + ", which is not supported"});
-        }
-    }
-    return faults;
-}
-
 std::string imageExtension(const Json& texture) {
-    constexpr const char* names[] = {"EXT_texture_avif", "EXT_texture_webp", "KHR_texture_basisu",
-                                     "MSFT_texture_dds"};
+    constexpr const char* names[] = {"EXT_texture_avif", "KHR_texture_basisu", "MSFT_texture_dds"};
     for (const char* name : names) {
         if (!memberOf(memberOf(texture, "extensions"), name).is_null()) return name;
     }

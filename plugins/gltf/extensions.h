@@ -18,9 +18,6 @@ void checkExtensions(const nlohmann::json& document, const Host& host);
 /// Whether the document declares an extension.
 bool usesExtension(const nlohmann::json& document, const char* name);
 
-/// The primitives and buffer views whose data is compressed by an extension, and is not there without it.
-Faults compressedElements(const nlohmann::json& document);
-
 /// The extension that gives a texture an image of another format than PNG and JPEG; empty for none.
 std::string imageExtension(const nlohmann::json& texture);
 

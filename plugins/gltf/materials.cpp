@@ -208,7 +208,7 @@ class MaterialReader {
         if (texture.source >= 0) return;
         const std::string& extension = document_.imageExtensions.at(index);
         throw Failure{element,
-                      extension.empty() ? "no image" : "no PNG or JPEG image, but one of " + extension};
+                      extension.empty() ? "no image" : "no PNG, JPEG or WebP image, but one of " + extension};
     }
 
     const Document& document_;

@@ -8,6 +8,8 @@
 #include "animations.h"
 #include "buffers.h"
 #include "cages.h"
+#include "compressed_primitives.h"
+#include "compressed_views.h"
 #include "document.h"
 #include "image_based_light.h"
 #include "materials.h"
@@ -46,12 +48,14 @@ void importFile(const std::string& name, const Host& host) {
     Document document = readDocument(container.json, host);
     Storage storage;
     loadBuffers(document, container, storage, host);
-    limitAbsentElements(document);
+    decodeViews(document, storage, host);
     const std::vector<DrawnNode> drawn = drawnNodes(document, host);
+    const std::vector<bool> used = meshesInUse(document, drawn);
+    decodePrimitives(document, used, storage, host);
+    limitAbsentElements(document);
     host.progress(documentRead);
 
     const std::vector<std::int32_t> images = addImages(document, storage, host, documentRead, imagesAdded);
-    const std::vector<bool> used = meshesInUse(document, drawn);
     const AddedMaterials materials = addMaterials(document, images, used, host);
     const MeshParts meshes = addMeshes(document, used, materials, host, imagesAdded, meshesAdded);
     const AddedCages cages = addCages(document, used, materials, host, meshesAdded, cagesAdded);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <random>
 
+#include "compressed_files.h"
 #include "image_files.h"
 #include "loading.h"
 #include "support/fuzz_iterations.h"
@@ -82,6 +83,39 @@ GltfFile cageFile() {
     file.add("skins", R"({"joints":[1,2],"inverseBindMatrices":7})");
     file.add("animations", R"({"samplers":[{"input":8,"output":9}],
                                "channels":[{"sampler":0,"target":{"node":0,"path":"weights"}}]})");
+    return file;
+}
+
+/// A small file whose buffer views are compressed.
+GltfFile compressedFile() {
+    const Grid grid = makeGrid(5);
+    CompressedFile compressed;
+    const auto addAttributes = [&](const std::vector<float>& numbers, const std::string& filter) {
+        const int view = compressed.addView(compressAttributes(numbers.data(), 25, 12), 25, 12,
+                                            R"("mode":"ATTRIBUTES","filter":")" + filter + "\"");
+        return compressed.file.addAccessor(view, "VEC3", 5126, 25);
+    };
+    addAttributes(grid.positions, "NONE");
+    addAttributes(grid.normals, "EXPONENTIAL");
+    const std::size_t count = grid.indices.size();
+    const int triangles =
+        compressed.addView(compressTriangles(grid.indices, 25), count, 4, R"("mode":"TRIANGLES")");
+    const int sequence =
+        compressed.addView(compressIndices(grid.indices, 25), count, 2, R"("mode":"INDICES")");
+    compressed.file.addAccessor(triangles, "SCALAR", 5125, count);
+    compressed.file.addAccessor(sequence, "SCALAR", 5123, count);
+    compressed.file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1},"indices":2)");
+    compressed.file.addMeshNode(R"("attributes":{"POSITION":0},"indices":3)");
+    return compressed.finish();
+}
+
+GltfFile dracoGrid() {
+    const Grid grid = makeGrid(5);
+    GltfFile file = dracoFile(compressGrid(grid, 5), 25, grid.indices.size());
+    const std::string view = std::to_string(file.addView(compressGrid(grid, 10)));
+    file.addMeshNode(R"("attributes":{"POSITION":0},"indices":2,"extensions":{"KHR_draco_mesh_compression":)"
+                     R"({"bufferView":)" +
+                     view + R"(,"attributes":{"POSITION":0}}})");
     return file;
 }
 
@@ -190,6 +224,8 @@ TEST(Fuzz, unmodifiedFilesAreAccepted) {
     EXPECT_EQ(errorOf(fullFile()), "");
     EXPECT_EQ(errorOfGlb(fullFile().glb()), "");
     EXPECT_EQ(errorOf(cageFile()), "");
+    EXPECT_EQ(errorOf(compressedFile()), "");
+    EXPECT_EQ(errorOfGlb(dracoGrid().glb()), "");
 }
 
 TEST(Fuzz, gltf) {
@@ -206,6 +242,14 @@ TEST(Fuzz, cageInGltf) {
 
 TEST(Fuzz, cageInGlb) {
     expectBothOutcomes(fuzz(cageFile().glb(), "a.glb", rounds), rounds);
+}
+
+TEST(Fuzz, compressedViews) {
+    expectBothOutcomes(fuzz(asBytes(compressedFile().text()), "a.gltf", rounds), rounds);
+}
+
+TEST(Fuzz, dracoStreams) {
+    expectBothOutcomes(fuzz(dracoGrid().glb(), "a.glb", rounds), rounds);
 }
 
 /// Mutations of an image either decode to the size in their header or are left out with a note that names the
@@ -228,6 +272,10 @@ void fuzzImage(const Bytes& original, int imageRounds) {
 
 TEST(Fuzz, png) {
     fuzzImage(makePng(5, 4, 1, 2, 3, 4), rounds / 3);
+}
+
+TEST(Fuzz, webp) {
+    fuzzImage(makeWebp(std::vector<std::uint8_t>(5 * 4 * 4, 99), 5, 4), rounds / 3);
 }
 
 TEST(Fuzz, jpeg) {

@@ -52,14 +52,13 @@ std::vector<Case> refusedDocuments() {
              "accessors":[{"type":"VEC3","componentType":5126,"count":3}],"bufferViews":[],
              "meshes":[{"primitives":[{"attributes":{"POSITION":0},"extensions":{"KHR_draco_mesh_compression":
              {"bufferView":0,"attributes":{"POSITION":0}}}}]}])"),
-         {"mesh 0, primitive 0", "compressed by KHR_draco_mesh_compression"}},
+         {"mesh 0, primitive 0, KHR_draco_mesh_compression", "bufferView 0 does not exist"}},
         {"meshopt",
          document(R"("buffers":[{"byteLength":1,"uri":"data:,A"},{"byteLength":36}],"nodes":[{"mesh":0}],
              "bufferViews":[{"buffer":1,"byteLength":36,"extensions":{"EXT_meshopt_compression":{"buffer":0}}}],
              "accessors":[{"bufferView":0,"type":"VEC3","componentType":5126,"count":3}],
              "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}])"),
-         {"mesh 0, primitive 0, attribute POSITION", "bufferView 0",
-          "compressed by EXT_meshopt_compression"}},
+         {"mesh 0, primitive 0, attribute POSITION", "bufferView 0", "\"byteLength\" is missing"}},
         {"hugeZeros",
          [] {
              GltfFile file;
