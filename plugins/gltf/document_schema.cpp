@@ -217,7 +217,15 @@ const ObjectSchema skin{.noun = "skin",
                         .stub = R"({"joints":[]})"};
 
 const ObjectSchema nodeLight{"KHR_lights_punctual", {required(index("light", Target::lights))}};
-const ObjectSchema nodeExtensions{"", {object("KHR_lights_punctual", nodeLight)}};
+const ObjectSchema instanceAttributes{"attribute",
+                                      {{.name = "TRANSLATION"}, {.name = "ROTATION"}, {.name = "SCALE"}}};
+const ObjectSchema instancing{"EXT_mesh_gpu_instancing",
+                              {required({.name = "attributes",
+                                         .kind = Kind::indexMap,
+                                         .target = Target::accessors,
+                                         .schema = &instanceAttributes})}};
+const ObjectSchema nodeExtensions{
+    "", {object("EXT_mesh_gpu_instancing", instancing), object("KHR_lights_punctual", nodeLight)}};
 const ObjectSchema node{
     "node",
     {text("name"), index("camera", Target::cameras), geometry(index("mesh", Target::meshes)),

@@ -13,9 +13,16 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view supported[] = {
-    "EXT_meshopt_compression",    "EXT_texture_webp",      "FB_ngon_encoding",
-    "KHR_draco_mesh_compression", "KHR_lights_punctual",   "KHR_materials_emissive_strength",
-    "KHR_materials_unlit",        "KHR_mesh_quantization", "KHR_meshopt_compression",
+    "EXT_mesh_gpu_instancing",
+    "EXT_meshopt_compression",
+    "EXT_texture_webp",
+    "FB_ngon_encoding",
+    "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",
+    "KHR_mesh_quantization",
+    "KHR_meshopt_compression",
     "KHR_texture_transform",
 };
 
@@ -52,7 +59,7 @@ struct Loss {
 
 constexpr Loss losses[] = {
     {"EXT_lights_ies", "the profile of its light (EXT_lights_ies)"},
-    {"EXT_mesh_gpu_instancing", "its instances (EXT_mesh_gpu_instancing): drawn once"},
+    {"EXT_lights_image_based", "its image-based light (EXT_lights_image_based)"},
     {"KHR_materials_anisotropy", "anisotropy (KHR_materials_anisotropy)"},
     {"KHR_materials_clearcoat", "the clear coat (KHR_materials_clearcoat)"},
     {"KHR_materials_diffuse_transmission", "diffuse transmission (KHR_materials_diffuse_transmission)"},

@@ -76,9 +76,9 @@ MorphedNodes morphedNodes(const Document& document, const std::vector<DrawnNode>
         if (cage && cage->morphTargetCount > 0)
             morphed[node].push_back({nodes.indices[node], cage->morphTargetCount});
         const std::vector<AddedMesh>& parts = partsOf(document, node, meshes);
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (parts[i].morphTargetCount > 0)
-                morphed[node].push_back({nodes.parts[node][i], parts[i].morphTargetCount});
+        for (std::size_t i = 0; !parts.empty() && i < nodes.parts[node].size(); ++i) {
+            const std::uint32_t targets = parts[i % parts.size()].morphTargetCount;
+            if (targets > 0) morphed[node].push_back({nodes.parts[node][i], targets});
         }
     }
     return morphed;
@@ -90,8 +90,8 @@ void addMeshDeformations(const Document& document, const std::vector<DrawnNode>&
     for (const DrawnNode& placed : drawn) {
         const auto node = static_cast<std::size_t>(placed.node);
         const std::vector<AddedMesh>& parts = partsOf(document, node, meshes);
-        for (std::size_t i = 0; i < parts.size(); ++i)
-            addDeformation(document, node, nodes.parts[node][i], parts[i], skins, host);
+        for (std::size_t i = 0; !parts.empty() && i < nodes.parts[node].size(); ++i)
+            addDeformation(document, node, nodes.parts[node][i], parts[i % parts.size()], skins, host);
         const bool anyJoints =
             std::any_of(parts.begin(), parts.end(), [](const AddedMesh& part) { return part.hasJoints; });
         const tinygltf::Node& source = document.model.nodes[node];

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "instances.h"
+
 namespace candela_plugins::gltf {
 namespace {
 
@@ -202,6 +204,39 @@ std::uint32_t castsNoShadow(const std::map<std::size_t, bool>& flags, std::size_
     return found != flags.end() && !found->second ? 1 : 0;
 }
 
+candela_node nodeOf(const Document& document, std::size_t index, std::int32_t parent,
+                    std::array<float, 16>& matrix, const Host& host) {
+    const tinygltf::Node& source = document.model.nodes[index];
+    const std::string element = elementName("node", index, source.name);
+    candela_node node = identityNode(source.name, parent);
+    if (source.matrix.empty()) {
+        copyNumbers(source.translation, node.translation);
+        setRemainder(source.translation, node);
+        copyNumbers(source.rotation, node.rotation);
+        copyNumbers(source.scale, node.scale);
+        repairRotation(element, host, node.rotation);
+    } else {
+        copyNumbers(source.matrix, matrix.data());
+        repairMatrix(element, host, matrix);
+        node.matrix = matrix.data();
+        setRemainder({source.matrix.begin() + 12, source.matrix.begin() + 15}, node);
+    }
+    node.casts_no_shadow = castsNoShadow(document.shadows.nodes, index);
+    return node;
+}
+
+/// Adds a child of `parent` that shows a mesh.
+std::int32_t addPart(const candela_node& parent, std::int32_t parentIndex, std::int32_t mesh,
+                     const Placement& placement, const Host& host) {
+    candela_node child = identityNode(parent.name, parentIndex);
+    std::copy_n(placement.translation.begin(), 3, child.translation);
+    std::copy_n(placement.rotation.begin(), 4, child.rotation);
+    std::copy_n(placement.scale.begin(), 3, child.scale);
+    child.mesh = mesh;
+    child.casts_no_shadow = parent.casts_no_shadow;
+    return host.add(child);
+}
+
 }  // namespace
 
 AddedNodes addNodes(const Document& document, const std::vector<DrawnNode>& drawn, const MeshParts& meshes,
@@ -211,34 +246,20 @@ AddedNodes addNodes(const Document& document, const std::vector<DrawnNode>& draw
     std::vector<std::int32_t>& indices = added.indices;
     for (const DrawnNode& placed : drawn) {
         const auto index = static_cast<std::size_t>(placed.node);
-        const tinygltf::Node& source = document.model.nodes[index];
-        const std::string element = elementName("node", index, source.name);
+        const int mesh = document.model.nodes[index].mesh;
         const std::int32_t parent = placed.parent < 0 ? -1 : indices[static_cast<std::size_t>(placed.parent)];
-        candela_node node = identityNode(source.name, parent);
         std::array<float, 16> matrix;
-        if (source.matrix.empty()) {
-            copyNumbers(source.translation, node.translation);
-            setRemainder(source.translation, node);
-            copyNumbers(source.rotation, node.rotation);
-            copyNumbers(source.scale, node.scale);
-            repairRotation(element, host, node.rotation);
-        } else {
-            copyNumbers(source.matrix, matrix.data());
-            repairMatrix(element, host, matrix);
-            node.matrix = matrix.data();
-            setRemainder({source.matrix.begin() + 12, source.matrix.begin() + 15}, node);
-        }
-        node.casts_no_shadow = castsNoShadow(document.shadows.nodes, index);
+        candela_node node = nodeOf(document, index, parent, matrix, host);
         static const std::vector<AddedMesh> nothing;
-        const auto& parts = source.mesh < 0 ? nothing : meshes.at(static_cast<std::size_t>(source.mesh));
-        if (!parts.empty()) node.mesh = parts.front().index;
+        const auto& parts = mesh < 0 ? nothing : meshes.at(static_cast<std::size_t>(mesh));
+        const std::optional<std::vector<Placement>> instances = instancesOf(document, index, host);
+        if (!parts.empty() && !instances) node.mesh = parts.front().index;
         indices[index] = host.add(node);
-        added.parts[index].push_back(indices[index]);
-        for (std::size_t part = 1; part < parts.size(); ++part) {
-            candela_node child = identityNode(source.name, indices[index]);
-            child.mesh = parts[part].index;
-            child.casts_no_shadow = node.casts_no_shadow;
-            added.parts[index].push_back(host.add(child));
+        if (!instances) added.parts[index].push_back(indices[index]);
+        for (const Placement& placement : instances.value_or(std::vector<Placement>(1))) {
+            for (std::size_t part = instances ? 0 : 1; part < parts.size(); ++part)
+                added.parts[index].push_back(
+                    addPart(node, indices[index], parts[part].index, placement, host));
         }
     }
     return added;

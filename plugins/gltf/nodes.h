@@ -22,11 +22,13 @@ std::vector<DrawnNode> drawnNodes(const Document& document, const Host& host);
 /// The host's nodes.
 struct AddedNodes {
     std::vector<std::int32_t> indices;  ///< Of each node of the file, -1 for those that are not drawn.
-    /// For each node of the file the nodes that show the parts of its mesh, in the order of `MeshParts`.
+    /// For each node of the file the nodes that show the parts of its mesh, in the order of `MeshParts`, for
+    /// one instance after the other.
     std::vector<std::vector<std::int32_t>> parts;
 };
 
-/// Adds the drawn nodes, and a child for each further part of a node's mesh.
+/// Adds the drawn nodes, and a child for each further part of a node's mesh; where EXT_mesh_gpu_instancing
+/// places the mesh, a child for each part of each instance.
 AddedNodes addNodes(const Document& document, const std::vector<DrawnNode>& drawn, const MeshParts& meshes,
                     const Host& host);
 
