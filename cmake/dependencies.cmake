@@ -25,6 +25,7 @@ if(CANDELA_BUILD_PLUGINS)
   find_package(TinyGLTF REQUIRED)
   find_package(draco 1.5 REQUIRED)
   find_package(meshoptimizer 0.18 REQUIRED)
+  include(${PROJECT_SOURCE_DIR}/cmake/basis_universal.cmake)
 endif()
 if(CANDELA_BUILD_PLUGINS OR CANDELA_BUILD_BENCH)
   # Debian's CMake package of OpenSubdiv names static libraries that Debian does not have.

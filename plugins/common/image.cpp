@@ -44,7 +44,6 @@ struct Signature {
 using namespace std::string_view_literals;
 
 constexpr Signature signatures[] = {
-    {"\xABKTX 20\xBB"sv, "a KTX2 file"},
     {"\xABKTX 11\xBB"sv, "a KTX file"},
     {"GIF8"sv, "a GIF file"},
     {"BM????\0\0\0\0"sv, "a BMP file"},
@@ -80,7 +79,7 @@ bool begins(const Bytes& file, std::string_view signature) {
 }  // namespace
 
 std::string otherFormat(const Bytes& file) {
-    const std::string expected = ", expected PNG, JPEG or WebP";
+    const std::string expected = ", expected PNG, JPEG, WebP or KTX2";
     if (file.size == 0) return "an empty file" + expected;
     for (const Signature& signature : signatures) {
         if (begins(file, signature.bytes)) return signature.name + expected;
@@ -88,17 +87,23 @@ std::string otherFormat(const Bytes& file) {
     return "of no known format" + expected;
 }
 
+bool isKtx2(const Bytes& file) {
+    return begins(file, "\xABKTX 20\xBB"sv);
+}
+
 Image decodeImage(const Bytes& file, const std::string& element) {
     if (isPng(file)) return decodePng(file, element);
     if (isJpeg(file)) return decodeJpeg(file, element);
     if (isWebp(file)) return decodeWebp(file, element);
+    if (isKtx2(file)) return decodeKtx2(file, element);
     throw Failure{element, otherFormat(file)};
 }
 
 std::uint64_t decodedSize(const Bytes& file) {
     if (isPng(file)) return decodedPngSize(file);
     if (isJpeg(file)) return decodedJpegSize(file);
-    return isWebp(file) ? decodedWebpSize(file) : 0;
+    if (isWebp(file)) return decodedWebpSize(file);
+    return isKtx2(file) ? decodedKtx2Size(file) : 0;
 }
 
 std::vector<std::int32_t> addImages(const std::vector<ImageJob>& jobs, const Host& host, double from,

@@ -27,6 +27,7 @@ inline constexpr std::uint32_t maxSide = 32768;
 bool isPng(const Bytes& file);
 bool isJpeg(const Bytes& file);
 bool isWebp(const Bytes& file);
+bool isKtx2(const Bytes& file);
 
 /// Decodes a PNG file; 16-bit samples are kept, all others become 8 bits. Colour profiles and gamma are
 /// ignored, as glTF 2.0, 3.8.3 asks. Throws `Failure` for `element` when the file is damaged or cut off.
@@ -39,17 +40,23 @@ Image decodeJpeg(const Bytes& file, const std::string& element);
 /// or animated.
 Image decodeWebp(const Bytes& file, const std::string& element);
 
+/// Decodes the largest level of a KTX2 file of Basis Universal (KHR_texture_basisu): ETC1S or UASTC. Throws
+/// `Failure` for `element` when the file is damaged, cut off or something else, or the build has no decoder.
+Image decodeKtx2(const Bytes& file, const std::string& element);
+
 /// The bytes of the decoded image as the header of the file says; 0 where it cannot be read.
 std::uint64_t decodedPngSize(const Bytes& file);
 std::uint64_t decodedJpegSize(const Bytes& file);
 std::uint64_t decodedWebpSize(const Bytes& file);
+std::uint64_t decodedKtx2Size(const Bytes& file);
 /// The same for any of these formats; 0 for other files.
 std::uint64_t decodedSize(const Bytes& file);
 
-/// What a file is of no format that is read, for messages: "a GIF file, expected PNG, JPEG or WebP".
+/// What a file is of no format that is read, for messages: "a GIF file, expected PNG, JPEG, WebP or KTX2".
 std::string otherFormat(const Bytes& file);
 
-/// Decodes a PNG, JPEG or WebP file. Throws `Failure` for `element` when it is none, damaged or cut off.
+/// Decodes a PNG, JPEG, WebP or KTX2 file. Throws `Failure` for `element` when it is none, damaged or cut
+/// off.
 Image decodeImage(const Bytes& file, const std::string& element);
 
 /// An image to be created and added.

@@ -179,8 +179,11 @@ void takeCompressedPrimitives(Json& json, Document& document) {
 /// The image of an extension is used where a texture has no other.
 void chooseTextureSources(Json& document) {
     forEachObject(document, "textures", [](Json& texture) {
-        const Json::json_pointer webp("/extensions/EXT_texture_webp/source");
-        if (!texture.contains("source") && texture.contains(webp)) texture["source"] = texture[webp];
+        for (const char* place :
+             {"/extensions/EXT_texture_webp/source", "/extensions/KHR_texture_basisu/source"}) {
+            const Json::json_pointer source(place);
+            if (!texture.contains("source") && texture.contains(source)) texture["source"] = texture[source];
+        }
         texture.erase("extensions");
     });
 }

@@ -134,7 +134,8 @@ const ObjectSchema sampler{
     "sampler",
     {text("name"), integer("magFilter"), integer("minFilter"), integer("wrapS"), integer("wrapT")}};
 const ObjectSchema otherImage{"image", {required(index("source", Target::images))}};
-const ObjectSchema imageExtensions{"", {object("EXT_texture_webp", otherImage)}};
+const ObjectSchema imageExtensions{
+    "", {object("EXT_texture_webp", otherImage), object("KHR_texture_basisu", otherImage)}};
 const ObjectSchema texture{
     .noun = "texture",
     .properties = {text("name"), index("sampler", Target::samplers),

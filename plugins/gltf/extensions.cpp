@@ -23,6 +23,7 @@ constexpr std::string_view supported[] = {
     "KHR_materials_unlit",
     "KHR_mesh_quantization",
     "KHR_meshopt_compression",
+    "KHR_texture_basisu",
     "KHR_texture_transform",
 };
 
@@ -41,7 +42,6 @@ constexpr std::string_view silent[] = {
     "GODOT_single_root",
     "KHR_animation_pointer",
     "KHR_materials_variants",
-    "KHR_texture_basisu",
     "KHR_xmp",
     "KHR_xmp_json_ld",
     "MSFT_lod",
@@ -212,7 +212,7 @@ bool usesExtension(const Json& document, const char* name) {
 }
 
 std::string imageExtension(const Json& texture) {
-    constexpr const char* names[] = {"EXT_texture_avif", "KHR_texture_basisu", "MSFT_texture_dds"};
+    constexpr const char* names[] = {"EXT_texture_avif", "MSFT_texture_dds"};
     for (const char* name : names) {
         if (!memberOf(memberOf(texture, "extensions"), name).is_null()) return name;
     }

@@ -207,8 +207,9 @@ class MaterialReader {
         requireUsable(document_, element);
         if (texture.source >= 0) return;
         const std::string& extension = document_.imageExtensions.at(index);
-        throw Failure{element,
-                      extension.empty() ? "no image" : "no PNG, JPEG or WebP image, but one of " + extension};
+        throw Failure{element, extension.empty()
+                                   ? "no image"
+                                   : "no PNG, JPEG, WebP or KTX2 image, but one of " + extension};
     }
 
     const Document& document_;

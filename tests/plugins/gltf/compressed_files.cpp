@@ -117,4 +117,27 @@ Bytes makeWebp(const std::vector<std::uint8_t>& rgba, int width, int height) {
     return bytes;
 }
 
+const char* const etc1sFile =
+    "q0tUWCAyMLsNChoKAAAAAAEAAAAIAAAABAAAAAAAAAAAAAAAAQAAAAEAAAABAAAAaAAAADwAAACkAAAAJAAAAMgAAA"
+    "AAAAAAjQAAAAAAAABVAQAAAAAAAAIAAAAAAAAAAAAAAAAAAAA8AAAAAAAAAAIAOACjAQIAAwMAAAAAAAAAAAAAAAA/"
+    "AAAAAAAAAAAA/////0AAPw8AAAAAAAAAAP////8fAAAAS1RYd3JpdGVyAEJhc2lzIFVuaXZlcnNhbCAxLjE2AAAEAA"
+    "IAMQAAAAkAAAArAAAAAAAAAAAAAAAAAAAAAQAAAAEAAAABAAAAHsCUAAAAAAAAskIEAkwEAAAAAAAgCw50AHEDBAAA"
+    "ACCDkiMgAFMAAAAAACBQFn2gKVRVVVX9////BwDBRAAAAAAAAPJfjQCYABAAAAAAQHQAmAAQAAAAAEAcAEwAAAAAAA"
+    "AggAAaHA==";
+
+const char* const uastcFile =
+    "q0tUWCAyMLsNChoKAAAAAAEAAAAIAAAABAAAAAAAAAAAAAAAAQAAAAEAAAACAAAAaAAAACwAAACUAAAAJAAAAAAAAA"
+    "AAAAAAAAAAAAAAAAC4AAAAAAAAACAAAAAAAAAAIAAAAAAAAAAsAAAAAAAAAAIAKACmAQIAAwMAAAAAAAAAAAAAAAB/"
+    "AwAAAAAAAAAA/////x8AAABLVFh3cml0ZXIAQmFzaXMgVW5pdmVyc2FsIDEuMTYAACi1L/0gIL0AAHgXGYXiP7UDAJ"
+    "eChxuwMMsCADSLIQAX";
+
+GltfFile fileWithImage(const std::string& uri, const std::string& extension) {
+    GltfFile file = triangleFile(R"("material":0)");
+    file.set("extensionsRequired", "[\"" + extension + "\"]");
+    file.add("images", R"({"name":"picture","uri":")" + uri + "\"}");
+    file.add("textures", R"({"extensions":{")" + extension + R"(":{"source":0}}})");
+    file.add("materials", R"({"emissiveTexture":{"index":0}})");
+    return file;
+}
+
 }  // namespace candela_test

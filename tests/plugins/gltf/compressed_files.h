@@ -47,4 +47,12 @@ GltfFile dracoFile(const Bytes& stream, std::size_t vertices, std::size_t indice
 /// A lossless WebP file of RGBA texels.
 Bytes makeWebp(const std::vector<std::uint8_t>& rgba, int width, int height);
 
+/// KTX2 files of 8 × 4 texels in base64: (200, 40, 20, 255) on the left, (20, 60, 220, 128) on the right.
+/// Made by basisu 1.16, of its codecs ETC1S and, with Zstandard, UASTC.
+extern const char* const etc1sFile;
+extern const char* const uastcFile;
+
+/// A file with a material whose emission texture is image 0 in this URI, by the extension of its format.
+GltfFile fileWithImage(const std::string& uri, const std::string& extension);
+
 }  // namespace candela_test

@@ -229,12 +229,7 @@ TEST(Draco, claimsAreCheckedBeforeMemoryIsAllocated) {
 // ---- WebP
 
 GltfFile webpFile(const Bytes& image) {
-    GltfFile file = triangleFile(R"("material":0)");
-    file.set("extensionsRequired", R"(["EXT_texture_webp"])");
-    file.add("images", R"({"name":"picture","uri":"data:image/webp;base64,)" + base64(image) + "\"}");
-    file.add("textures", R"({"extensions":{"EXT_texture_webp":{"source":0}}})");
-    file.add("materials", R"({"emissiveTexture":{"index":0}})");
-    return file;
+    return fileWithImage("data:image/webp;base64," + base64(image), "EXT_texture_webp");
 }
 
 TEST(Webp, losslessTexelsAreExact) {
@@ -256,6 +251,43 @@ TEST(Webp, damagedFilesAreLeftOut) {
     EXPECT_TRUE(hasNote(imported, "image 0 'picture': the WebP file is broken"));
     EXPECT_FALSE(imported.scene.materials.at(0).emissionTexture);
 }
+
+// ---- KTX2
+
+#if CANDELA_HAS_KTX2
+TEST(Ktx2, bothCodecsAreDecodedToTexels) {
+    for (const char* file : {etc1sFile, uastcFile}) {
+        const candela::ImportedScene imported =
+            load(fileWithImage(std::string("data:image/ktx2;base64,") + file, "KHR_texture_basisu"));
+        const candela::Image& image = imported.scene.images.at(0);
+        ASSERT_EQ(image.width, 8u);
+        ASSERT_EQ(image.height, 4u);
+        for (std::size_t i = 0; i < 32; ++i) {
+            const int expected[2][4] = {{200, 40, 20, 255}, {20, 60, 220, 128}};
+            for (std::size_t c = 0; c < 4; ++c) {
+                const int texel = std::to_integer<int>(image.pixels.at(4 * i + c));
+                // ETC1S has 5 bits a channel.
+                EXPECT_NEAR(texel, expected[i % 8 / 4][c], 5) << file << ", texel " << i << ", channel " << c;
+            }
+        }
+    }
+}
+
+TEST(Ktx2, filesThatAreCutOffAreLeftOut) {
+    for (const std::string file : {etc1sFile, uastcFile}) {
+        const std::string cut = file.substr(0, file.size() / 8 * 4);
+        const candela::ImportedScene imported =
+            load(fileWithImage("data:image/ktx2;base64," + cut, "KHR_texture_basisu"));
+        EXPECT_TRUE(hasNote(imported, "image 0 'picture': the KTX2 file is broken"));
+    }
+}
+#else
+TEST(Ktx2, isNamedWhereTheBuildDoesNotReadIt) {
+    const candela::ImportedScene imported =
+        load(fileWithImage(std::string("data:image/ktx2;base64,") + uastcFile, "KHR_texture_basisu"));
+    EXPECT_TRUE(hasNote(imported, "a KTX2 file, which this build does not read"));
+}
+#endif
 
 }  // namespace
 }  // namespace candela_test

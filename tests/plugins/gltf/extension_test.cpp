@@ -27,13 +27,14 @@ TEST(Extensions, thatAreOnlyListedAreNotNoted) {
 
 TEST(Extensions, anImageOfAnotherFormatIsNamed) {
     GltfFile file = triangleFile();
-    file.set("extensionsRequired", R"(["KHR_texture_basisu"])");
-    file.add("textures", R"({"extensions":{"KHR_texture_basisu":{"source":0}}})");
-    file.add("images", R"({"uri":"a.ktx2"})");
+    file.set("extensionsRequired", R"(["MSFT_texture_dds"])");
+    file.add("textures", R"({"extensions":{"MSFT_texture_dds":{"source":0}}})");
+    file.add("images", R"({"uri":"a.dds"})");
     file.add("materials", R"({"normalTexture":{"index":0}})");
     const candela::ImportedScene imported = load(file);
     EXPECT_FALSE(imported.scene.materials.at(0).normalTexture);
-    EXPECT_TRUE(hasNote(imported, "texture 0: no PNG, JPEG or WebP image, but one of KHR_texture_basisu"));
+    EXPECT_TRUE(
+        hasNote(imported, "texture 0: no PNG, JPEG, WebP or KTX2 image, but one of MSFT_texture_dds"));
 }
 
 }  // namespace

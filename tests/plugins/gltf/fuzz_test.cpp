@@ -278,6 +278,10 @@ TEST(Fuzz, webp) {
     fuzzImage(makeWebp(std::vector<std::uint8_t>(5 * 4 * 4, 99), 5, 4), rounds / 3);
 }
 
+TEST(Fuzz, ktx2) {
+    for (const char* file : {etc1sFile, uastcFile}) fuzzImage(fromBase64(file), rounds / 3);
+}
+
 TEST(Fuzz, jpeg) {
     fuzzImage(makeGreyJpeg(), rounds / 3);
 }

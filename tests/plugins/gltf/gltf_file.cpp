@@ -27,6 +27,20 @@ std::string base64(const Bytes& bytes) {
     return text;
 }
 
+Bytes fromBase64(const std::string& text) {
+    const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    Bytes bytes;
+    std::uint32_t group = 0, bits = 0;
+    for (const char c : text.substr(0, text.find('='))) {
+        group = group << 6 | static_cast<std::uint32_t>(digits.find(c));
+        bits += 6;
+        if (bits < 8) continue;
+        bits -= 8;
+        bytes.push_back(static_cast<std::uint8_t>(group >> bits));
+    }
+    return bytes;
+}
+
 int GltfFile::add(const std::string& array, const std::string& object) {
     arrays_[array].push_back(object);
     return static_cast<int>(arrays_[array].size()) - 1;

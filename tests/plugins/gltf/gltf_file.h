@@ -11,6 +11,8 @@ namespace candela_test {
 using Bytes = std::vector<std::uint8_t>;
 
 std::string base64(const Bytes& bytes);
+/// The bytes of a text of base64.
+Bytes fromBase64(const std::string& text);
 
 template <typename T>
 Bytes bytesOf(const std::vector<T>& values) {

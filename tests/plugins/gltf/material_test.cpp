@@ -146,12 +146,12 @@ TEST(Material, thirdTextureCoordinateSetIsNotedAndOmitted) {
 
 TEST(Material, textureWithoutImageIsNotedAndOmitted) {
     GltfFile file = fileWithMaterial(R"({"normalTexture":{"index":2}})");
-    file.add("textures", R"({"extensions":{"KHR_texture_basisu":{"source":0}}})");
-    file.set("extensionsUsed", R"(["KHR_texture_basisu"])");
+    file.add("textures", R"({"extensions":{"MSFT_texture_dds":{"source":0}}})");
+    file.set("extensionsUsed", R"(["MSFT_texture_dds"])");
     const candela::ImportedScene imported = load(file);
     EXPECT_FALSE(imported.scene.materials.at(0).normalTexture.has_value());
-    EXPECT_TRUE(
-        hasNote(imported, "texture 2: no PNG, JPEG or WebP image, but one of KHR_texture_basisu: left out"));
+    EXPECT_TRUE(hasNote(
+        imported, "texture 2: no PNG, JPEG, WebP or KTX2 image, but one of MSFT_texture_dds: left out"));
     EXPECT_EQ(imported.report.notes.size(), 1u);
 }
 

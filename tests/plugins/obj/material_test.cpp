@@ -232,7 +232,7 @@ TEST(ObjMaterial, statementsThatAreNotDrawnAreNoted) {
 
 TEST(ObjMaterial, anUnsupportedImageFormatIsNotedAndOmitted) {
     const auto imported = loadMaterial("map_Kd c.tga\nmap_d c.tga\n", {{"c.tga", "xxxx"}});
-    EXPECT_TRUE(hasNote(imported, "a.mtl, line 2: map_Kd 'c.tga': of no known format, expected PNG, JPEG or WebP: left out"));
+    EXPECT_TRUE(hasNote(imported, "a.mtl, line 2: map_Kd 'c.tga': of no known format, expected PNG, JPEG, WebP or KTX2: left out"));
     EXPECT_TRUE(imported.scene.images.empty());
     EXPECT_FALSE(imported.scene.materials.at(0).baseColorTexture.has_value());
 }
