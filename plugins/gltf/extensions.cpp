@@ -7,78 +7,17 @@
 #include <string_view>
 #include <vector>
 
+#include "extension_table.h"
+
 namespace candela_plugins::gltf {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view supported[] = {
-    "EXT_mesh_gpu_instancing",
-    "EXT_meshopt_compression",
-    "EXT_texture_webp",
-    "FB_ngon_encoding",
-    "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_unlit",
-    "KHR_mesh_quantization",
-    "KHR_meshopt_compression",
-    "KHR_texture_basisu",
-    "KHR_texture_transform",
-};
-
-/// Extensions without which a picture lacks nothing, or whose loss is told where it matters.
-constexpr std::string_view silent[] = {
-    "AGI_articulations",
-    "AGI_stk_metadata",
-    "CESIUM_primitive_outline",
-    "CESIUM_RTC",
-    "EXT_instance_features",
-    "EXT_mesh_features",
-    "EXT_mesh_manifold",
-    "EXT_structural_metadata",
-    "EXT_texture_avif",
-    "FB_geometry_metadata",
-    "GODOT_single_root",
-    "KHR_animation_pointer",
-    "KHR_materials_variants",
-    "KHR_xmp",
-    "KHR_xmp_json_ld",
-    "MSFT_lod",
-    "MSFT_texture_dds",
-    "VRM",
-    "VRMC_node_constraint",
-    "VRMC_springBone",
-    "VRMC_vrm",
-};
-
-struct Loss {
-    std::string_view extension;
-    const char* text;  ///< What is missing.
-};
-
-constexpr Loss losses[] = {
-    {"EXT_lights_ies", "the profile of its light (EXT_lights_ies)"},
-    {"EXT_lights_image_based", "its image-based light (EXT_lights_image_based)"},
-    {"KHR_materials_anisotropy", "anisotropy (KHR_materials_anisotropy)"},
-    {"KHR_materials_clearcoat", "the clear coat (KHR_materials_clearcoat)"},
-    {"KHR_materials_diffuse_transmission", "diffuse transmission (KHR_materials_diffuse_transmission)"},
-    {"KHR_materials_dispersion", "dispersion (KHR_materials_dispersion)"},
-    {"KHR_materials_ior", "the index of refraction (KHR_materials_ior)"},
-    {"KHR_materials_iridescence", "iridescence (KHR_materials_iridescence)"},
-    {"KHR_materials_pbrSpecularGlossiness",
-     "the specular-glossiness values (KHR_materials_pbrSpecularGlossiness): drawn with the "
-     "metallic-roughness ones"},
-    {"KHR_materials_sheen", "sheen (KHR_materials_sheen)"},
-    {"KHR_materials_specular", "the strength and colour of reflections (KHR_materials_specular)"},
-    {"KHR_materials_transmission", "transmission (KHR_materials_transmission): drawn opaque"},
-    {"KHR_materials_volume", "the volume behind the surface (KHR_materials_volume)"},
-    {"KHR_node_visibility", "drawn, though KHR_node_visibility may hide it"},
-};
-
-template <std::size_t count>
-bool contains(const std::string_view (&names)[count], std::string_view name) {
-    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+const Extension* find(std::string_view name) {
+    const auto found = std::find_if(std::begin(extensionTable), std::end(extensionTable),
+                                    [&](const Extension& extension) { return extension.name == name; });
+    return found == std::end(extensionTable) ? nullptr : found;
 }
 
 /// What a material looks like is no matter of shape, whoever defines the extension.
@@ -86,16 +25,13 @@ bool isOfMaterials(std::string_view name) {
     return name.find("_materials_") != std::string_view::npos;
 }
 
-bool isTolerable(std::string_view name) {
-    const bool hasLoss = std::any_of(std::begin(losses), std::end(losses),
-                                     [&](const Loss& loss) { return loss.extension == name; });
-    return contains(supported, name) || contains(silent, name) || hasLoss || isOfMaterials(name);
+/// Extensions in whose objects there may be further ones.
+bool isRead(const Extension& extension) {
+    return extension.support == Support::drawn || extension.support == Support::partly;
 }
 
 std::string lossText(const std::string& name) {
-    for (const Loss& loss : losses) {
-        if (loss.extension == name) return loss.text;
-    }
+    if (const Extension* extension = find(name)) return std::string(extension->loss);
     if (isOfMaterials(name)) return "a part of its look (" + readable(name) + ")";
     return "what '" + readable(name) + "' adds to it, an extension that is not known";
 }
@@ -164,11 +100,11 @@ class LossFinder {
         if (!extensions.is_object()) return;
         for (const auto& extension : extensions.items()) {
             const std::string& name = extension.key();
-            if (contains(supported, name)) {
-                visit(extension.value(), element, depth + 1);
-            } else if (!contains(silent, name) && !isShown(name, extension.value())) {
-                host_.note(CANDELA_NOTE_MISSING, element, lossText(name));
-            }
+            const Extension* known = find(name);
+            if (known && isRead(*known)) visit(extension.value(), element, depth + 1);
+            const std::string loss = lossText(name);
+            if (!loss.empty() && !isShown(name, extension.value()))
+                host_.note(CANDELA_NOTE_MISSING, element, loss);
         }
     }
 
@@ -197,7 +133,7 @@ const Json& memberOf(const Json& object, const char* name) {
 
 void checkExtensions(const Json& document, const Host& host) {
     for (const std::string& name : extensionList(document, "extensionsRequired")) {
-        if (isTolerable(name)) continue;
+        if (find(name) || isOfMaterials(name)) continue;
         throw Failure{"extensionsRequired", "extension '" + readable(name) + "' is not supported"};
     }
     LossFinder(host).visit(document, "", 0);

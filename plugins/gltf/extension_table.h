@@ -1,0 +1,96 @@
+#pragma once
+
+#include <string_view>
+
+namespace candela_plugins::gltf {
+
+enum class Support {
+    drawn,      ///< All that it adds to a picture.
+    partly,     ///< Some of it.
+    notDrawn,   ///< The picture lacks what it adds.
+    noPicture,  ///< It adds nothing to a picture.
+};
+
+struct Extension {
+    std::string_view name;
+    Support support;
+    std::string_view remark;  ///< For docs/gltf.md: what is drawn, what is missing, or why.
+    /// The note for an element that has it: what is missing. Empty where nothing is, or where it is noted
+    /// elsewhere.
+    std::string_view loss = {};
+};
+
+/// The extensions that the importer knows, by name: those of the Khronos registry and others that files have.
+/// docs/gltf.md shows them.
+inline constexpr Extension extensionTable[] = {
+    {"ADOBE_materials_clearcoat_specular", Support::notDrawn, "needs the clear coat"},
+    {"ADOBE_materials_clearcoat_tint", Support::notDrawn, "needs the clear coat"},
+    {"ADOBE_materials_thin_transparency", Support::notDrawn, "replaced by KHR_materials_transmission"},
+    {"AGI_articulations", Support::noPicture, "names of movable parts"},
+    {"AGI_stk_metadata", Support::noPicture, "metadata"},
+    {"CESIUM_primitive_outline", Support::notDrawn, "edges to be outlined; surfaces are drawn without them"},
+    {"CESIUM_RTC", Support::notDrawn, "of glTF 1.0"},
+    {"EXT_instance_features", Support::noPicture, "metadata"},
+    {"EXT_lights_ies", Support::notDrawn, "profiles of lights; the light shines as if it had none",
+     "the profile of its light (EXT_lights_ies)"},
+    {"EXT_lights_image_based", Support::notDrawn, "the environment of a scene",
+     "its image-based light (EXT_lights_image_based)"},
+    {"EXT_mesh_features", Support::noPicture, "metadata"},
+    {"EXT_mesh_gpu_instancing", Support::drawn,
+     "with rotations as floats and as integers; of a subdivision cage once"},
+    {"EXT_mesh_manifold", Support::noPicture, "topology for modelling programs"},
+    {"EXT_meshopt_compression", Support::drawn, "all modes and filters"},
+    {"EXT_structural_metadata", Support::noPicture, "metadata"},
+    {"EXT_texture_avif", Support::notDrawn, "no decoder; the PNG or JPEG image beside it is drawn"},
+    {"EXT_texture_webp", Support::drawn, "lossy and lossless, not animated"},
+    {"FB_geometry_metadata", Support::noPicture, "metadata"},
+    {"FB_ngon_encoding", Support::drawn, "polygons of subdivision cages"},
+    {"GODOT_single_root", Support::noPicture, "for Godot's editor"},
+    {"KHR_animation_pointer", Support::notDrawn, "animations of materials, lights and cameras"},
+    {"KHR_draco_mesh_compression", Support::drawn, "meshes; sequential and Edgebreaker"},
+    {"KHR_lights_punctual", Support::drawn, "point, spot and directional lights"},
+    {"KHR_materials_anisotropy", Support::notDrawn, "the lobe is isotropic",
+     "anisotropy (KHR_materials_anisotropy)"},
+    {"KHR_materials_clearcoat", Support::notDrawn, "drawn without the coat",
+     "the clear coat (KHR_materials_clearcoat)"},
+    {"KHR_materials_diffuse_transmission", Support::notDrawn, "drawn opaque",
+     "diffuse transmission (KHR_materials_diffuse_transmission)"},
+    {"KHR_materials_dispersion", Support::notDrawn, "needs transmission",
+     "dispersion (KHR_materials_dispersion)"},
+    {"KHR_materials_emissive_strength", Support::drawn, "any strength"},
+    {"KHR_materials_ior", Support::notDrawn, "the index is 1.5",
+     "the index of refraction (KHR_materials_ior)"},
+    {"KHR_materials_iridescence", Support::notDrawn, "drawn without the film",
+     "iridescence (KHR_materials_iridescence)"},
+    {"KHR_materials_pbrSpecularGlossiness", Support::notDrawn, "drawn with the metallic-roughness values",
+     "the specular-glossiness values (KHR_materials_pbrSpecularGlossiness): drawn with the "
+     "metallic-roughness ones"},
+    {"KHR_materials_sheen", Support::notDrawn, "drawn without the sheen", "sheen (KHR_materials_sheen)"},
+    {"KHR_materials_specular", Support::notDrawn, "reflections have their usual strength",
+     "the strength and colour of reflections (KHR_materials_specular)"},
+    {"KHR_materials_transmission", Support::notDrawn, "drawn opaque",
+     "transmission (KHR_materials_transmission): drawn opaque"},
+    {"KHR_materials_unlit", Support::drawn, "as emission of the base colour"},
+    {"KHR_materials_variants", Support::notDrawn, "the material of the primitive is drawn"},
+    {"KHR_materials_volume", Support::notDrawn, "needs transmission",
+     "the volume behind the surface (KHR_materials_volume)"},
+    {"KHR_mesh_quantization", Support::drawn, "all encodings, morph targets included"},
+    {"KHR_meshopt_compression", Support::partly,
+     "attributes of format 0 and all filters; format 1 where the build has meshoptimizer 0.23"},
+    {"KHR_node_visibility", Support::notDrawn, "hidden nodes are drawn",
+     "drawn, though KHR_node_visibility may hide it"},
+    {"KHR_texture_basisu", Support::drawn, "ETC1S and UASTC; not in a build without CANDELA_KTX2"},
+    {"KHR_texture_transform", Support::drawn, "offset, rotation, scale and set"},
+    {"KHR_xmp", Support::noPicture, "metadata"},
+    {"KHR_xmp_json_ld", Support::noPicture, "metadata"},
+    {"MSFT_lod", Support::drawn, "the level that the node itself shows, the finest"},
+    {"MSFT_packing_normalRoughnessMetallic", Support::notDrawn, "the textures beside it are drawn"},
+    {"MSFT_packing_occlusionRoughnessMetallic", Support::notDrawn, "the textures beside it are drawn"},
+    {"MSFT_texture_dds", Support::notDrawn, "no decoder; the PNG or JPEG image beside it is drawn"},
+    {"VRM", Support::noPicture, "metadata, and motion while an application runs"},
+    {"VRMC_node_constraint", Support::noPicture, "motion while an application runs"},
+    {"VRMC_springBone", Support::noPicture, "motion while an application runs"},
+    {"VRMC_vrm", Support::noPicture, "metadata"},
+};
+
+}  // namespace candela_plugins::gltf
