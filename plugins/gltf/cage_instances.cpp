@@ -56,7 +56,7 @@ void addCageInstances(const Document& document, const std::vector<DrawnNode>& dr
     for (const DrawnNode& placed : drawn) {
         const auto node = static_cast<std::size_t>(placed.node);
         const AddedCage* cage = cageOf(document, node, cages);
-        if (!cage) continue;
+        if (!cage || placed.hidden) continue;
         addCageInstance(document, node, nodes.at(node), *cage, skins, host);
         if (document.model.nodes[node].extensions.contains("EXT_mesh_gpu_instancing")) {
             host.note(CANDELA_NOTE_MISSING, nodeName(document, node),

@@ -225,8 +225,11 @@ const ObjectSchema instancing{"EXT_mesh_gpu_instancing",
                                          .kind = Kind::indexMap,
                                          .target = Target::accessors,
                                          .schema = &instanceAttributes})}};
+const ObjectSchema visibility{"KHR_node_visibility", {flag("visible")}};
 const ObjectSchema nodeExtensions{
-    "", {object("EXT_mesh_gpu_instancing", instancing), object("KHR_lights_punctual", nodeLight)}};
+    "",
+    {object("EXT_mesh_gpu_instancing", instancing), object("KHR_lights_punctual", nodeLight),
+     object("KHR_node_visibility", visibility)}};
 const ObjectSchema node{
     "node",
     {text("name"), index("camera", Target::cameras), geometry(index("mesh", Target::meshes)),

@@ -36,11 +36,6 @@ std::string lossText(const std::string& name) {
     return "what '" + readable(name) + "' adds to it, an extension that is not known";
 }
 
-/// A node that its extension does not hide.
-bool isShown(const std::string& name, const Json& extension) {
-    return name == "KHR_node_visibility" && extension != Json{{"visible", false}};
-}
-
 struct Noun {
     std::string_view array;
     const char* noun;
@@ -103,8 +98,7 @@ class LossFinder {
             const Extension* known = find(name);
             if (known && isRead(*known)) visit(extension.value(), element, depth + 1);
             const std::string loss = lossText(name);
-            if (!loss.empty() && !isShown(name, extension.value()))
-                host_.note(CANDELA_NOTE_MISSING, element, loss);
+            if (!loss.empty()) host_.note(CANDELA_NOTE_MISSING, element, loss);
         }
     }
 

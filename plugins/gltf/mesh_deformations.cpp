@@ -73,6 +73,7 @@ MorphedNodes morphedNodes(const Document& document, const std::vector<DrawnNode>
     for (const DrawnNode& placed : drawn) {
         const auto node = static_cast<std::size_t>(placed.node);
         const AddedCage* cage = cageOf(document, node, cages);
+        if (placed.hidden) continue;
         if (cage && cage->morphTargetCount > 0)
             morphed[node].push_back({nodes.indices[node], cage->morphTargetCount});
         const std::vector<AddedMesh>& parts = partsOf(document, node, meshes);
@@ -88,6 +89,7 @@ void addMeshDeformations(const Document& document, const std::vector<DrawnNode>&
                          const AddedNodes& nodes, const MeshParts& meshes, Skins& skins, const Host& host) {
     if (!host.takesDeformations()) return noteOldHost(document, drawn, host);
     for (const DrawnNode& placed : drawn) {
+        if (placed.hidden) continue;
         const auto node = static_cast<std::size_t>(placed.node);
         const std::vector<AddedMesh>& parts = partsOf(document, node, meshes);
         for (std::size_t i = 0; !parts.empty() && i < nodes.parts[node].size(); ++i)

@@ -17,6 +17,13 @@ std::string nodeName(const tinygltf::Model& model, std::size_t node) {
 
 constexpr int unreached = -2, noParent = -1;
 
+/// What KHR_node_visibility says of the node itself.
+bool isVisible(const tinygltf::Node& node) {
+    const auto extension = node.extensions.find("KHR_node_visibility");
+    return extension == node.extensions.end() || !extension->second.Has("visible") ||
+           extension->second.Get("visible").Get<bool>();
+}
+
 /// Finds one place for each node that the roots reach.
 class Hierarchy {
   public:
@@ -54,12 +61,13 @@ class Hierarchy {
             if (parents_[static_cast<std::size_t>(*root)] == noParent) open.push_back({*root, noParent});
         }
         while (!open.empty()) {
-            const DrawnNode next = open.back();
+            DrawnNode next = open.back();
             open.pop_back();
+            next.hidden = next.hidden || !isVisible(model_.nodes[static_cast<std::size_t>(next.node)]);
             order.push_back(next);
             const std::vector<int>& children = children_[static_cast<std::size_t>(next.node)];
             for (auto child = children.rbegin(); child != children.rend(); ++child) {
-                open.push_back({*child, next.node});
+                open.push_back({*child, next.node, next.hidden});
             }
         }
         return order;
@@ -251,7 +259,7 @@ AddedNodes addNodes(const Document& document, const std::vector<DrawnNode>& draw
         std::array<float, 16> matrix;
         candela_node node = nodeOf(document, index, parent, matrix, host);
         static const std::vector<AddedMesh> nothing;
-        const auto& parts = mesh < 0 ? nothing : meshes.at(static_cast<std::size_t>(mesh));
+        const auto& parts = mesh < 0 || placed.hidden ? nothing : meshes.at(static_cast<std::size_t>(mesh));
         const std::optional<std::vector<Placement>> instances = instancesOf(document, index, host);
         if (!parts.empty() && !instances) node.mesh = parts.front().index;
         indices[index] = host.add(node);
@@ -390,7 +398,7 @@ void addLights(const Document& document, const std::vector<DrawnNode>& drawn,
         const auto nodeIndex = static_cast<std::size_t>(placed.node);
         const tinygltf::Node& node = document.model.nodes[nodeIndex];
         const std::optional<std::size_t> index = lightOf(node);
-        if (!index) continue;
+        if (!index || placed.hidden) continue;
         const tinygltf::Light& source = document.model.lights.at(*index);
         const std::string element = elementName("light", *index, source.name);
         candela_light light{};

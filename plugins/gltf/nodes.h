@@ -11,6 +11,8 @@ namespace candela_plugins::gltf {
 struct DrawnNode {
     int node = -1;    ///< Of the file.
     int parent = -1;  ///< Of the file; -1 for a root.
+    /// KHR_node_visibility hides its mesh and its light: it, or a node above it, is not visible.
+    bool hidden = false;
 };
 
 /// The nodes of the scene to draw, each once and parents before children: the default scene, else scene 0,

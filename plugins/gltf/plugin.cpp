@@ -30,7 +30,7 @@ std::vector<bool> meshesInUse(const Document& document, const std::vector<DrawnN
     std::vector<bool> used(document.model.meshes.size());
     for (const DrawnNode& placed : drawn) {
         const int mesh = document.model.nodes[static_cast<std::size_t>(placed.node)].mesh;
-        if (mesh >= 0) used.at(static_cast<std::size_t>(mesh)) = true;
+        if (mesh >= 0 && !placed.hidden) used.at(static_cast<std::size_t>(mesh)) = true;
     }
     return used;
 }

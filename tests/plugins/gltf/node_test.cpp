@@ -267,5 +267,21 @@ TEST(Node, aSubdivisionCageTakesTheExtrasOfItsNode) {
     EXPECT_FALSE(scene.nodes[0].castsShadow);
 }
 
+TEST(Node, whatIsHiddenIsHiddenWithItsChildren) {
+    GltfFile file = triangleFile();
+    file.set("extensionsRequired", R"(["KHR_node_visibility"])");
+    file.set("extensions", R"({"KHR_lights_punctual":{"lights":[{"type":"point"}]}})");
+    file.add("nodes",
+             R"({"name":"layer","children":[2,3],"extensions":{"KHR_node_visibility":{"visible":false}}})");
+    file.add("nodes", R"({"mesh":0,"extensions":{"KHR_node_visibility":{"visible":true}}})");
+    file.add("nodes", R"({"extensions":{"KHR_lights_punctual":{"light":0}}})");
+    file.add("nodes", R"({"mesh":0,"extensions":{"KHR_node_visibility":{}}})");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_TRUE(imported.report.notes.empty());
+    EXPECT_EQ(candela::triangleCount(imported.scene), 2u);
+    EXPECT_TRUE(imported.scene.lights.empty());
+    EXPECT_EQ(imported.scene.nodes.size(), 5u);
+}
+
 }  // namespace
 }  // namespace candela_test
