@@ -152,10 +152,10 @@ namespace {
 // The tolerances of the host for unit quaternions and affine matrices.
 constexpr double unitTolerance = 0.01, affineTolerance = 1e-5;
 
-candela_node identityNode(const std::string& name, std::int32_t parent) {
+candela_node identityNode(const char* name, std::int32_t parent) {
     candela_node node{};
     node.struct_size = sizeof node;
-    node.name = name.c_str();
+    node.name = name;
     node.parent = parent;
     node.rotation[3] = 1.0f;
     node.scale[0] = node.scale[1] = node.scale[2] = 1.0f;
@@ -216,7 +216,7 @@ candela_node nodeOf(const Document& document, std::size_t index, std::int32_t pa
                     std::array<float, 16>& matrix, const Host& host) {
     const tinygltf::Node& source = document.model.nodes[index];
     const std::string element = elementName("node", index, source.name);
-    candela_node node = identityNode(source.name, parent);
+    candela_node node = identityNode(source.name.c_str(), parent);
     if (source.matrix.empty()) {
         copyNumbers(source.translation, node.translation);
         setRemainder(source.translation, node);
