@@ -24,6 +24,14 @@ struct Environment {
     std::optional<float> occlusionDistance = {};
 };
 
+/// What of an `Environment` changes without a new picture: see there.
+struct EnvironmentSettings {
+    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+    float intensity = 1.0f;
+    bool isBackground = true;
+    std::optional<float> occlusionDistance = {};
+};
+
 /// The rotation by `degrees` about +Y, counter-clockwise as seen from above: by 90, what is at -Z gets to -X.
 /// Throws `Error` (badInput) unless they are finite.
 CANDELA_API glm::quat rotationAboutUp(double degrees);

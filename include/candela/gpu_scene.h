@@ -96,9 +96,9 @@ struct OcclusionReport {
 ///
 /// Edits mark what they change, and the next frame brings the device up to date, at a cost in proportion to
 /// the change. They check their arguments, throw `Error` (badInput) that names the element, and change
-/// nothing then. `setLights`, `setCagePoints` and `setMaterial` throw `Error` (environment) while the context
-/// is not current on this thread. Every function throws `Error` (badInput) on an object that has been moved
-/// from.
+/// nothing then. `setLights`, `setCagePoints`, `setMaterial` and `setEnvironment` throw `Error` (environment)
+/// while the context is not current on this thread. Every function throws `Error` (badInput) on an object
+/// that has been moved from.
 class CANDELA_API GpuScene {
   public:
     /// Uploads. Throws `Error`: badInput when the scene breaks a rule of `validate`, an option is out of its
@@ -139,6 +139,13 @@ class CANDELA_API GpuScene {
     /// Whether the mesh and the cage of the node itself cast shadows (`Node::castsShadow`); its children are
     /// not affected. A hidden node casts none. Throws `Error` (badInput) when there is no such node.
     void setCastsShadow(std::uint32_t node, ShadowCasting casting);
+
+    /// Replaces the environment. Filters its picture, which takes some tenths of a second. Throws `Error`:
+    /// badInput when it breaks what `Environment` states, limit when its picture does not fit the device.
+    void setEnvironment(const std::optional<Environment>& environment);
+    /// Turns, dims or shows the environment: costs nothing. Throws `Error` (badInput) when the scene has
+    /// none, or a setting breaks what `Environment` states.
+    void setEnvironmentSettings(const EnvironmentSettings& settings);
 
     const LightReport& lightReport() const;
     CageReport cageReport() const;

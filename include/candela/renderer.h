@@ -28,10 +28,10 @@ class CANDELA_API Renderer {
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
-    /// Draws `scene` from `view`: geometry pass, then lighting pass, or the debug view instead of it. Applies
-    /// the edits made to the scene since its last frame. Throws `Error`: badInput when the view or the
-    /// settings break what they state or the scene belongs to another context, limit when the size or the
-    /// lists of lights are beyond the device.
+    /// Draws `scene` from `view`: geometry pass, lighting pass and the environment, or the debug view instead
+    /// of light. Applies the edits made to the scene since its last frame. Throws `Error`: badInput when the
+    /// view or the settings break what they state or the scene belongs to another context, limit when the
+    /// size or the lists of lights are beyond the device.
     Frame render(GpuScene& scene, const CameraView& view, const FrameSettings& settings = {});
 
     /// The names `Frame::aovs` takes, in the order of the EXR file; without `ambient_occlusion` in a library
@@ -71,9 +71,9 @@ class CANDELA_API Frame {
 
     /// Reads the radiance back, without overlays; of a debug view its code values.
     HdrImage radiance() const;
-    /// Reads AOVs back. Emission and counts of lights are drawn again, ambient occlusion is
-    /// traced. Throws `Error` (badInput) when a name is unknown or given twice, and (environment) when
-    /// `ambient_occlusion` is asked of a library without shadows (`hasShadows`).
+    /// Reads AOVs back. Emission, counts of lights and the light of the environment are drawn again, ambient
+    /// occlusion is traced. Throws `Error` (badInput) when a name is unknown or given twice, and
+    /// (environment) when `ambient_occlusion` is asked of a library without shadows (`hasShadows`).
     std::vector<Aov> aovs(const std::vector<std::string>& names) const;
 
     /// What the pixel of column `x` and row `y` (from the top) shows; none on the background. Draws the pixel

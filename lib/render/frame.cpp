@@ -137,6 +137,15 @@ std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
     if (usesSource(rows, ChannelSource::emission)) {
         emission = readColor(state.drawEmission(*scene()).radiance, targets.width, targets.height);
     }
+    const auto environmentOf = [&](ChannelSource source, EnvironmentPass::Parts parts) {
+        if (!usesSource(rows, source)) return std::vector<float>{};
+        return readColor(state.drawEnvironment(*scene(), parts).radiance, targets.width, targets.height);
+    };
+    const std::vector<float> environment = environmentOf(ChannelSource::environment, {});
+    const std::vector<float> environmentDiffuse =
+        environmentOf(ChannelSource::environmentDiffuse, {.diffuse = 1.0f, .specular = 0.0f});
+    const std::vector<float> environmentSpecular =
+        environmentOf(ChannelSource::environmentSpecular, {.diffuse = 0.0f, .specular = 1.0f});
     if (usesSource(rows, ChannelSource::lightCount)) {
         const std::shared_ptr<GpuScene::State> scene = this->scene();
         const LightingInputs inputs = state.lightingInputs(*scene);
@@ -149,8 +158,9 @@ std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
     const std::vector<GBufferTexel> surfaces = readSurfaces(targets);
     const std::vector<float> depth = readDepth(targets);
     const AovSources sources{
-        targets.width, targets.height, state.frame->uniforms, state.frame->origin, depth, surfaces,
-        emission,      lightCount,     shadowedCount,         ambientOcclusion};
+        targets.width, targets.height, state.frame->uniforms, state.frame->origin, depth,
+        surfaces,      emission,       environment,           environmentDiffuse,  environmentSpecular,
+        lightCount,    shadowedCount,  ambientOcclusion};
     std::vector<Aov> result;
     for (const ChannelRow* row : rows) result.push_back(makeAov(*row, sources));
     return result;

@@ -1,6 +1,7 @@
 #include <candela/renderer.h>
 
 #include "gl/state_guard.h"
+#include "render/environment/gpu_environment.h"
 #include "render/frame_uniforms.h"
 #include "render/gbuffer/readback.h"
 #include "render/occlusion/ambient_occlusion.h"
@@ -13,6 +14,7 @@
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -20,6 +22,11 @@
 namespace candela {
 
 namespace {
+
+/// The environment of a scene, null where none lights surfaces.
+const GpuEnvironment* lightOf(const GpuScene::State& scene) {
+    return scene.environment && scene.environment->lights() ? scene.environment.get() : nullptr;
+}
 
 /// Of orthographic views: twice the size of the largest scene that `validate` takes.
 constexpr float maxFarPlane = 4.0e9f;
@@ -158,8 +165,14 @@ void Renderer::State::createPasses(const FrameSettings& settings, Technique tech
 }
 
 LightingInputs Renderer::State::lightingInputs(const GpuScene::State& scene) const {
-    return {*targets,        scene.lights,         frame->frustum,
-            frame->uniforms, frame->settings.brdf, frame->shadows ? scene.occlusion.get() : nullptr,
+    return {*targets,
+            scene.lights,
+            frame->frustum,
+            frame->uniforms,
+            frame->settings.brdf,
+            frame->shadows ? scene.occlusion.get() : nullptr,
+            lightOf(scene),
+            nullptr,
             draws.emits()};
 }
 
@@ -184,6 +197,16 @@ void Renderer::State::drawLit(const GpuScene::State& scene) {
     lighting.bind(inputs);
     technique.render(inputs, timer);
     shadowCounts = technique.shadowCounts();
+    if (inputs.environment != nullptr && !technique.drawsEnvironment()) {
+        const gl::PassTimer::Scope pass(timer, "environment");
+        environment.addLight(inputs, targets->lit, {});
+    }
+    if (scene.environment && scene.environment->isBackground()) drawBackground(scene);
+}
+
+void Renderer::State::drawBackground(const GpuScene::State& scene) {
+    const gl::PassTimer::Scope pass(timer, "background");
+    environment.drawBackground(*targets, *scene.environment);
 }
 
 void Renderer::State::drawDebugView(const GpuScene::State& scene) {
@@ -208,6 +231,18 @@ const GBufferTargets& Renderer::State::drawEmission(const GpuScene::State& scene
     return *emissionTargets;
 }
 
+const GBufferTargets& Renderer::State::drawEnvironment(const GpuScene::State& scene,
+                                                       EnvironmentPass::Parts parts) {
+    if (!emissionTargets) emissionTargets.emplace(targets->width, targets->height);
+    constexpr std::array<GLfloat, 4> black{0.0f, 0.0f, 0.0f, 0.0f};
+    glClearNamedFramebufferfv(emissionTargets->lit.name(), GL_COLOR, 0, black.data());
+    const LightingInputs inputs = lightingInputs(scene);
+    if (inputs.environment == nullptr) return *emissionTargets;
+    lighting.bind(inputs);
+    environment.addLight(inputs, emissionTargets->lit, parts);
+    return *emissionTargets;
+}
+
 const GBufferTargets& Renderer::State::prepareRays(GpuScene::State& scene) {
     if (frame->shadows) return *targets;
     scene.updateCages(frame->view, targets->width, targets->height, VertexScope::everywhere);
@@ -224,7 +259,7 @@ std::vector<float> Renderer::State::countShadowed(GpuScene::State& scene) {
     const GBufferTargets& from = shadows ? prepareRays(scene) : *targets;
     return lighting.shadowedPerPixel({from, scene.lights, frame->frustum, frame->uniforms,
                                       frame->settings.brdf, shadows ? scene.occlusion.get() : nullptr,
-                                      false});
+                                      nullptr, nullptr, false});
 }
 
 std::vector<float> Renderer::State::traceAmbientOcclusion(GpuScene::State& scene) {
@@ -272,6 +307,7 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
                              frameUniforms(view, settings.width, settings.height,
                                            scene.options.workingFromRec709, scene.lights.counts()),
                              Frustum(view, aspect), scene.sceneState.origin});
+    if (scene.environment) scene.environment->describe(frame->uniforms);
     timer.beginFrame();
     bindFrame();
     // What is out of view may cast shadows into it.

@@ -6,6 +6,7 @@
 #include "render/debug/instance_pass.h"
 #include "render/debug/overlay_pass.h"
 #include "render/display/display_pass.h"
+#include "render/environment/environment_pass.h"
 #include "render/frustum.h"
 #include "render/gbuffer/geometry_pass.h"
 #include "render/gpu_scene/gpu_scene_state.h"
@@ -53,6 +54,8 @@ struct Renderer::State {
     /// Draws the geometry again into targets whose radiance is the emission alone: that of the frame's own
     /// targets is lit by now.
     const GBufferTargets& drawEmission(const GpuScene::State& scene);
+    /// Draws parts of the environment's light alone into targets of its own.
+    const GBufferTargets& drawEnvironment(const GpuScene::State& scene, EnvironmentPass::Parts parts);
     /// The AOV `shadowed_count`, rows from the bottom.
     std::vector<float> countShadowed(GpuScene::State& scene);
     /// The AOV `ambient_occlusion`, rows from the bottom. The library has shadows.
@@ -66,6 +69,7 @@ struct Renderer::State {
     gl::PassTimer timer;
     GeometryPass geometry;
     Lighting lighting;
+    EnvironmentPass environment;
     DisplayPass display;
     gl::Buffer frameBuffer;
     InstancePass instances;
@@ -78,13 +82,14 @@ struct Renderer::State {
     std::optional<OverlayPass> overlays;
     GBufferTargets* targets = nullptr;                        ///< Of the frame: one of `targetSets`.
     std::array<std::optional<GBufferTargets>, 2> targetSets;  ///< Without and with the shadow word.
-    std::optional<GBufferTargets> emissionTargets;            ///< Where `drawEmission` draws.
+    std::optional<GBufferTargets> emissionTargets;  ///< Where `drawEmission` and `drawEnvironment` draw.
     std::optional<DisplayTarget> displayTarget;
 
   private:
     void selectTargets(int width, int height, bool withShadows);
     void createPasses(const FrameSettings& settings, Technique technique);
     void drawLit(const GpuScene::State& scene);
+    void drawBackground(const GpuScene::State& scene);
     void drawDebugView(const GpuScene::State& scene);
     void drawOverlays(GpuScene::State& scene);
     /// Targets with the shadow word, from which occlusion rays start, with `scene.occlusion` in step: those

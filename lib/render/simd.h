@@ -138,6 +138,30 @@ inline Floats abs(Floats a) {
     return max(a, -a);
 }
 
+/// Of a normal number over 0; off by less than 1e-6.
+inline Floats log2(Floats a) {
+    const Ints bits = (Ints)a;
+    const Floats exponent = __builtin_convertvector((bits >> 23) - 127, Floats);
+    const Floats mantissa = (Floats)((bits & 0x007fffff) | 0x3f800000);
+    // ln((1 + t) / (1 - t)) / 2 = t + t³ / 3 + t⁵ / 5 + ...
+    const Floats t = (mantissa - 1.0f) / (mantissa + 1.0f), t2 = t * t;
+    const Floats series =
+        1.0f + t2 * (1.0f / 3.0f + t2 * (1.0f / 5.0f + t2 * (1.0f / 7.0f + t2 * (1.0f / 9.0f))));
+    constexpr float twoOverLn2 = 2.88539008f;
+    return exponent + twoOverLn2 * t * series;
+}
+
+/// For -126 to 126; off by less than 1e-6 of it.
+inline Floats exp2(Floats a) {
+    const Floats shifted = a + 128.5f;  // Over 0, so that truncation rounds to the nearest.
+    const Ints whole = __builtin_convertvector(shifted, Ints) - 128;
+    const Floats x = 0.693147181f * (a - __builtin_convertvector(whole, Floats));
+    const Floats series =
+        1.0f + x * (1.0f + x * (0.5f + x * (1.0f / 6.0f +
+                                            x * (1.0f / 24.0f + x * (1.0f / 120.0f + x * (1.0f / 720.0f))))));
+    return series * (Floats)((whole + 127) << 23);
+}
+
 /// Four lanes: a row of a block, or the channels of a pixel.
 typedef float Four __attribute__((vector_size(16)));
 

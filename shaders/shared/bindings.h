@@ -19,6 +19,11 @@ const int CONES_UNIT = 3;    // RGBA32F buffer: one texel a spot
 const int SHADOW_UNIT = 7;   // R32UI: the G-buffer's shadow word
 const int ALBEDO_UNIT = 4;   // RG32F: the model's directional albedo table
 
+// Texture units of the environment's passes.
+const int ENVIRONMENT_UNIT = 5;             // RGBA32F buffer: ENVIRONMENT_HEADER texels, then maps
+const int ENVIRONMENT_VISIBILITY_UNIT = 6;  // R8: the share of the environment that a pixel sees
+const int ENVIRONMENT_PICTURE_UNIT = 0;     // RGBA32F: the picture, for the background
+
 // Texture units of the lighting passes with shadows, shaders/lib/occlusion.glsl.
 const int OCCLUSION_NODES_UNIT = 8;      // RGBA32UI buffer: OCCLUSION_NODE_TEXELS a node
 const int OCCLUSION_TRIANGLES_UNIT = 9;  // RGBA32UI buffer: OCCLUSION_TRIANGLE_TEXELS a triangle
@@ -67,6 +72,7 @@ const int LIST_PART_LOCATION = 1;         // tile_shade: which part of the lists
 const int LIGHT_SPAN_LOCATION = 2;        // tile_fill, tile_prefix, tile_shade: first and end of the lights that the lists are of
 const int LIGHT_SPANS_LOCATION = 0;       // fullscreen: first and end of points and spots
 const int DIRECTIONAL_SPAN_LOCATION = 1;  // fullscreen: first and end of directional lights
+const int ENVIRONMENT_PARTS_LOCATION = 0; // environment: factors on diffuse and specular reflection
 const int EXPOSURE_LOCATION = 0;          // display: factor before the transform
 const int ORIGIN_LOCATION = 1;            // display: lower left corner of the picture in the target
 const int LIMIT_RANGE_LOCATION = 0;       // cage_limit: first and end of a dispatch's vertices, number of points, number of vertices
@@ -99,6 +105,13 @@ const int INSTANCE_TEXELS = 6;  // rows of the world matrix, then of its cofacto
 const int MATERIAL_TEXELS = 12;
 const int LIGHT_TEXELS = 2;  // position and 1 / range², or of a directional light the direction to it and 0;
                              // then intensity, and in w 1 where the light casts shadows, else 0
+
+// The first texels of an environment (lib/render/environment/environment_map.h).
+const int ENVIRONMENT_LEVELS = 10;      // a texel each: first texel and size of its map
+const int ENVIRONMENT_IRRADIANCE = 10;  // the same of the irradiance
+const int ENVIRONMENT_PEAK_COUNT = 11;
+const int ENVIRONMENT_PEAKS = 12;       // two texels each: direction, irradiance
+const int ENVIRONMENT_HEADER = 20;
 
 // The tree of occlusion rays. Numbers are the bits of floats unless marked as uint; lib/render/occlusion/gpu_occlusion.cpp writes them.
 const int OCCLUSION_NODE_TEXELS = 6;      // origin; in w uint: the exponents of the step along each axis, 8 bits each, then a bit a child;

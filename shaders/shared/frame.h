@@ -15,6 +15,10 @@ struct FrameUniforms {
     vec4 workingFromRed;  // columns of the matrix from linear Rec.709 to the working space
     vec4 workingFromGreen;
     vec4 workingFromBlue;
+    // Rows of the rotation from the world to the frame of the environment's picture; w of the first: its intensity.
+    vec4 environmentX;
+    vec4 environmentY;
+    vec4 environmentZ;
     ivec4 size;         // width, height
     ivec4 lightCounts;  // points, spots, directional lights
 };

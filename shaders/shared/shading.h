@@ -224,3 +224,9 @@ SHARED_FUNCTION Real3 directionalLightRadiance(const int brdf, ShadingPoint poin
     Real nDotL = dot(point.normal, l);
     return evaluateBrdf(brdf, point, l, nDotL) * (illuminance * max(nDotL, 0.0f));
 }
+
+// The radiance that leaves the surface towards the eye by light from everywhere: `irradiance` of its normal, and `reflected`, the radiance that
+// its specular lobe gathers. Split sum: Karis, "Real shading in Unreal Engine 4", 2013.
+SHARED_FUNCTION Real3 environmentRadiance(ShadingPoint point, Real3 irradiance, Real3 reflected) {
+    return point.diffuse * irradiance + point.specularAlbedo * reflected;
+}

@@ -38,8 +38,9 @@ std::vector<Definitions> combinations() {
                            "CORNERS 2", "FILL 0", "LOAD_RADIANCE 0"});
     }
     for (const char* kind : {"SPOT 0", "SPOT 1"})
-        all.push_back({"BRDF BRDF_GLTF", kind, "SHADOWS 1", "SOURCE 0", "VIEW_CODE vec3(depth)",
-                       "HEAT_STOPS 5", "TEXTURED 0", "CORNERS 2", "FILL 0", "LOAD_RADIANCE 0"});
+        all.push_back({"BRDF BRDF_GLTF", kind, "SHADOWS 1", "VISIBILITY 1", "SOURCE 0",
+                       "VIEW_CODE vec3(depth)", "HEAT_STOPS 5", "TEXTURED 0", "CORNERS 2", "FILL 0",
+                       "LOAD_RADIANCE 0"});
     for (const DebugView debugView : debugViews()) {
         Definitions definitions = debugViewDefinitions(debugViewRow(debugView));
         definitions.insert(definitions.end(), {"BRDF BRDF_COURSE", "SPOT 0", "TEXTURED 1", "CORNERS 3",
@@ -61,6 +62,8 @@ const std::vector<Linked> table{
     {"surface_textured.vert", "surface_textured.frag"},
     {"fullscreen_triangle.vert", "fullscreen.frag"},
     {"fullscreen_triangle.vert", "depth_copy.frag"},
+    {"fullscreen_triangle.vert", "environment.frag"},
+    {"fullscreen_triangle.vert", "background.frag"},
     {"light_volume.vert", "light_volume.frag"},
     {"light_volume.vert", "light_volume_mark.frag"},
     {"light_volume.vert", "light_volume_count.frag"},

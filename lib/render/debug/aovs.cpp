@@ -34,6 +34,22 @@ bool hasValue(const ChannelRow& row, const AovSources& sources, std::size_t i) {
     }
 }
 
+/// The colours of a channel's source; empty for a source of other kinds.
+std::span<const float> colorsOf(ChannelSource source, const AovSources& sources) {
+    switch (source) {
+        case ChannelSource::emission:
+            return sources.emission;
+        case ChannelSource::environment:
+            return sources.environment;
+        case ChannelSource::environmentDiffuse:
+            return sources.environmentDiffuse;
+        case ChannelSource::environmentSpecular:
+            return sources.environmentSpecular;
+        default:
+            return {};
+    }
+}
+
 /// The value at a pixel; `y` counts from the bottom.
 glm::vec3 valueAt(const ChannelRow& row, const AovSources& sources, int x, int y) {
     const std::size_t i =
@@ -44,8 +60,8 @@ glm::vec3 valueAt(const ChannelRow& row, const AovSources& sources, int x, int y
     if (row.source == ChannelSource::lightCount) pixel.number = sources.lightCount[i];
     if (row.source == ChannelSource::shadowedCount) pixel.number = sources.shadowedCount[i];
     if (row.source == ChannelSource::ambientOcclusion) pixel.number = sources.ambientOcclusion[i];
-    if (row.source == ChannelSource::emission)
-        pixel.emission = {sources.emission[4 * i], sources.emission[4 * i + 1], sources.emission[4 * i + 2]};
+    if (const std::span<const float> colors = colorsOf(row.source, sources); !colors.empty())
+        pixel.color = {colors[4 * i], colors[4 * i + 1], colors[4 * i + 2]};
     return row.decode(pixel);
 }
 

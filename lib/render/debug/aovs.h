@@ -19,7 +19,8 @@ struct AovSources {
     glm::dvec3 origin;  ///< `Scene::origin`.
     std::span<const float> depth;
     std::span<const GBufferTexel> surfaces;
-    std::span<const float> emission;  ///< RGBA.
+    std::span<const float> emission;                                              ///< RGBA.
+    std::span<const float> environment, environmentDiffuse, environmentSpecular;  ///< RGBA.
     std::span<const float> lightCount, shadowedCount, ambientOcclusion;
 };
 

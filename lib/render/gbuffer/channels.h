@@ -15,12 +15,15 @@ namespace candela {
 /// drawn when they are asked for.
 enum class ChannelSource {
     depth,
-    surface,           ///< The words of the G-buffer.
-    emission,          ///< Radiance as the geometry pass writes it.
-    lightCount,        ///< `PairCounter`.
-    shadowedCount,     ///< `Lighting::shadowedPerPixel`.
-    ambientOcclusion,  ///< render/occlusion/ambient_occlusion.h; of AOVs only.
-    instance,          ///< `InstancePass`; of debug views only.
+    surface,              ///< The words of the G-buffer.
+    emission,             ///< Radiance as the geometry pass writes it.
+    environment,          ///< `EnvironmentPass`, diffuse and specular; of AOVs only, as the next two.
+    environmentDiffuse,   ///< The one part.
+    environmentSpecular,  ///< The other.
+    lightCount,           ///< `PairCounter`.
+    shadowedCount,        ///< `Lighting::shadowedPerPixel`.
+    ambientOcclusion,     ///< render/occlusion/ambient_occlusion.h; of AOVs only.
+    instance,             ///< `InstancePass`; of debug views only.
 };
 
 /// A pixel of a frame as decoders read it. Of the members below `depth` only the one of the channel's source
@@ -31,8 +34,8 @@ struct ChannelPixel {
     int x, y;                  ///< y from the bottom.
     float depth;               ///< Reversed; 0 on the background.
     GBufferSurface surface;
-    glm::vec3 emission{0.0f};
-    float number = 0.0f;  ///< Of `lightCount`, `shadowedCount` and `ambientOcclusion`.
+    glm::vec3 color{0.0f};  ///< Of `emission` and the parts of the environment.
+    float number = 0.0f;    ///< Of `lightCount`, `shadowedCount` and `ambientOcclusion`.
 };
 
 /// A debug view of the table below.

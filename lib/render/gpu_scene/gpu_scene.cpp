@@ -1,4 +1,5 @@
 #include "gl/state_guard.h"
+#include "render/environment/gpu_environment.h"
 #include "render/gpu_scene/gpu_scene_state.h"
 #include "render/occlusion/occlusion_scene.h"
 
@@ -72,6 +73,15 @@ void GpuScene::setVisibility(std::uint32_t node, Visibility visibility) {
 
 void GpuScene::setCastsShadow(std::uint32_t node, ShadowCasting casting) {
     state().setCastsShadow(node, casting);
+}
+
+void GpuScene::setEnvironment(const std::optional<Environment>& environment) {
+    requireContext();
+    state().setEnvironment(environment);
+}
+
+void GpuScene::setEnvironmentSettings(const EnvironmentSettings& settings) {
+    state().setEnvironmentSettings(settings);
 }
 
 const LightReport& GpuScene::lightReport() const {

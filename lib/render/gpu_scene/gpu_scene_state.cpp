@@ -2,6 +2,7 @@
 
 #include "base/error_context.h"
 #include "gl/state_guard.h"
+#include "render/environment/gpu_environment.h"
 #include "render/occlusion/occlusion_scene.h"
 #include "scene/geometry/axes.h"
 #include "scene/model/animation.h"
@@ -96,6 +97,7 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
     update();
     lights.set(worldLights(sceneState, transforms.world()), rangeRule());
     listNodeLights();
+    setEnvironment(scene.environment);
 }
 
 GpuScene::State::~State() = default;
@@ -217,6 +219,23 @@ void GpuScene::State::setCastsShadow(std::uint32_t node, ShadowCasting casting) 
     sceneState.nodes[node].castsShadow = casting == ShadowCasting::on;
     if (const std::optional<std::uint32_t> mesh = instances.meshOf(node)) instances.markChanged(*mesh);
     if (const std::optional<std::uint32_t> cage = instances.cageOf(node)) instances.markChanged(*cage);
+}
+
+void GpuScene::State::setEnvironment(const std::optional<Environment>& given) {
+    if (!given) {
+        environment.reset();
+        return;
+    }
+    validateEnvironment(*given);
+    const gl::StateGuard pixelStorage(*binding, "a GpuScene");
+    environment = std::make_unique<GpuEnvironment>(*given, options.workingFromRec709);
+}
+
+void GpuScene::State::setEnvironmentSettings(const EnvironmentSettings& settings) {
+    const ErrorContext element("environment");
+    if (!environment) element.refuse("the scene has none whose settings could be changed");
+    validateEnvironmentSettings(settings, environment->largestRadiance(), element);
+    environment->set(settings);
 }
 
 void GpuScene::State::update() {

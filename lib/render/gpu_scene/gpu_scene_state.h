@@ -22,6 +22,7 @@
 
 namespace candela {
 
+class GpuEnvironment;
 class OcclusionScene;
 
 /// What a `GpuScene` holds. Edits only mark what they change; `update` does the work, in proportion to that.
@@ -37,6 +38,8 @@ struct GpuScene::State {
     void setMaterial(std::uint32_t index, const Material& material);
     void setVisibility(std::uint32_t node, Visibility visibility);
     void setCastsShadow(std::uint32_t node, ShadowCasting casting);
+    void setEnvironment(const std::optional<Environment>& environment);
+    void setEnvironmentSettings(const EnvironmentSettings& settings);
 
     /// Brings the device's records to where the edits since the last call have put them.
     void update();
@@ -79,6 +82,7 @@ struct GpuScene::State {
     /// Created by the first frame with shadows.
     std::unique_ptr<OcclusionScene> occlusion;
     std::uint64_t alphaVersion = 1;  ///< Grows when a material that masks or blends by alpha changes.
+    std::unique_ptr<GpuEnvironment> environment;  ///< Null without one.
 
     NodeTransforms transforms;
     GpuMeshes meshes;

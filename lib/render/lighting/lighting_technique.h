@@ -17,6 +17,7 @@
 
 namespace candela {
 
+class GpuEnvironment;
 class OcclusionScene;
 class PairCounter;
 
@@ -30,6 +31,10 @@ struct LightingInputs {
     BrdfModel brdf;
     /// What hides lights; null in a frame without shadows. The G-buffer has the shadow word with it.
     const OcclusionScene* occlusion;
+    /// What lights from everywhere; null in a frame without it.
+    const GpuEnvironment* environment;
+    /// The share of the environment that each pixel sees, 0 to 255, rows from the bottom; null: all of it.
+    const std::uint8_t* environmentVisibility;
     bool emissionDrawn;  ///< `targets.radiance` holds emission; else its content is that of `radianceLoadOp`.
 };
 
@@ -43,6 +48,9 @@ class LightingTechnique {
     virtual LoadOp radianceLoadOp() const { return LoadOp::clear; }
 
     virtual void render(const LightingInputs& inputs, gl::PassTimer& timer) = 0;
+
+    /// Whether `render` adds the light of the environment too; else `EnvironmentPass` does.
+    virtual bool drawsEnvironment() const { return false; }
 
     /// Bytes of the lists of lights of the last rendered frame.
     virtual std::uint64_t lightListBytes() const = 0;

@@ -27,6 +27,9 @@ constexpr float unitTolerance = 0.01f;
 /// 4 × 0.5 / 255, and a little. What deforms vertices divides by the sum.
 constexpr float weightSumTolerance = 0.01f;
 
+/// The largest colour channel of an environment's picture.
+float largestRadiance(const Image& picture);
+
 /// Whether the last row is 0, 0, 0, 1.
 bool isAffine(const glm::mat4& matrix);
 
@@ -48,6 +51,9 @@ void validateNode(const Node& node, std::size_t index, const Scene& scene, const
 void validateCamera(const Camera& camera, const Scene& scene, const ErrorContext& element);
 void validateLight(const Light& light, const Scene& scene, const ErrorContext& element);
 void validateEnvironment(const Environment& environment);
+/// The part of `validateEnvironment` beside the picture; `largest` is its `largestRadiance`.
+void validateEnvironmentSettings(const EnvironmentSettings& settings, float largest,
+                                 const ErrorContext& element);
 void validateAnimation(const Animation& animation, const Scene& scene, const ErrorContext& element);
 
 /// That the meshes and cages of all nodes fit the nodes' skins and morph weights. All of these have passed.

@@ -11,8 +11,9 @@ namespace candela {
 
 namespace {
 
-/// Whether every colour channel is 0 to `max`, which a NaN is not. Alpha is not read.
-bool isRadiance(const std::vector<std::byte>& pixels, float max) {
+/// Whether every colour channel is 0 or more and finite, which a NaN is not. Alpha is not read.
+bool isRadiance(const std::vector<std::byte>& pixels) {
+    constexpr float max = std::numeric_limits<float>::max();
     bool holds = true;
     for (std::size_t at = 0; at < pixels.size(); at += texelSize(PixelFormat::rgba32f)) {
         float color[3];
@@ -23,6 +24,27 @@ bool isRadiance(const std::vector<std::byte>& pixels, float max) {
 }
 
 }  // namespace
+
+float largestRadiance(const Image& picture) {
+    float largest = 0.0f;
+    for (std::size_t at = 0; at < picture.pixels.size(); at += texelSize(PixelFormat::rgba32f)) {
+        float color[3];
+        std::memcpy(color, picture.pixels.data() + at, sizeof color);
+        for (const float channel : color) largest = std::max(largest, channel);
+    }
+    return largest;
+}
+
+void validateEnvironmentSettings(const EnvironmentSettings& settings, float largest,
+                                 const ErrorContext& element) {
+    element.requireNotNegative("its intensity", settings.intensity);
+    element.require(double{settings.intensity} * double{largest} <= double{maxIntensity},
+                    "its intensity times its radiance must be at most 1e20");
+    element.require(std::abs(glm::length(settings.rotation) - 1.0f) <= unitTolerance,
+                    "its rotation must be a quaternion of unit length");
+    if (settings.occlusionDistance)
+        element.requirePositive("its occlusion distance", *settings.occlusionDistance);
+}
 
 void validateEnvironment(const Environment& environment) {
     constexpr std::uint32_t maxSide = 32768;
@@ -36,16 +58,10 @@ void validateEnvironment(const Environment& environment) {
     if (picture.pixels.size() != size)
         element.refuse("holds " + std::to_string(picture.pixels.size()) +
                        " bytes of pixels, but its size requires " + std::to_string(size));
-    element.requireNotNegative("its intensity", environment.intensity);
-    const float largest = std::numeric_limits<float>::max();
-    element.require(isRadiance(picture.pixels, largest), "its radiance must be finite numbers, 0 or more");
-    const float intensity = environment.intensity;
-    const float max = intensity > 0.0f ? std::min(maxIntensity / intensity, largest) : largest;
-    element.require(isRadiance(picture.pixels, max), "its intensity times its radiance must be at most 1e20");
-    element.require(std::abs(glm::length(environment.rotation) - 1.0f) <= unitTolerance,
-                    "its rotation must be a quaternion of unit length");
-    if (environment.occlusionDistance)
-        element.requirePositive("its occlusion distance", *environment.occlusionDistance);
+    element.require(isRadiance(picture.pixels), "its radiance must be finite numbers, 0 or more");
+    validateEnvironmentSettings({environment.rotation, environment.intensity, environment.isBackground,
+                                 environment.occlusionDistance},
+                                largestRadiance(picture), element);
 }
 
 }  // namespace candela

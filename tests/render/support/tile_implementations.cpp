@@ -1,6 +1,7 @@
 #include "support/tile_implementations.h"
 
 #include "gl/state_guard.h"
+#include "render/environment/environment_pass.h"
 #include "render/frame_uniforms.h"
 #include "render/gbuffer/geometry_pass.h"
 #include "render/gbuffer/readback.h"
@@ -68,8 +69,11 @@ std::vector<float> radianceOf(const Context& context, const TileImplementation& 
     state.update();
     DrawSelection draws;
     state.cull(frustum, draws);
-    const layout::FrameUniforms uniforms =
+    layout::FrameUniforms uniforms =
         frameUniforms(view, picture.width, picture.height, glm::dmat3(1.0), state.lights.counts());
+    const GpuEnvironment* environment = state.environment.get();
+    if (environment != nullptr) environment->describe(uniforms);
+    EnvironmentPass environmentPass;
     gl::Buffer buffer("frame", gl::BufferUsage::dynamic);
     buffer.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
     glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, buffer.name());
@@ -78,8 +82,12 @@ std::vector<float> radianceOf(const Context& context, const TileImplementation& 
     for (int frame = 0; frame < picture.frames; ++frame) {
         geometry.render({state, draws, targets, start});
         bindForLighting(targets, state.lights, albedo);
-        implementation.technique->render(
-            {targets, state.lights, frustum, uniforms, picture.brdf, nullptr, draws.emits()}, timer);
+        const LightingInputs inputs{targets,      state.lights, frustum,     uniforms,
+                                    picture.brdf, nullptr,      environment, picture.environmentVisibility,
+                                    draws.emits()};
+        implementation.technique->render(inputs, timer);
+        if (environment != nullptr && !implementation.technique->drawsEnvironment())
+            environmentPass.addLight(inputs, targets.lit, {});
     }
     return readColor(targets.radiance, picture.width, picture.height);
 }

@@ -6,6 +6,7 @@
 #include <candela/context.h>
 #include <candela/scene.h>
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -36,6 +37,7 @@ struct TileTestFrame {
     int width = 96, height = 54;
     BrdfModel brdf = BrdfModel::course;
     int frames = 2;
+    const std::uint8_t* environmentVisibility = nullptr;  ///< As in `LightingInputs`.
 };
 
 /// The radiance of the last of several frames: RGBA, rows from the bottom.

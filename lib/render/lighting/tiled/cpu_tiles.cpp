@@ -1,6 +1,7 @@
 #include "render/lighting/tiled/cpu_tiles.h"
 
 #include "base/thread_pool.h"
+#include "render/environment/gpu_environment.h"
 #include "render/gbuffer/readback.h"
 #include "render/gbuffer/srgb.h"
 #include "render/occlusion/occlusion_scene.h"
@@ -103,6 +104,8 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     frame.height = inputs.targets.height;
     frame.surfaces = surfaces_.data();
     frame.depth = depth_.data();
+    frame.environment = inputs.environment == nullptr ? nullptr : &inputs.environment->view();
+    frame.environmentVisibility = inputs.environmentVisibility;
     frame.shadowWords = inputs.occlusion == nullptr ? nullptr : shadowWords_.data();
     frame.occlusion = inputs.occlusion == nullptr ? nullptr : &inputs.occlusion->view();
     frame.pixelSide = glm::length(glm::vec3(uniforms.rayStepY));
@@ -152,9 +155,10 @@ void CpuTiles::shadeAll(TileFrame frame, BrdfModel brdf) {
         binned = bins_.fill(frame, binned, kernel_, *pool);
         listBytes_ = std::max(listBytes_, bins_.bytes());
         shadeTiles(frame, brdf, *pool);
-        // What follows adds to the first part, which has the directional lights.
+        // What follows adds to the first part, which has the directional lights and the environment.
         frame.loadRadiance = true;
         frame.directionalCount = 0;
+        frame.environment = nullptr;
     } while (binned < frame.localCount);
 }
 
@@ -172,6 +176,7 @@ std::vector<float> CpuTiles::shadowedPerPixel(const LightingInputs& inputs) {
     std::vector<float> counts(depth_.size());
     TileFrame frame = frameOf(inputs);
     frame.shadowedCounts = counts.data();
+    frame.environment = nullptr;
     frame.loadRadiance = true;  // Nothing is written to it.
     shadeAll(frame, inputs.brdf);
     return counts;

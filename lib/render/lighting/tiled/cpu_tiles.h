@@ -22,6 +22,7 @@ class CpuTiles final : public LightingTechnique {
                       std::uint64_t maxListWords = std::uint64_t{1} << 26);
 
     LoadOp radianceLoadOp() const override { return LoadOp::dontCare; }
+    bool drawsEnvironment() const override { return true; }
     void render(const LightingInputs& inputs, gl::PassTimer& timer) override;
     std::uint64_t countEvaluated(const LightingInputs& inputs, PairCounter& counter) override;
     std::uint64_t lightListBytes() const override { return listBytes_; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/environment/environment_view.h"
 #include "render/occlusion/occlusion_view.h"
 
 #include <cstddef>
@@ -38,6 +39,10 @@ struct TileFrame {
     const float* records;   ///< Eight floats a light: see `GpuLights`.
     const float* cones;     ///< Four floats a spot.
     std::uint32_t pointCount, localCount, directionalCount;
+
+    const EnvironmentView* environment;  ///< Null in a frame without one.
+    /// The share of the environment that each pixel sees, 0 to 255; null: all of it.
+    const std::uint8_t* environmentVisibility;
 
     const std::uint32_t* shadowWords;  ///< One a pixel; null in a frame without shadows.
     const OcclusionView* occlusion;    ///< Null in a frame without shadows.

@@ -7,6 +7,7 @@
 
 #include "render/lighting/tiled/tile_kernel.h"
 
+#include "render/lighting/tiled/tile_environment.h"
 #include "render/lighting/tiled/tile_shading.h"
 #include "render/lighting/tiled/tile_shadows.h"
 
@@ -208,7 +209,7 @@ void shadeBlock(const TileFrame& frame, int left, int bottom, const std::uint32_
     const auto recordOf = [&](std::uint64_t light) { return frame.records + 8 * light; };
     for (int first = 0; first < pixelsPerBlock; first += laneCount) {
         const ShadingPoint point = shadingPointAt<brdf>(frame, pixels, first);
-        Vec3 sum(0.0f);
+        Vec3 sum = environmentLight(frame, point, left, bottom, first);
         for (std::uint32_t i = 0; i < points; ++i)
             sum = sum + pointLightRadiance(brdf, point, localLightOf(recordOf(lights[i])));
         for (std::uint32_t i = points; i < count; ++i) {
@@ -281,7 +282,7 @@ void shadeBlockWithShadows(const TileFrame& frame, int left, int bottom, const s
     for (int first = 0; first < pixelsPerBlock; first += laneCount) {
         const ShadingPoint point = shadingPointAt<brdf>(frame, pixels, first);
         constexpr std::uint32_t group = (1u << (laneCount - 1) << 1) - 1;
-        Vec3 sum(0.0f);
+        Vec3 sum = environmentLight(frame, point, left, bottom, first);
         // The intensity is masked, not the radiance: the sum is then contracted as that of `shadeBlock`, and
         // the image where nothing is hidden is the same bit for bit.
         const auto visiblePart = [&](std::uint32_t i, Vec3 intensity) {
@@ -330,6 +331,11 @@ void countShadowed(const TileFrame& frame, int left, int bottom, const std::uint
     }
 }
 
+/// Whether anything lights pixels that `count` point and spot lights may reach.
+inline bool hasLight(const TileFrame& frame, std::uint32_t count) {
+    return count > 0 || frame.directionalCount > 0 || frame.environment != nullptr;
+}
+
 /// The node of the box tree at `level`, with the lights that met its parent.
 template <int brdf>
 void shadeNode(const TileFrame& frame, int left, int bottom, int level, int x, int y,
@@ -339,7 +345,7 @@ void shadeNode(const TileFrame& frame, int left, int bottom, int level, int x, i
     const LightColumns& list = scratch.levels[level];
     const std::uint32_t count =
         filter(scratch.levels[level + 1], parentCount, scratch.boxes[level][at], list);
-    if (count == 0 && frame.directionalCount == 0) return;
+    if (!hasLight(frame, count)) return;
     const int nodeLeft = left + (x * blockSize << level), nodeBottom = bottom + (y * blockSize << level);
     if (level == shadowLevel && frame.occlusion != nullptr) {
         fillSlots(frame, endBoxOf(frame, nodeLeft, nodeBottom, 1 << level), list, count, scratch.shadows);
@@ -387,7 +393,7 @@ void shade(const TileFrame& frame, int tileX, int tileY, const std::uint32_t* li
            TileScratch& scratch) {
     const int left = tileX * tileSize, bottom = tileY * tileSize;
     if (!frame.loadRadiance) clearTile(frame, left, bottom);
-    if (count == 0 && frame.directionalCount == 0) return;
+    if (!hasLight(frame, count)) return;
     prefetchTile(frame, left, bottom);
     makeBoxes(frame, left, bottom, scratch);
     gatherLights(frame, lights, count, scratch.levels[boxLevels]);

@@ -34,9 +34,22 @@ inline Floats fastDivide(Floats a, Floats b) {
 #include "shared/shading_constants.h"
 #include "shared/surface_lobes.h"
 
+inline Floats signOf(Floats a) {
+    return select(a < 0.0f, splat(-1.0f), splat(1.0f));
+}
+
+/// As in shaders/lib/environment.glsl.
+inline Floats octavesBelowOne(Floats a) {
+    constexpr std::int32_t one = 0x3f800000;
+    return __builtin_convertvector(one - (Ints)a, Floats) * (1.0f / 8388608.0f);
+}
+
 #include "shared/light_bounds.h"
 #include "shared/shading.h"
 #include "shared/shadow_ray.h"
+
+// Reads `ShadingPoint` of shading.h.
+#include "shared/environment.h"
 
 /// As shaders/lib/lighting.glsl reads the table. Two neighbouring texels are one load of four floats, which
 /// is faster than to gather each number.
