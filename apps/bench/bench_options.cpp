@@ -4,6 +4,7 @@
 #include "common/shadow_stats.h"
 #include "crowd_bench.h"
 
+#include <candela/sampling.h>
 #include <candela/version.h>
 
 #include <CLI/CLI.hpp>
@@ -70,16 +71,29 @@ std::vector<candela::Shadows> parseShadowList(const std::string& text) {
     return list;
 }
 
+std::vector<std::uint32_t> parseSamples(const std::string& text) {
+    std::vector<std::uint32_t> counts;
+    for (const std::string& part : splitAtCommas(text)) {
+        const auto count =
+            static_cast<std::uint32_t>(parseInteger("--samples", part, 1, candela::maxSamples));
+        if (std::ranges::find(counts, count) != counts.end())
+            throw UsageError("--samples \"" + text + "\": " + part + " is given twice");
+        counts.push_back(count);
+    }
+    return counts;
+}
+
 void checkTogether(const BenchOptions& options) {
     if (options.json.empty()) throw UsageError("--json is missing: name the file to write the results to");
     if (options.scene.empty()) throw UsageError("--scene \"\": expected a name or a file");
     const bool measuresLights = !options.lights.empty() || options.compares || options.plot || options.view ||
-                                options.baseline == Baseline::with || !options.shadows.empty();
+                                options.baseline == Baseline::with || !options.shadows.empty() ||
+                                options.samples != std::vector<std::uint32_t>{1};
     if ((options.scene == cageScene || isCrowd(options.scene)) && measuresLights)
         throw UsageError(
             "--scene " + options.scene +
-            " measures no lights: leave --lights, --technique all, --shadows, --plot, --view and --baseline "
-            "out");
+            " measures no lights: leave --lights, --technique all, --shadows, --samples, --plot, --view and "
+            "--baseline out");
     if (options.baseline == Baseline::with && options.brdf != candela::BrdfModel::course)
         throw UsageError("--baseline draws with the model course only: leave --brdf out");
 }
@@ -111,6 +125,11 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
            std::string("on, off, or both, drawn alternately, so that their ratio is that of one run.\n"
                        "Default: ") +
                candela::toString(defaultShadows))
+        ->type_name("LIST");
+    app.add_option_function<std::string>(
+           "--samples", [&](const std::string& text) { options.samples = parseSamples(text); },
+           "Samples a pixel, 1 to 65536; several, separated by commas, are drawn alternately.\n"
+           "Default: 1")
         ->type_name("LIST");
     app.add_option_function<std::string>(
            "--brdf", [&](const std::string& text) { options.brdf = parseBrdf(text); },

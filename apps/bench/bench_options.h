@@ -25,6 +25,7 @@ struct BenchOptions {
     candela::TileBackend tileBackend = candela::TileBackend::automatic;
     /// `on` and `off` as given; `off` without --shadows.
     std::vector<candela::Shadows> shadows;
+    std::vector<std::uint32_t> samples{1};  ///< A pixel; each measured.
     candela::BrdfModel brdf = candela::BrdfModel::course;
     Baseline baseline = Baseline::without;
     int width = 1280, height = 720;

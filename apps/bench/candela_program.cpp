@@ -4,13 +4,15 @@
 #include "programs.h"
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace {
 
 class CandelaProgram final : public Program {
   public:
     CandelaProgram(const candela::Context& context, const BenchScene& scene, const BenchOptions& options,
-                   candela::Technique technique, candela::Shadows shadows)
+                   const CandelaDrawing& drawing)
         : clock_(context),
           renderer_(context),
           scene_(context, scene.scene),
@@ -19,17 +21,26 @@ class CandelaProgram final : public Program {
           lights_(scene.lights) {
         scene_.setLights(scene.lights);
         view_ = scene.view;
-        settings_ = {options.width, options.height, options.brdf, technique};
+        settings_ = {options.width, options.height, options.brdf, drawing.technique};
         settings_.tileBackend = options.tileBackend;
-        settings_.shadows = shadows;
+        settings_.shadows = drawing.shadows;
+        sampling_.count = drawing.samples;
+        if (drawing.samples > 1) accumulator_.emplace(context);
     }
 
     FrameTimes draw() override {
         clock_.start();
         const candela::Frame& frame = render();
-        frame.display(transform_, {.framebuffer = screen_.framebuffer()});
+        const candela::FrameTarget target{.framebuffer = screen_.framebuffer()};
+        if (accumulator_)
+            accumulator_->display(transform_, target);
+        else
+            frame.display(transform_, target);
         clock_.lap("frame");
-        return {clock_.times().frame, frame.passTimes()};
+        std::vector<candela::PassTime> passes = frame.passTimes();
+        if (accumulator_)
+            for (candela::PassTime& pass : accumulator_->passTimes()) passes.push_back(std::move(pass));
+        return {clock_.times().frame, passes};
     }
 
     void count(Result& result) override {
@@ -42,7 +53,13 @@ class CandelaProgram final : public Program {
         result.lightsVisible = pairs.lightsVisible;
         result.lightsDropped = pairs.lightsDropped;
         result.lightListBytes = pairs.lightListBytes;
-        result.picture = medianOf([&] { render().displayPicture(transform_); });
+        result.picture = medianOf([&] {
+            const candela::Frame& frame = render();
+            if (accumulator_)
+                accumulator_->displayPicture(transform_);
+            else
+                frame.displayPicture(transform_);
+        });
         result.setLights = medianOf([&] {
             scene_.setLights(lights_);
             glFinish();
@@ -50,7 +67,7 @@ class CandelaProgram final : public Program {
     }
 
     std::vector<float> radiance() override {
-        const candela::HdrImage radiance = frame_->radiance();
+        const candela::HdrImage radiance = accumulator_ ? accumulator_->radiance() : frame_->radiance();
         std::vector<float> rgb;
         rgb.reserve(radiance.rgba.size() / 4 * 3);
         for (std::size_t i = 0; i < radiance.rgba.size(); ++i) {
@@ -60,7 +77,12 @@ class CandelaProgram final : public Program {
     }
 
   private:
-    const candela::Frame& render() { return frame_.emplace(renderer_.render(scene_, view_, settings_)); }
+    const candela::Frame& render() {
+        if (!accumulator_) return frame_.emplace(renderer_.render(scene_, view_, settings_));
+        accumulator_->reset();
+        return frame_.emplace(
+            accumulator_->addSamples(renderer_, scene_, view_, settings_, sampling_, 0, sampling_.count));
+    }
 
     /// The median wall time in milliseconds of five runs of `work`, which has to wait for the device.
     template <typename Work>
@@ -86,13 +108,14 @@ class CandelaProgram final : public Program {
     std::vector<candela::WorldLight> lights_;
     candela::CameraView view_;
     candela::FrameSettings settings_;
-    std::optional<candela::Frame> frame_;  ///< Drawn last.
+    candela::SamplingSettings sampling_;
+    std::optional<candela::Accumulator> accumulator_;  ///< Of more than one sample.
+    std::optional<candela::Frame> frame_;              ///< Drawn last.
 };
 
 }  // namespace
 
 std::unique_ptr<Program> makeCandelaProgram(const candela::Context& context, const BenchScene& scene,
-                                            const BenchOptions& options, candela::Technique technique,
-                                            candela::Shadows shadows) {
-    return std::make_unique<CandelaProgram>(context, scene, options, technique, shadows);
+                                            const BenchOptions& options, const CandelaDrawing& drawing) {
+    return std::make_unique<CandelaProgram>(context, scene, options, drawing);
 }

@@ -21,6 +21,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace {
 
@@ -47,11 +48,13 @@ using ProgramMaker = std::function<std::unique_ptr<Program>()>;
 struct Row {
     std::string technique;
     std::optional<candela::Shadows> shadows;
-    ProgramMaker make, makeReference;  ///< The latter may be empty.
+    ProgramMaker make, makeReference = {};  ///< The latter may be empty.
+    std::uint32_t samples = 1;
 };
 
 Subject subjectOf(const Row& row) {
-    return {row.technique, row.shadows, row.make(), row.makeReference ? row.makeReference() : nullptr};
+    return {row.technique, row.shadows, row.samples, row.make(),
+            row.makeReference ? row.makeReference() : nullptr};
 }
 
 class Bench {
@@ -77,24 +80,29 @@ class Bench {
     void clearProgress() { progress_.clear(); }
 
   private:
-    /// Of one technique, with shadows, without, or both.
+    /// Of one technique, with shadows, without, or both, and with each number of samples.
     std::vector<Row> candelaRows(const BenchScene& scene, candela::Technique technique) const {
         std::vector<Row> rows;
-        for (const candela::Shadows shadows : options_.shadows) {
-            const auto make = [this, technique, shadows](const BenchScene& lit) {
-                return makeCandelaProgram(context_, lit, options_, technique, shadows);
-            };
-            Row row{toString(technique), shadows, [make, &scene] { return make(scene); }, {}};
-            if (scene.referenceLights) {
-                row.makeReference = [make, &scene] {
-                    BenchScene fewer = scene;
-                    fewer.lights.resize(*scene.referenceLights);
-                    return make(fewer);
-                };
-            }
-            rows.push_back(row);
-        }
+        for (const candela::Shadows shadows : options_.shadows)
+            for (const std::uint32_t samples : options_.samples)
+                rows.push_back(candelaRow(scene, {technique, shadows, samples}));
         return rows;
+    }
+
+    Row candelaRow(const BenchScene& scene, const CandelaDrawing& drawing) const {
+        const auto make = [this, drawing](const BenchScene& lit) {
+            return makeCandelaProgram(context_, lit, options_, drawing);
+        };
+        Row row{toString(drawing.technique), drawing.shadows, [make, &scene] { return make(scene); }, {}};
+        row.samples = drawing.samples;
+        if (scene.referenceLights) {
+            row.makeReference = [make, &scene] {
+                BenchScene fewer = scene;
+                fewer.lights.resize(*scene.referenceLights);
+                return make(fewer);
+            };
+        }
+        return row;
     }
 
     void addBaselines(const BenchScene& scene, const Result& own) {
@@ -151,21 +159,24 @@ class Bench {
         result.lights = scene.lights.size();
         result.technique = row.technique;
         result.shadows = row.shadows;
+        result.samples = row.samples;
         result.width = options_.width;
         result.height = options_.height;
         result.error = error.what();
         return result;
     }
 
-    /// Pictures with shadows and without have references of their own; the textbook programs draw none.
+    /// Pictures with shadows and without, and each number of samples, have references of their own; the
+    /// textbook programs draw none.
     void checkImage(Result& result, std::vector<float> rgb, const BenchScene& scene) {
         if (rgb.empty()) return;
         const candela::Shadows shadows = result.shadows.value_or(candela::Shadows::off);
-        const auto reference = references_.find(shadows);
+        const auto key = std::pair(shadows, result.samples);
+        const auto reference = references_.find(key);
         if (reference != references_.end())
             return compareImages(result, rgb, reference->second, allowedDifference(result.technique, scene));
         if (isCandela(result) && (options_.compares || options_.baseline == Baseline::with))
-            references_[shadows] = ReferenceImage{result.technique, std::move(rgb)};
+            references_[key] = ReferenceImage{result.technique, std::move(rgb)};
     }
 
     void showProgress(const BenchScene& scene, const std::string& name) {
@@ -176,7 +187,7 @@ class Bench {
     const BenchOptions& options_;
     const candela::Context& context_;
     Progress progress_;
-    std::map<candela::Shadows, ReferenceImage> references_;
+    std::map<std::pair<candela::Shadows, std::uint32_t>, ReferenceImage> references_;
     std::vector<Result> results_;
 };
 

@@ -159,6 +159,7 @@ std::vector<Result> measure(const std::vector<Subject>& subjects, const BenchSce
         Result& result = results.back();
         result.technique = subjects[i].technique;
         result.shadows = subjects[i].shadows;
+        result.samples = subjects[i].samples;
         result.width = options.width;
         result.height = options.height;
         subjects[i].program->count(result);

@@ -10,6 +10,7 @@
 #include <epoxy/gl.h>
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,6 +67,7 @@ class Program {
 struct Subject {
     std::string technique;
     std::optional<candela::Shadows> shadows;
+    std::uint32_t samples = 1;  ///< A pixel.
     std::unique_ptr<Program> program;
     std::unique_ptr<Program> reference;  ///< Draws the scene's first `referenceLights` lights; or null.
 };

@@ -4,12 +4,19 @@
 
 #include <candela/candela.h>
 
+#include <cstdint>
 #include <memory>
 
-/// candela itself, with one technique, with shadows (`on`) or without (`off`).
+/// How candela draws.
+struct CandelaDrawing {
+    candela::Technique technique;
+    candela::Shadows shadows;  ///< `on` or `off`.
+    std::uint32_t samples;     ///< A pixel.
+};
+
+/// candela itself.
 std::unique_ptr<Program> makeCandelaProgram(const candela::Context& context, const BenchScene& scene,
-                                            const BenchOptions& options, candela::Technique technique,
-                                            candela::Shadows shadows);
+                                            const BenchOptions& options, const CandelaDrawing& drawing);
 
 /// How a textbook renderer applies lights to pixels.
 enum class TextbookLighting {

@@ -68,6 +68,7 @@ Json failedRow(const Result& result) {
              {"width", result.width},
              {"height", result.height}};
     if (result.shadows) row["shadows"] = candela::toString(*result.shadows);
+    if (result.samples > 1) row["samples"] = result.samples;
     row["error"] = *result.error;
     return row;
 }
@@ -83,12 +84,24 @@ bool isOfSameLights(const Result& a, const Result& b) {
     return a.scene == b.scene && a.lights == b.lights;
 }
 
+/// What a picture of many samples takes, in frames of one sample, the display included in both; none where
+/// that was not measured.
+std::optional<double> singleFrames(const Result& many, const std::vector<Result>& results) {
+    if (many.error || many.samples == 1) return std::nullopt;
+    const auto one = std::ranges::find_if(results, [&](const Result& other) {
+        return !other.error && other.samples == 1 && isOfSameLights(other, many) &&
+               other.technique == many.technique && other.shadows == many.shadows;
+    });
+    if (one == results.end() || one->frame <= 0.0) return std::nullopt;
+    return many.frame / one->frame;
+}
+
 /// None for other rows, and where the row without shadows was not measured.
 std::optional<ShadowCost> shadowCost(const Result& on, const std::vector<Result>& results) {
     if (on.error || on.shadows != candela::Shadows::on) return std::nullopt;
     const auto off = std::ranges::find_if(results, [&](const Result& other) {
         return !other.error && other.shadows == candela::Shadows::off && isOfSameLights(other, on) &&
-               other.technique == on.technique;
+               other.technique == on.technique && other.samples == on.samples;
     });
     if (off == results.end() || off->frame <= 0.0 || off->lighting.value_or(0.0) <= 0.0) return std::nullopt;
     ShadowCost cost{on.frame / off->frame, *on.lighting / *off->lighting, {}, {}};
@@ -145,6 +158,8 @@ Json rowOf(const Result& result, const std::vector<Result>& results) {
     if (result.shadows) row["shadows"] = candela::toString(*result.shadows);
     if (result.occlusion) row["occlusion"] = shadowJson(*result.occlusion);
     if (const auto cost = shadowCost(result, results)) row["shadow_cost"] = costJson(*cost);
+    if (result.samples > 1) row["samples"] = result.samples;
+    if (const auto frames = singleFrames(result, results)) row["single_frames"] = *frames;
     if (result.shadowMaps) row["shadow_maps"] = shadowMapsJson(*result.shadowMaps);
     if (result.difference)
         row["difference"] = {{"from", result.difference->from},
@@ -164,6 +179,13 @@ std::string referenceText(const Result& result) {
         text += ", " + fixedText(more / *result.copy, 2) + " plain copies of their array (" +
                 fixedText(result.copy, 3) + " ms)";
     return text + "\n";
+}
+
+std::string samplesText(const Result& result, const std::vector<Result>& results) {
+    const auto frames = singleFrames(result, results);
+    if (!frames) return "";
+    return rowName(result) + ", " + std::to_string(result.lights) + " lights: the time of " +
+           fixedText(*frames, 2) + " frames of one sample\n";
 }
 
 std::string shadowText(const Result& result, const std::vector<Result>& results) {
@@ -220,7 +242,8 @@ bool isCandela(const Result& result) {
 }
 
 std::string rowName(const Result& result) {
-    return result.technique + (result.shadows == candela::Shadows::on ? ", shadows" : "");
+    return result.technique + (result.shadows == candela::Shadows::on ? ", shadows" : "") +
+           (result.samples > 1 ? ", " + std::to_string(result.samples) + " samples" : "");
 }
 
 std::string setupJson(const BenchOptions& options) {
@@ -276,7 +299,7 @@ std::string resultsTable(const std::vector<Result>& results) {
         }
         if (result.reference) table << referenceText(result);
         if (isCandela(result)) table << baselineText(result, results);
-        table << shadowText(result, results);
+        table << shadowText(result, results) << samplesText(result, results);
     }
     return table.str();
 }

@@ -36,6 +36,7 @@ struct Result {
     /// candela's, or "textbook_fullscreen", "textbook_volumes", "bare", "cube_shadow_maps".
     std::string technique;
     std::optional<candela::Shadows> shadows;  ///< Of candela's rows: `on` or `off`.
+    std::uint32_t samples = 1;                ///< A pixel; times are of all of them together.
     int width = 0, height = 0;
     /// The reason why the program could not draw the scene; all that follows is then unset.
     std::optional<std::string> error;
@@ -71,7 +72,8 @@ std::string resultsTable(const std::vector<Result>& results);
 /// One number of lights gives points instead of lines.
 std::string plotSvg(const std::string& renderer, const std::vector<Result>& results);
 
-/// The technique, and whether it was measured with shadows: what tables and plots call the row.
+/// The technique, whether it was measured with shadows, and with how many samples: what tables and plots call
+/// the row.
 std::string rowName(const Result& result);
 
 /// Does the row belong to candela itself, not to a baseline?

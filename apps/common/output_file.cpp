@@ -113,21 +113,20 @@ void writeDisplayedFrame(const std::filesystem::path& path, int width, int heigh
                       display.encoding());
 }
 
-void writeRadiance(const std::filesystem::path& path, const candela::Frame& frame,
-                   const std::vector<std::string>& aovs, const candela::ColorConfig& color) {
-    const candela::HdrImage radiance = frame.radiance();
+void writeRadiance(const std::filesystem::path& path, const candela::HdrImage& radiance,
+                   const std::vector<candela::Aov>& aovs, const candela::ColorConfig& color,
+                   const std::vector<candela::ExrAttribute>& attributes) {
     const std::array<std::vector<float>, 4> planes = splitPlanes(radiance.rgba);
     std::vector<candela::ExrChannel> channels;
     constexpr std::array names{"R", "G", "B", "A"};
     for (std::size_t i = 0; i < planes.size(); ++i) channels.push_back({names[i], planes[i]});
 
-    std::vector<candela::Aov> values;
-    if (!aovs.empty()) values = frame.aovs(aovs);
-    for (const candela::Aov& aov : values)
+    for (const candela::Aov& aov : aovs)
         for (std::size_t i = 0; i < aov.channels.size(); ++i)
             channels.push_back({aov.channels[i], aov.values[i]});
 
     const DeferredSignals deferred;
     candela::writeExr(path, static_cast<std::uint32_t>(radiance.width),
-                      static_cast<std::uint32_t>(radiance.height), channels, color.chromaticities());
+                      static_cast<std::uint32_t>(radiance.height), channels, color.chromaticities(),
+                      attributes);
 }

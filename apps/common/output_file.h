@@ -21,6 +21,7 @@ void writeText(const std::filesystem::path& path, const std::string& text);
 void writeDisplayedFrame(const std::filesystem::path& path, int width, int height,
                          std::vector<std::uint8_t> rgba, const candela::DisplayTransform& display);
 
-/// Writes a frame's radiance and the AOVs of these names into an EXR, whole or absent likewise.
-void writeRadiance(const std::filesystem::path& path, const candela::Frame& frame,
-                   const std::vector<std::string>& aovs, const candela::ColorConfig& color);
+/// Writes radiance and AOVs into an EXR, whole or absent likewise.
+void writeRadiance(const std::filesystem::path& path, const candela::HdrImage& radiance,
+                   const std::vector<candela::Aov>& aovs, const candela::ColorConfig& color,
+                   const std::vector<candela::ExrAttribute>& attributes = {});

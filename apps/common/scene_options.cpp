@@ -181,10 +181,12 @@ DebugViewOptions parseDebugView(const std::string& text) {
     return parsed;
 }
 
-SceneOptionReader::SceneOptionReader(CLI::App& app, SceneOptions& options) : options_(options) {
+SceneOptionReader::SceneOptionReader(CLI::App& app, SceneOptions& options, std::uint32_t defaultSamples)
+    : app_(app), options_(options) {
     declareScene(app);
     declarePicture(app);
     declareCamera(app);
+    declareSampling(app, options.sampling, defaultSamples);
     declareLighting(app);
     declareSubdivision(app);
     declareColor(app);
@@ -369,6 +371,7 @@ void SceneOptionReader::finish() {
         throw UsageError(eye_ ? "--eye needs --target too" : "--target needs --eye too");
     if (options_.orthographicHeight && options_.verticalFov)
         throw UsageError("--ortho and --fov exclude each other");
+    finishSampling(app_, options_.sampling);
     if (!eye_) return;
     options_.eye = EyeOptions{parsePoint("--eye", *eye_), parsePoint("--target", *target_)};
     if (options_.eye->eye == options_.eye->target)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sampling_options.h"
+
 #include <candela/brdf.h>
 #include <candela/color.h>
 #include <candela/gpu_scene.h>
@@ -68,6 +70,7 @@ struct SceneOptions {
     std::optional<EyeOptions> eye;
     std::optional<float> verticalFov;         ///< Radians.
     std::optional<float> orthographicHeight;  ///< Metres: an orthographic view.
+    SamplingOptions sampling;
 
     DefaultLights defaultLights = DefaultLights::automatic;
     EnvironmentOption environment;
@@ -92,8 +95,8 @@ struct SceneOptions {
 /// options that depend on each other.
 class SceneOptionReader {
   public:
-    /// `app` and `options` have to outlive it.
-    SceneOptionReader(CLI::App& app, SceneOptions& options);
+    /// `app` and `options` have to outlive it. `defaultSamples` is told in --help.
+    SceneOptionReader(CLI::App& app, SceneOptions& options, std::uint32_t defaultSamples);
 
     /// Call after parsing. Throws `UsageError`.
     void finish();
@@ -107,6 +110,7 @@ class SceneOptionReader {
     void declareColor(CLI::App& app);
     void declareThreads(CLI::App& app);
 
+    const CLI::App& app_;
     SceneOptions& options_;
     std::optional<std::string> eye_, target_;
 };

@@ -2,13 +2,16 @@
 
 #include "options.h"
 
+#include <candela/accumulator.h>
 #include <candela/color.h>
 #include <candela/exposure.h>
 #include <candela/gpu_scene.h>
 #include <candela/renderer.h>
+#include <candela/sampling.h>
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -21,28 +24,43 @@ struct FrameTiming {
     std::vector<candela::PassTime> passes;
 };
 
-/// Draws frames and writes them in the format that the options ask for.
+/// What the samples of a picture are drawn of.
+struct SampleSource {
+    /// Brings the scene to the time of a sample and returns the view of the camera then.
+    std::function<candela::CameraView(std::uint32_t sample)> viewOf;
+    bool moves;  ///< Whether the times of the samples differ.
+};
+
+/// Draws pictures of one or more samples and writes them in the format that the options ask for.
 class FrameWriter {
   public:
     /// All have to outlive it. `display` is set for a PNG.
-    FrameWriter(candela::Renderer& renderer, candela::GpuScene& scene, const candela::ColorConfig& color,
-                const std::optional<candela::DisplayTransform>& display, const Options& options);
+    FrameWriter(const candela::Context& context, candela::Renderer& renderer, candela::GpuScene& scene,
+                const candela::ColorConfig& color, const std::optional<candela::DisplayTransform>& display,
+                const Options& options);
 
-    FrameTiming draw(const candela::CameraView& view);
-    /// The frame drawn last; `draw` comes first.
+    FrameTiming draw(const SampleSource& source);
+    /// The frame drawn last, of the last sample; `draw` comes first.
     const candela::Frame& frame() const { return *frame_; }
-    /// What a user should know of the frame drawn last. For an EXR, which takes no exposure, all that is lit
-    /// counts as over black and nothing as over white.
+    /// What a user should know of the picture drawn last. For an EXR, which takes no exposure, all that is
+    /// lit counts as over black and nothing as over white.
     candela::ExposureCounts exposureCounts() const;
-    /// Writes the frame drawn last; the file is whole or absent.
+    /// Writes the picture drawn last; the file is whole or absent.
     void write(const std::filesystem::path& path);
 
   private:
+    void drawSamples(const SampleSource& source, FrameTiming& timing);
+    candela::HdrImage radiance() const;
+    void writeExr(const std::filesystem::path& path) const;
+
     candela::Renderer& renderer_;
     candela::GpuScene& scene_;
     const candela::ColorConfig& color_;
     const std::optional<candela::DisplayTransform>& display_;
     const Options& options_;
+    bool isSoftware_;
+    std::uint32_t samples_;
+    std::optional<candela::Accumulator> accumulator_;  ///< Of pictures with more than one sample.
     std::optional<candela::Frame> frame_;
     std::vector<std::uint8_t> pixels_;
 };

@@ -14,12 +14,16 @@ constexpr const char* output =
 constexpr const char* aov =
     "More channels for an .exr, separated by commas: Z, P, N, base_color, metallic,\n"
     "roughness, emission, light_count, shadowed_count, ambient_occlusion";
+constexpr const char* aovFilter =
+    "How the samples of an AOV become one value: average, first (the sample in the\n"
+    "pixel's middle), or auto: first for Z and P, average for all others. The\n"
+    "header of the .exr tells which. Default: auto";
 constexpr const char* aoDistance =
     "What is farther than so many metres from a surface does not darken its\n"
     "ambient_occlusion, between 0 and 1e9. Default: 1";
 constexpr const char* aoRays = "Rays that ambient_occlusion takes at each pixel, 1 to 4096. Default: 64";
 constexpr const char* frames =
-    "Draw frames of the scene's animation, 24 a second: A-B, A-BxSTEP, single\n"
+    "Draw frames of the scene's animation (see --fps): A-B, A-BxSTEP, single\n"
     "numbers, or several of these separated by commas. A run of # in the picture's\n"
     "name becomes the frame number; without one, out.png gives out.0007.png";
 
@@ -30,7 +34,8 @@ constexpr const char* stats =
     "Write what was drawn and how long it took, as JSON (- is standard output).\n"
     "Times are the wall clock of one frame, up to the finished picture in memory.\n"
     "After one drawing that is not counted, the frame is drawn 5 times; with\n"
-    "--frames each frame once. A pass's time is the median of these. \"shadows\" has\n"
+    "--frames each frame once. A pass's time is the median of these, of all samples\n"
+    "of a picture together. \"shadows\" has\n"
     "the occlusion rays of the last frame and what they are traced in; it is null\n"
     "without shadows and in a debug view";
 constexpr const char* quiet = "Say nothing but errors: no notes, no progress and no result";

@@ -59,9 +59,20 @@ std::vector<std::string> parseAovs(const std::string& text) {
     return names;
 }
 
+candela::AovFilter parseAovFilter(const std::string& text) {
+    using enum candela::AovFilter;
+    return parseWord("--aov-filter", text, std::array{automatic, average, first},
+                     [](candela::AovFilter filter) { return candela::toString(filter); });
+}
+
 void declarePicture(CLI::App& app, Options& options, std::optional<std::string>& aovs) {
     app.add_option("-o,--output", options.output, help::output)->type_name("FILE")->group("Picture");
     app.add_option("--aov", aovs, help::aov)->type_name("all|LIST")->group("Picture");
+    app.add_option_function<std::string>(
+           "--aov-filter", [&](const std::string& text) { options.aovFilter = parseAovFilter(text); },
+           help::aovFilter)
+        ->type_name("WORD")
+        ->group("Picture");
     candela::AmbientOcclusionSettings& ambientOcclusion = options.ambientOcclusion;
     app.add_option_function<std::string>(
            "--ao-distance",
@@ -109,6 +120,7 @@ void resolve(const CLI::App& app, const std::optional<std::string>& aovs, Option
     const bool exr = options.format == PictureFormat::exr;
     if (aovs) options.aovs = parseAovs(*aovs);
     if (aovs && !exr) throw UsageError("--aov needs an .exr picture: name one with -o");
+    if (app.count("--aov-filter") > 0 && !aovs) throw UsageError("--aov-filter needs --aov");
     for (const char* option : {"--ao-distance", "--ao-rays"}) {
         if (app.count(option) > 0 &&
             std::ranges::find(options.aovs, "ambient_occlusion") == options.aovs.end())
@@ -120,6 +132,12 @@ void resolve(const CLI::App& app, const std::optional<std::string>& aovs, Option
 
 }  // namespace
 
+candela::SamplingSettings Options::samplingSettings() const {
+    candela::SamplingSettings settings = sampling.settings(defaultSamples);
+    if (!debug.isDefault()) settings.count = 1;
+    return settings;
+}
+
 std::optional<Options> parseOptions(int argc, const char* const* argv) {
     Options options;
     std::optional<std::string> aovs;
@@ -129,7 +147,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     app.set_help_flag("-h,--help", help::help)->group("Asking");
     app.set_version_flag("--version", "candela " CANDELA_VERSION, help::version)->group("Asking");
     app.footer(help::footer);
-    SceneOptionReader sceneOptions(app, options);
+    SceneOptionReader sceneOptions(app, options, defaultSamples);
     declarePicture(app, options, aovs);
     declareRunning(app, options);
     try {

@@ -49,13 +49,20 @@ struct Options : SceneOptions {
     std::filesystem::path output = "candela.png";
     PictureFormat format = PictureFormat::png;
     std::vector<std::string> aovs;
+    candela::AovFilter aovFilter = candela::AovFilter::automatic;
     candela::AmbientOcclusionSettings ambientOcclusion;
     std::optional<FrameList> frames;   ///< None: one picture, without a number.
     std::optional<std::string> stats;  ///< A file, or "-" for standard output.
     candela::DeviceOptions device;
     bool quiet = false;
     std::optional<ListKind> list;
+
+    /// How many samples are drawn of a pixel and where; one of a debug view.
+    candela::SamplingSettings samplingSettings() const;
 };
+
+/// Samples a pixel where the command line has none.
+constexpr std::uint32_t defaultSamples = 16;
 
 /// Reads the command line. Returns nothing when it asked for help or the version, which is printed then.
 /// Throws `UsageError`.

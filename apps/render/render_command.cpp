@@ -24,7 +24,6 @@
 
 namespace {
 
-constexpr double framesPerSecond = 24.0;
 /// How often --stats draws and times a single frame.
 constexpr int statsDrawings = 5;
 
@@ -44,7 +43,7 @@ struct Session {
     }
     std::uint64_t frameCount() const { return options.frames ? options.frames->count() : 1; }
     int frame(std::uint64_t index) const { return options.frames ? (*options.frames)[index] : 0; }
-    double timeOf(int frame) const { return options.time + frame / framesPerSecond; }
+    double timeOf(int frame) const { return options.time + frame / options.sampling.framesPerSecond; }
     std::filesystem::path pathOf(int frame) const {
         return options.frames ? framePath(options.output, frame) : options.output;
     }
@@ -167,6 +166,46 @@ class Lighting {
     bool added_;
 };
 
+/// The samples of a picture.
+class Samples {
+  public:
+    /// All have to outlive it. `time` is the picture's, before animations repeat.
+    Samples(const Session& session, const candela::Scene& scene, Lighting& lighting,
+            const CameraSelection& views, double time)
+        : session_(session),
+          scene_(scene),
+          lighting_(lighting),
+          views_(views),
+          settings_(session.options.samplingSettings()),
+          time_(time) {}
+
+    /// Brings the scene to the time of a sample, and returns the view of the camera then.
+    candela::CameraView view(std::uint32_t sample) {
+        const double time = poseTime(scene_, session_.options, candela::sampleTime(time_, settings_, sample));
+        if (!posed_ || *posed_ != time) {
+            view_ = views_.at(time);
+            lighting_.pose(time, view_);
+            posed_ = time;
+        }
+        return view_;
+    }
+    bool moves() const { return settings_.shutter > 0.0 && !scene_.animations.empty(); }
+    std::string progressOf(std::uint32_t sample) const {
+        if (settings_.count == 1) return "";
+        return ", sample " + std::to_string(sample + 1) + " of " + std::to_string(settings_.count);
+    }
+
+  private:
+    const Session& session_;
+    const candela::Scene& scene_;
+    Lighting& lighting_;
+    const CameraSelection& views_;
+    candela::SamplingSettings settings_;
+    double time_;
+    std::optional<double> posed_;
+    candela::CameraView view_;
+};
+
 /// The size of a picture that is only measured: at most this many pixels wide and high.
 constexpr int measuredPixels = 256;
 
@@ -201,15 +240,18 @@ std::vector<FrameTiming> drawFrames(Session& session, const candela::Scene& scen
     std::vector<FrameTiming> timings;
     for (std::uint64_t i = 0; i < count; ++i) {
         const int frame = session.frame(i);
-        const double time = poseTime(scene, session.options, session.timeOf(frame));
         const std::string name = session.pathOf(frame).string();
-        session.progress.show("drawing " + name + " (" + std::to_string(i + 1) + " of " +
-                              std::to_string(count) + ")");
-        const candela::CameraView view = views.at(time);
-        lighting.pose(time, view);
-        if (session.options.stats && i == 0) frameWriter.draw(view);  // compiles and allocates
+        const std::string drawing =
+            "drawing " + name + " (" + std::to_string(i + 1) + " of " + std::to_string(count) + ")";
+        Samples samples(session, scene, lighting, views, session.timeOf(frame));
+        const SampleSource source{[&](std::uint32_t sample) {
+                                      session.progress.show(drawing + samples.progressOf(sample));
+                                      return samples.view(sample);
+                                  },
+                                  samples.moves()};
+        if (session.options.stats && i == 0) frameWriter.draw(source);  // compiles and allocates
         const int drawings = session.options.stats && !session.options.frames ? statsDrawings : 1;
-        for (int drawn = 0; drawn < drawings; ++drawn) timings.push_back(frameWriter.draw(view));
+        for (int drawn = 0; drawn < drawings; ++drawn) timings.push_back(frameWriter.draw(source));
         session.progress.show("writing " + name);
         frameWriter.write(session.pathOf(frame));
         if (!session.options.quiet && session.options.debug.view == candela::DebugView::none)
@@ -232,9 +274,9 @@ std::string resultLine(const Session& session, const Stats& stats, double second
     text << "wrote " << session.pathOf(session.frame(0)).string();
     if (count > 1) text << " to " << session.pathOf(session.frame(count - 1)).filename().string();
     text << ": " << session.options.scene << ", " << stats.width << "x" << stats.height << ", "
-         << stats.lights << (stats.lights == 1 ? " light" : " lights") << ", "
-         << candela::toString(stats.technique) << " on " << stats.renderer << ", in " << std::fixed
-         << std::setprecision(2) << seconds << " s";
+         << stats.lights << (stats.lights == 1 ? " light" : " lights") << ", " << stats.samples
+         << (stats.samples == 1 ? " sample" : " samples") << ", " << candela::toString(stats.technique)
+         << " on " << stats.renderer << ", in " << std::fixed << std::setprecision(2) << seconds << " s";
     return text.str();
 }
 
@@ -273,7 +315,7 @@ void renderFrames(const Options& options) {
                                            exposureTimes(scene, options.time), color.luminanceWeights());
         display = color.displayTransform(exposed);
     }
-    FrameWriter frameWriter(renderer, gpuScene, color, display, options);
+    FrameWriter frameWriter(context, renderer, gpuScene, color, display, options);
 
     Stats stats;
     PictureNotes pictureNotes;
@@ -288,6 +330,7 @@ void renderFrames(const Options& options) {
         stats.tileBackend = candela::toString(*backend);
     stats.brdf = options.brdf;
     stats.threads = candela::threadCount();
+    stats.samples = options.samplingSettings().count;
     stats.vertexEvaluator = gpuScene.cageReport().evaluator;
     stats.triangles = gpuScene.triangleCount() + gpuScene.cageReport().triangles;
     stats.materials = gpuScene.materialCount();

@@ -66,6 +66,7 @@ std::string statsJson(const Stats& stats) {
         {"subdivision_evaluator", stats.vertexEvaluator},
         {"shadows", stats.shadows ? shadowJson(*stats.shadows) : Json()},
         {"environment", stats.environment},
+        {"samples", stats.samples},
     };
     constexpr int indent = 2;
     return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";

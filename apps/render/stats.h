@@ -22,6 +22,7 @@ struct Stats {
     std::string vertexEvaluator;         ///< "cpu" or "compute"; empty without refined cages.
     std::vector<FrameTiming> timings;    ///< One or more.
     candela::PairCounts pairs;           ///< Of the last frame.
+    std::uint32_t samples = 1;           ///< Of each picture.
     std::optional<ShadowStats> shadows;  ///< Of the last frame; none without shadows.
 };
 

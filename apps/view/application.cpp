@@ -5,6 +5,7 @@
 #include "common/program.h"
 #include "common/scene_selection.h"
 #include "panels/panels.h"
+#include "refinement.h"
 #include "render_command_line.h"
 #include "scene_lighting.h"
 #include "settings.h"
@@ -21,7 +22,6 @@
 namespace {
 
 constexpr std::size_t keptFrames = 240;
-constexpr std::size_t keptRecent = 10;
 constexpr int settlingFrames = 3;
 constexpr double longestStep = 0.25;  ///< The maximum advance of time between two frames, seconds.
 
@@ -34,22 +34,10 @@ std::string pictureKey(const ViewModel& model) {
 ViewModel modelOf(const ViewOptions& options, const std::filesystem::path& folder) {
     ViewModel model;
     model.options = options;
+    // A script draws one sample unless it asks for more.
+    if (options.scripted() && !options.sampling.count) model.options.sampling.count = 1;
     if (!options.scripted()) readSettings(folder, options, model);
     return model;
-}
-
-/// The next session may begin in another folder.
-std::string rememberedName(const std::string& scene) {
-    std::error_code failed;
-    if (!std::filesystem::exists(scene, failed)) return scene;
-    const std::filesystem::path absolute = std::filesystem::absolute(scene, failed);
-    return failed ? scene : absolute.string();
-}
-
-void remember(std::vector<std::string>& recent, const std::string& scene) {
-    std::erase(recent, scene);
-    recent.insert(recent.begin(), scene);
-    if (recent.size() > keptRecent) recent.resize(keptRecent);
 }
 
 bool sameDisplayOptions(const candela::DisplayOptions& a, const candela::DisplayOptions& b) {
@@ -146,7 +134,8 @@ bool Application::timeAdvances() const {
 /// Panels settle before the loop waits for events; full resolution returns after a short delay.
 Window::Sleep Application::sleep() const {
     if (options_.scripted()) return model_.loading ? Window::Sleep::briefly : Window::Sleep::none;
-    if (timeAdvances() || motion_ == Motion::moves || settling_ > 0) return Window::Sleep::none;
+    if (timeAdvances() || motion_ == Motion::moves || settling_ > 0 || isRefining())
+        return Window::Sleep::none;
     return resolutionScale_.isReduced() ? Window::Sleep::briefly : Window::Sleep::untilEvent;
 }
 
@@ -250,7 +239,7 @@ void Application::install(SceneLoader::Result loaded) {
     model_.pairs.reset();
     drawnPicture_.clear();
     newDocument_ = true;
-    remember(model_.recent, rememberedName(model_.options.scene));
+    rememberScene(model_.recent, model_.options.scene);
     window_.setTitle(model_.options.scene + " - candela");
 }
 
@@ -364,7 +353,10 @@ void Application::drawPicture(Motion motion) {
     changeDisplay();
     if (!options_.scripted()) model_.divisor = resolutionScale_.divisor(motion, Clock::now());
     const std::string key = pictureKey(model_);
-    if (key == drawnPicture_ && !options_.scripted()) return;
+    if (key == drawnPicture_ && !options_.scripted()) {
+        if (motion == Motion::rests && isRefining()) refinePicture();
+        return;
+    }
     drawnPicture_ = key;
     guarded([&] {
         const candela::CameraView view = selectedView(model_);
@@ -377,12 +369,28 @@ void Application::drawPicture(Motion motion) {
         if (model_.frames.size() > keptFrames) model_.frames.pop_front();
         model_.technique = viewport_.frame()->technique();
         model_.maxLightCount = viewport_.frame()->maxLightCount();
+        model_.samples = viewport_.samples();
         model_.pairs.reset();
         ++drawnFrames_;
         if (!std::exchange(newDocument_, false)) return;
         if (model_.options.autoExposure) measureExposure();
         noteFirstPicture(model_, *viewport_.frame());
     });
+}
+
+bool Application::isRefining() const {
+    return model_.document && viewport_.frame() != nullptr && !drawnPicture_.empty() && model_.divisor == 1 &&
+           viewport_.samples() < wantedSamples(model_);
+}
+
+void Application::refinePicture() {
+    try {
+        drawSample(model_, viewport_, *display_);
+        model_.samples = viewport_.samples();
+    } catch (const std::exception& error) {
+        drawnPicture_.clear();
+        reportFailure(error.what());
+    }
 }
 
 void Application::measureExposure() {
@@ -399,18 +407,8 @@ void Application::probePointer() {
     model_.probeDisplay = viewport_.displayValue(*model_.pointer);
 }
 
-/// The picture at full size, whatever is shown while it moves.
 void Application::writePicture(const std::filesystem::path& file) {
-    const candela::CameraView view = selectedView(model_);
-    lightDocument(model_, view);
-    viewport_.draw({model_.document->gpuScene(), model_.options, view, *display_, 1});
     drawnPicture_.clear();
-    const candela::Frame& frame = *viewport_.frame();
-    if (endingOf(file) == ".exr") {
-        writeRadiance(file, frame, candela::Renderer::aovNames(), model_.color);
-    } else {
-        writeDisplayedFrame(file, model_.options.width, model_.options.height,
-                            frame.displayPicture(*display_), *display_);
-    }
+    ::writePicture(model_, viewport_, *display_, file);
     model_.messages.push_back({Message::Kind::note, "wrote " + file.string()});
 }

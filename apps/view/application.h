@@ -55,6 +55,9 @@ class Application {
     void pick(const glm::ivec2& pixel);
     void advanceTime();
     void drawPicture(Motion motion);
+    /// Draws another sample of a picture that rests, until it has as many as it should.
+    void refinePicture();
+    bool isRefining() const;
     void measureExposure();
     void probePointer();
     candela::GpuSceneOptions uploadOptions(const candela::ColorConfig& color) const;

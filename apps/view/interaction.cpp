@@ -104,10 +104,14 @@ glm::dvec3 shortDecimals(const glm::vec3& point) {
 
 }  // namespace
 
-candela::CameraView selectedView(const ViewModel& model) {
+candela::CameraView selectedView(const ViewModel& model, double time) {
     const CameraSelection selection(model.document->scene(), model.options,
                                     [&] { return model.document->framedBox(); });
-    return selection.at(poseTime(model.document->scene(), model.options, model.options.time));
+    return selection.at(time);
+}
+
+candela::CameraView selectedView(const ViewModel& model) {
+    return selectedView(model, poseTime(model.document->scene(), model.options, model.options.time));
 }
 
 void loadCamera(ViewModel& model) {

@@ -16,6 +16,8 @@ Motion interact(ViewModel& model, float pixelRatio);
 
 /// The view that the options select, as in candela-render. `model.document` has to exist.
 candela::CameraView selectedView(const ViewModel& model);
+/// The same at another time, that of `poseTime`.
+candela::CameraView selectedView(const ViewModel& model, double time);
 
 /// Sets the interactive camera from the options.
 void loadCamera(ViewModel& model);

@@ -2,6 +2,7 @@
 
 #include "common/scene_environment.h"
 #include "common/shadow_stats.h"
+#include "view_options.h"
 
 #include <algorithm>
 #include <array>
@@ -91,6 +92,22 @@ void addCamera(Command& command, const SceneOptions& options) {
     if (options.orthographicHeight) command.option("--ortho", numberText(*options.orthographicHeight));
 }
 
+/// A debug view has one sample anyway.
+void addSampling(Command& command, const SceneOptions& options) {
+    const SamplingOptions& sampling = options.sampling;
+    const SamplingOptions standard;
+    if (options.debug.isDefault())
+        command.option("--samples", std::to_string(sampling.count.value_or(defaultViewSamples)));
+    if (sampling.fNumber) {
+        command.option("--aperture", numberText(*sampling.fNumber));
+        command.option("--focus", numberText(*sampling.focusDistance));
+        if (sampling.blades != 0) command.option("--blades", std::to_string(sampling.blades));
+    }
+    if (sampling.shutter != standard.shutter) command.option("--shutter", numberText(sampling.shutter));
+    if (sampling.framesPerSecond != standard.framesPerSecond)
+        command.option("--fps", numberText(sampling.framesPerSecond));
+}
+
 void addSubdivision(Command& command, const candela::SubdivisionSettings& settings) {
     const candela::SubdivisionSettings standard;
     if (settings.level) command.option("--subdivision-level", std::to_string(*settings.level));
@@ -108,6 +125,7 @@ std::string renderCommandLine(const SceneOptions& options) {
     command.word(sceneWord(options.scene));
     command.option("--size", std::to_string(options.width) + "x" + std::to_string(options.height));
     addCamera(command, options);
+    addSampling(command, options);
     if (options.time != 0.0) command.option("--time", numberText(options.time));
     if (options.animation) command.option("--animation", *options.animation);
     if (options.repeatAnimations) command.flag("--loop");

@@ -20,6 +20,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* settingsName = "view.json";
 constexpr const char* layoutName = "view-layout.ini";
 constexpr int maxSide = 16384;
+constexpr std::size_t keptRecent = 10;
 
 /// The panels by name.
 template <typename Panels, typename Visit>
@@ -93,6 +94,14 @@ void takeSettings(const Json& json, const ViewOptions& given, ViewModel& model) 
     model.recent = std::move(recent);
 }
 
+/// The next session may begin in another folder.
+std::string rememberedName(const std::string& scene) {
+    std::error_code failed;
+    if (!std::filesystem::exists(scene, failed)) return scene;
+    const std::filesystem::path absolute = std::filesystem::absolute(scene, failed);
+    return failed ? scene : absolute.string();
+}
+
 }  // namespace
 
 std::filesystem::path settingsFolder() {
@@ -139,4 +148,11 @@ void forgetSettings(const std::filesystem::path& folder) {
 
 std::filesystem::path layoutFile(const std::filesystem::path& folder) {
     return folder.empty() ? folder : folder / layoutName;
+}
+
+void rememberScene(std::vector<std::string>& recent, const std::string& scene) {
+    const std::string name = rememberedName(scene);
+    std::erase(recent, name);
+    recent.insert(recent.begin(), name);
+    if (recent.size() > keptRecent) recent.resize(keptRecent);
 }

@@ -4,6 +4,8 @@
 #include "view_options.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 /// Where the settings of a session survive it: $XDG_CONFIG_HOME/candela, or ~/.config/candela. Empty where
 /// neither is known.
@@ -22,3 +24,6 @@ void forgetSettings(const std::filesystem::path& folder);
 
 /// The file in which ImGui keeps where the panels lie; empty where there is no folder.
 std::filesystem::path layoutFile(const std::filesystem::path& folder);
+
+/// Puts an opened scene at the front of the scenes that the settings keep, 10 at most.
+void rememberScene(std::vector<std::string>& recent, const std::string& scene);

@@ -69,6 +69,7 @@ struct ViewModel {
     std::deque<FrameRecord> frames;            ///< The latest last; at most 240.
     std::optional<candela::PairCounts> pairs;  ///< Of the resting picture, when the statistics are open.
     std::uint32_t maxLightCount = 0;           ///< End of the heat map.
+    std::uint32_t samples = 0;                 ///< Of the picture that is shown.
     int divisor = 1;       ///< The last picture's width and height were divided by it while the camera moves.
     std::string renderer;  ///< GL_RENDERER.
     candela::Technique technique = candela::Technique::automatic;  ///< That the last frame used.

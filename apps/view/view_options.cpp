@@ -94,7 +94,7 @@ std::optional<ViewOptions> parseViewOptions(int argc, const char* const* argv) {
     app.set_help_flag("-h,--help", "Show this help")->group("Asking");
     app.set_version_flag("--version", "candela " CANDELA_VERSION, "Show the version")->group("Asking");
     app.footer(footer);
-    SceneOptionReader sceneOptions(app, options);
+    SceneOptionReader sceneOptions(app, options, defaultViewSamples);
     declareWindow(app, options);
     try {
         app.parse(argc, argv);

@@ -9,6 +9,9 @@
 
 enum class StoredSettings { use, reset };
 
+/// Samples a pixel of a view at rest, where the command line has none.
+constexpr std::uint32_t defaultViewSamples = 64;
+
 /// The command line of candela-view.
 struct ViewOptions : SceneOptions {
     /// Were these given? What was not comes from the stored settings.

@@ -42,14 +42,29 @@ void Viewport::resize(const glm::ivec2& size) {
 double Viewport::draw(const Inputs& inputs) {
     const auto start = std::chrono::steady_clock::now();
     frame_.reset();
+    samples_ = 0;
     frame_.emplace(draw(renderer_, inputs));
+    samples_ = 1;
     glFinish();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-candela::Frame Viewport::draw(candela::Renderer& renderer, const Inputs& inputs) {
-    fullSize_ = {inputs.options.width, inputs.options.height};
-    resize(glm::max(fullSize_ / inputs.divisor, 1));
+void Viewport::refine(const Inputs& inputs) {
+    if (!accumulator_) accumulator_.emplace(context_);
+    if (samples_ == 1) {
+        accumulator_->reset();
+        accumulator_->add(*frame_);
+    }
+    frame_.reset();
+    frame_.emplace(render(renderer_, inputs, samples_));
+    accumulator_->add(*frame_);
+    accumulator_->display(inputs.display, target());
+    ++samples_;
+    glFinish();
+}
+
+candela::Frame Viewport::render(candela::Renderer& renderer, const Inputs& inputs,
+                                std::uint32_t sample) const {
     candela::FrameSettings settings;
     settings.width = size_.x;
     settings.height = size_.y;
@@ -59,8 +74,15 @@ candela::Frame Viewport::draw(candela::Renderer& renderer, const Inputs& inputs)
     settings.shadows = inputs.options.shadows;
     settings.debugView = inputs.options.debug.view;
     settings.overlays = inputs.options.debug.overlays;
-    candela::Frame frame = renderer.render(inputs.scene, inputs.view, settings);
-    frame.display(inputs.display, {.framebuffer = framebuffer_, .x = 0, .y = 0});
+    settings.sample = sample;
+    return renderer.render(inputs.scene, inputs.view, settings);
+}
+
+candela::Frame Viewport::draw(candela::Renderer& renderer, const Inputs& inputs) {
+    fullSize_ = {inputs.options.width, inputs.options.height};
+    resize(glm::max(fullSize_ / inputs.divisor, 1));
+    candela::Frame frame = render(renderer, inputs, 0);
+    frame.display(inputs.display, target());
     return frame;
 }
 
@@ -92,6 +114,8 @@ void Viewport::reloadShaders(const std::optional<Inputs>& inputs) {
     if (inputs) frame.emplace(draw(fresh, *inputs));
     renderer_ = std::move(fresh);
     frame_ = std::move(frame);
+    samples_ = frame_ ? 1 : 0;
+    accumulator_.reset();
 }
 
 int ResolutionScale::divisor(Motion motion, Clock::time_point now) {

@@ -3,6 +3,7 @@
 #include "common/scene_options.h"
 #include "interaction.h"
 
+#include <candela/accumulator.h>
 #include <candela/camera.h>
 #include <candela/color.h>
 #include <candela/context.h>
@@ -12,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 
 /// The image of the scene: drawn when it changes, copied to the window whenever that is redrawn.
@@ -31,7 +33,14 @@ class Viewport {
     };
     /// Draws a frame. Returns the milliseconds it took. Throws `candela::Error`.
     double draw(const Inputs& inputs);
-    /// The last frame; null before the first one.
+    /// Draws sample `samples` of the picture that `draw` has begun at full size, of whose scene and settings
+    /// `inputs` are, and shows the mean of all. Throws `candela::Error`.
+    void refine(const Inputs& inputs);
+    /// The samples of the picture that is shown; 0 before the first frame.
+    std::uint32_t samples() const { return samples_; }
+    /// The mean of two or more samples; null where the picture has fewer.
+    const candela::Accumulator* mean() const { return samples_ > 1 ? &*accumulator_ : nullptr; }
+    /// The last frame, of one sample; null before the first one.
     const candela::Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
     /// Copies the image to the window, whose framebuffer has `size`; black before the first frame.
     void show(const glm::ivec2& size) const;
@@ -47,7 +56,9 @@ class Viewport {
     void reloadShaders(const std::optional<Inputs>& inputs);
 
   private:
+    candela::Frame render(candela::Renderer& renderer, const Inputs& inputs, std::uint32_t sample) const;
     candela::Frame draw(candela::Renderer& renderer, const Inputs& inputs);
+    candela::FrameTarget target() const { return {.framebuffer = framebuffer_, .x = 0, .y = 0}; }
     void resize(const glm::ivec2& size);
 
     const candela::Context& context_;
@@ -56,6 +67,8 @@ class Viewport {
     glm::ivec2 size_{0};
     glm::ivec2 fullSize_{1};
     std::optional<candela::Frame> frame_;
+    std::optional<candela::Accumulator> accumulator_;  ///< Created when a picture rests.
+    std::uint32_t samples_ = 0;
 };
 
 /// The divisor of the resolution: above 1 on a slow device while the camera moves, else 1.

@@ -3,6 +3,7 @@
 /// Everything candela offers.
 
 #include <candela/animation.h>
+#include <candela/accumulator.h>
 #include <candela/brdf.h>
 #include <candela/cage.h>
 #include <candela/camera.h>
@@ -28,6 +29,7 @@
 #include <candela/plugin_registry.h>
 #include <candela/refined_cage.h>
 #include <candela/renderer.h>
+#include <candela/sampling.h>
 #include <candela/scene.h>
 #include <candela/subdivider.h>
 #include <candela/threads.h>

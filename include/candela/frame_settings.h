@@ -103,8 +103,9 @@ struct FrameSettings {
     TileBackend tileBackend = TileBackend::automatic;  ///< Read for `tiles` only.
     Shadows shadows = Shadows::automatic;
     AmbientOcclusionSettings ambientOcclusion = {};  ///< Read for its AOV only.
-    /// The number of the frame among those that are averaged: what is sampled at random takes the sample of
-    /// this number.
+    /// The number of the frame among those that are averaged (candela/sampling.h): what is sampled at random
+    /// takes the sample of this number, and lights with a radius stand at a point of their sphere. 0: they
+    /// stand at its centre.
     std::uint32_t sample = 0;
 };
 

@@ -12,6 +12,12 @@
 
 namespace candela {
 
+/// How the samples of a channel become one value, unless a host decides otherwise (`AovFilter`).
+enum class SampleFilter {
+    average,  ///< Their mean: where a value between those of two surfaces has a meaning.
+    first,    ///< The first sample: where it has none.
+};
+
 /// A channel of a frame: a quantity that AOVs and debug views show.
 struct GBufferChannel {
     const char* name;        ///< The AOV's, such as "base_color".
@@ -19,6 +25,7 @@ struct GBufferChannel {
     const char* meaning;     ///< With unit.
     const char* encoding;    ///< How the G-buffer stores it.
     const char* format;      ///< The bits it takes there.
+    SampleFilter filter = SampleFilter::average;
 };
 
 /// The channel table, in the order of EXR files. AOVs, debug views and docs/gbuffer.md follow it.

@@ -160,6 +160,7 @@ class CANDELA_API GpuScene {
     const State& state() const;
 
   private:
+    friend class Accumulator;
     friend class Renderer;
     void requireContext() const;
 

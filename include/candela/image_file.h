@@ -35,6 +35,12 @@ struct ExrChannel {
     std::span<const float> values;
 };
 
+/// A text in the header of an EXR file.
+struct ExrAttribute {
+    std::string name;  ///< 1 to 255 bytes; not one of those that the file format itself defines.
+    std::string value;
+};
+
 /// Writes 8-bit RGBA, rows from the top, straight (not premultiplied) alpha, as PNG, tagged with `encoding`.
 /// The file is written atomically (`writeWholeFile`). Throws `Error` (environment)
 /// naming the file when the folder is missing, the disk full, and so on; and (badInput), before a file is
@@ -43,10 +49,12 @@ CANDELA_API void writePng(const std::filesystem::path& path, std::uint32_t width
                           std::span<const std::uint8_t> rgba, const DisplayEncoding& encoding);
 
 /// Writes 32-bit float channels as one single-part scan-line EXR file (ZIP), with the chromaticities of its
-/// colour channels. Written atomically; throws as `writePng`; badInput also when there is no channel, two
-/// have the same name, a name is not 1 to 255 bytes long, or a channel does not have one value per pixel.
+/// colour channels and `attributes`. Written atomically; throws as `writePng`; badInput also when there is no
+/// channel, two channels or attributes have the same name, a name is not 1 to 255 bytes long, or a channel
+/// does not have one value per pixel.
 CANDELA_API void writeExr(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
-                          std::span<const ExrChannel> channels, const Chromaticities& chromaticities);
+                          std::span<const ExrChannel> channels, const Chromaticities& chromaticities,
+                          std::span<const ExrAttribute> attributes = {});
 
 /// A picture of linear light, and what was repaired in it.
 struct HdrFile {

@@ -39,6 +39,7 @@ class CANDELA_API Renderer {
     static std::vector<std::string> aovNames();
 
   private:
+    friend class Accumulator;
     friend class Frame;
     struct State;
     std::shared_ptr<State> state_;
@@ -88,10 +89,13 @@ class CANDELA_API Frame {
     /// Occlusion rays of the frame; all 0 without shadows and of a debug view. Where shaders have traced
     /// them, they are counted by drawing again, and `raysTraced` is `raysAsked`: shaders test no blocks.
     ShadowCounts shadowCounts() const;
-    /// What each pass took, in the order they ran. Waits for the frame to end.
+    /// What each pass took, in the order they ran. Waits for the frame to end. Of samples that were drawn
+    /// together on a software device (`Accumulator::addSamples`) it is the sum over these, where what runs
+    /// at the same time counts once.
     std::vector<PassTime> passTimes() const;
 
   private:
+    friend class Accumulator;
     friend class Renderer;
     Frame(std::shared_ptr<Renderer::State> renderer, std::weak_ptr<GpuScene::State> scene,
           std::uint64_t number);

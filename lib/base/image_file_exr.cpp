@@ -9,6 +9,7 @@
 #include <ImfIO.h>
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -47,7 +48,7 @@ Imath::V2f toImath(const glm::dvec2& xy) {
 }
 
 Imf::Header makeHeader(int width, int height, std::span<const ExrChannel> channels,
-                       const Chromaticities& chromaticities) {
+                       const Chromaticities& chromaticities, std::span<const ExrAttribute> attributes) {
     Imf::Header header(width, height);
     header.compression() = Imf::ZIP_COMPRESSION;
     Imf::addChromaticities(header,
@@ -55,6 +56,8 @@ Imf::Header makeHeader(int width, int height, std::span<const ExrChannel> channe
                                                toImath(chromaticities.blue), toImath(chromaticities.white)));
     for (const ExrChannel& channel : channels)
         header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+    for (const ExrAttribute& attribute : attributes)
+        header.insert(attribute.name, Imf::StringAttribute(attribute.value));
     return header;
 }
 
@@ -69,25 +72,28 @@ Imf::FrameBuffer makeFrameBuffer(std::uint32_t width, std::span<const ExrChannel
 }
 
 void encode(MemoryStream& stream, std::uint32_t width, std::uint32_t height,
-            std::span<const ExrChannel> channels, const Chromaticities& chromaticities) {
-    Imf::OutputFile file(stream, makeHeader(int(width), int(height), channels, chromaticities));
+            std::span<const ExrChannel> channels, const Chromaticities& chromaticities,
+            std::span<const ExrAttribute> attributes) {
+    Imf::OutputFile file(stream, makeHeader(int(width), int(height), channels, chromaticities, attributes));
     file.setFrameBuffer(makeFrameBuffer(width, channels));
     file.writePixels(int(height));
 }
 
-void requireNames(std::span<const ExrChannel> channels, const std::string& path) {
+/// `kind` as messages name one of `parts`.
+template <typename Part>
+void requireNames(std::span<const Part> parts, const std::string& kind, const std::string& path) {
     std::vector<std::string> names;
-    for (const ExrChannel& channel : channels) {
+    for (const Part& part : parts) {
         // OpenEXR keeps names as C strings of up to 255 bytes.
-        if (channel.name.empty() || channel.name.size() > 255 || channel.name.find('\0') != std::string::npos)
+        if (part.name.empty() || part.name.size() > 255 || part.name.find('\0') != std::string::npos)
             throw Error(ErrorKind::badInput, path,
-                        "an EXR channel has no name that a file can hold: 1 to 255 bytes were expected");
-        names.push_back(channel.name);
+                        "an EXR " + kind + " has no name that a file can hold: 1 to 255 bytes were expected");
+        names.push_back(part.name);
     }
     std::ranges::sort(names);
     const auto repeated = std::ranges::adjacent_find(names);
     if (repeated != names.end())
-        throw Error(ErrorKind::badInput, path, "two EXR channels have the name '" + *repeated + "'");
+        throw Error(ErrorKind::badInput, path, "two EXR " + kind + "s have the name '" + *repeated + "'");
 }
 
 void requireFits(const std::string& path, std::uint32_t width, std::uint32_t height,
@@ -98,7 +104,7 @@ void requireFits(const std::string& path, std::uint32_t width, std::uint32_t hei
         throw Error(ErrorKind::badInput, path,
                     "an EXR can not have " + size + " pixels; 1 to 2147483647 along each side were expected");
     if (channels.empty()) throw Error(ErrorKind::badInput, path, "an EXR needs at least one channel");
-    requireNames(channels, path);
+    requireNames(channels, "channel", path);
     for (const ExrChannel& channel : channels) {
         if (channel.values.size() == std::uint64_t{width} * height) continue;
         throw Error(ErrorKind::badInput, path,
@@ -110,11 +116,13 @@ void requireFits(const std::string& path, std::uint32_t width, std::uint32_t hei
 }  // namespace
 
 void writeExr(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
-              std::span<const ExrChannel> channels, const Chromaticities& chromaticities) {
+              std::span<const ExrChannel> channels, const Chromaticities& chromaticities,
+              std::span<const ExrAttribute> attributes) {
     requireFits(path.string(), width, height, channels);
+    requireNames(attributes, "attribute", path.string());
     MemoryStream stream(path.string());
     try {
-        encode(stream, width, height, channels, chromaticities);
+        encode(stream, width, height, channels, chromaticities, attributes);
     } catch (const std::exception& failure) {
         throw Error(ErrorKind::environment, path.string(),
                     std::string("can not be encoded as EXR: ") + failure.what());

@@ -1,12 +1,12 @@
 #include "gl/state_guard.h"
 #include "render/debug/aovs.h"
 #include "render/debug/probe.h"
+#include "render/display/display_target.h"
 #include "render/gbuffer/readback.h"
 #include "render/renderer_state.h"
 
 #include <candela/error.h>
 
-#include <algorithm>
 #include <numeric>
 #include <string>
 
@@ -21,28 +21,6 @@ void checkPixel(const FrameSettings& settings, int x, int y) {
     throw Error(ErrorKind::badInput, "",
                 "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") is asked for of a picture of " +
                     std::to_string(settings.width) + "x" + std::to_string(settings.height) + " pixels");
-}
-
-/// What a host hands over as a target has to be a framebuffer that can be drawn into: OpenGL itself would
-/// only leave an error in the host's queue.
-void checkTarget(const FrameTarget& target) {
-    const bool exists = target.framebuffer == 0 || glIsFramebuffer(target.framebuffer) == GL_TRUE;
-    if (exists &&
-        glCheckNamedFramebufferStatus(target.framebuffer, GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
-        return;
-    throw Error(ErrorKind::badInput, "",
-                "framebuffer " + std::to_string(target.framebuffer) +
-                    (exists ? " is incomplete; a frame is displayed in a complete one"
-                            : " does not exist in the current context"));
-}
-
-template <typename T>
-void flipRows(std::vector<T>& pixels, int width, int height) {
-    const auto row = static_cast<std::ptrdiff_t>(width) * 4;
-    for (std::ptrdiff_t y = 0; y < height / 2; ++y) {
-        std::swap_ranges(pixels.begin() + y * row, pixels.begin() + (y + 1) * row,
-                         pixels.begin() + (height - 1 - y) * row);
-    }
 }
 
 }  // namespace
@@ -92,7 +70,7 @@ std::optional<TileBackend> Frame::tileBackend() const {
 void Frame::display(const DisplayTransform& transform, const FrameTarget& target) const {
     Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
-    checkTarget(target);
+    requireTarget(target);
     state.displayFrame(transform, target);
 }
 
@@ -102,16 +80,15 @@ std::vector<std::uint8_t> Frame::displayPicture(const DisplayTransform& transfor
     const int width = state.targets->width, height = state.targets->height;
     if (!state.displayTarget) state.displayTarget.emplace(width, height);
     state.displayFrame(transform, {.framebuffer = state.displayTarget->framebuffer.name()});
-    std::vector<std::uint8_t> pixels = readBytes(state.displayTarget->texture, width, height);
-    flipRows(pixels, width, height);
-    return pixels;
+    return state.displayTarget->read();
 }
 
 HdrImage Frame::radiance() const {
     const Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
     const GBufferTargets& targets = *state.targets;
-    HdrImage image{targets.width, targets.height, readColor(targets.radiance, targets.width, targets.height)};
+    HdrImage image{targets.width, targets.height,
+                   readColor(targets.litRadiance(), targets.width, targets.height)};
     const std::vector<float> depth = readDepth(targets);
     for (std::size_t i = 0; i < depth.size(); ++i) image.rgba[4 * i + 3] = depth[i] > 0.0f ? 1.0f : 0.0f;
     flipRows(image.rgba, targets.width, targets.height);
@@ -234,6 +211,7 @@ ShadowCounts Frame::shadowCounts() const {
 std::vector<PassTime> Frame::passTimes() const {
     Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
+    if (!state.samplePasses.empty()) return state.samplePasses;
     std::vector<PassTime> times;
     for (const auto& [name, milliseconds] : state.timer.results()) times.push_back({name, milliseconds});
     return times;

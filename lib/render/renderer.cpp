@@ -130,10 +130,6 @@ CameraView withFarPlane(const CameraView& view, const GpuScene::State& scene, fl
 
 }  // namespace
 
-DisplayTarget::DisplayTarget(int width, int height)
-    : texture(gl::Texture::target2d(GL_RGBA8, width, height, "display")),
-      framebuffer({&texture}, nullptr, "display") {}
-
 Renderer::State::State(const Context& context)
     : binding(context.state().binding),
       timer(context.isSoftware() ? gl::PassTimer::Clock::wallAroundFinish : gl::PassTimer::Clock::gpuQueries),
@@ -152,6 +148,7 @@ void Renderer::State::selectTargets(int width, int height, bool withShadows) {
         set.emplace(width, height,
                     withShadows ? GBufferLayout(shadowWordTextures) : GBufferLayout(baseWordTextures));
     targets = &*set;
+    targets->memory = {};
 }
 
 /// Creates what the frame is drawn with, before its passes are timed.
@@ -206,6 +203,7 @@ void Renderer::State::drawLit(const GpuScene::State& scene) {
 
 void Renderer::State::drawBackground(const GpuScene::State& scene) {
     const gl::PassTimer::Scope pass(timer, "background");
+    targets->litRadiance();  // The background is drawn over it.
     environment.drawBackground(*targets, *scene.environment);
 }
 
@@ -282,25 +280,15 @@ void Renderer::State::displayFrame(const DisplayTransform& transform, const Fram
     const FrameSettings& settings = frame->settings;
     const gl::PassTimer::Scope pass(timer, "display");
     if (settings.debugView == DebugView::none) {
-        display.render({targets->radiance, settings.width, settings.height, transform, target});
+        display.render({targets->litRadiance(), settings.width, settings.height, transform, target});
     } else {
         debugView->display(*targets, target);
     }
     if (hasLines(settings.overlays)) overlays->display(target);
 }
 
-void Renderer::State::render(GpuScene::State& scene, const CameraView& requested,
-                             const FrameSettings& settings) {
-    ++frameNumber;
-    frame.reset();
-    shadowCounts = {};
-    // Without such a light, as in a scene that only default lights light, the structure is not built.
-    const bool shadows = drawsShadows(settings) && scene.lights.anyCastsShadow();
-    selectTargets(settings.width, settings.height, shadows);
-    scene.update();
-    const Technique technique =
-        settings.technique == Technique::automatic ? Technique::tiles : settings.technique;
-    createPasses(settings, technique);
+void Renderer::State::describeFrame(const GpuScene::State& scene, const CameraView& requested,
+                                    const FrameSettings& settings, Technique technique, bool shadows) {
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
     const CameraView view = withFarPlane(requested, scene, aspect);
     frame.emplace(DrawnFrame{settings, view, technique, shadows,
@@ -308,13 +296,42 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
                                            scene.options.workingFromRec709, scene.lights.counts()),
                              Frustum(view, aspect), scene.sceneState.origin});
     if (scene.environment) scene.environment->describe(frame->uniforms);
+}
+
+void Renderer::State::startSample(GpuScene::State& scene, const CameraView& view, std::uint32_t sample) {
+    ++frameNumber;
+    targets->memory = {};
+    FrameSettings settings = frame->settings;
+    settings.sample = sample;
+    describeFrame(scene, view, settings, frame->technique, frame->shadows);
+    timer.beginFrame();
+    bindFrame();
+    const gl::PassTimer::Scope pass(timer, "geometry");
+    drawGeometry(scene, *targets, lighting.cpuTiles().radianceLoadOp());
+}
+
+void Renderer::State::render(GpuScene::State& scene, const CameraView& requested,
+                             const FrameSettings& settings) {
+    ++frameNumber;
+    frame.reset();
+    shadowCounts = {};
+    samplePasses.clear();
+    // Without such a light, as in a scene that only default lights light, the structure is not built.
+    const bool shadows = drawsShadows(settings) && scene.lights.anyCastsShadow();
+    selectTargets(settings.width, settings.height, shadows);
+    scene.lights.setSample(settings.sample);
+    scene.update();
+    const Technique technique =
+        settings.technique == Technique::automatic ? Technique::tiles : settings.technique;
+    createPasses(settings, technique);
+    describeFrame(scene, requested, settings, technique, shadows);
     timer.beginFrame();
     bindFrame();
     // What is out of view may cast shadows into it.
     const VertexScope scope = shadows ? VertexScope::everywhere : VertexScope::inView;
     if (scene.hasCages()) {
         const gl::PassTimer::Scope pass(timer, "cages");
-        scene.updateCages(view, settings.width, settings.height, scope);
+        scene.updateCages(frame->view, settings.width, settings.height, scope);
     }
     if (scene.hasDeformations()) {
         const gl::PassTimer::Scope pass(timer, "deform");

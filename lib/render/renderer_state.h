@@ -6,6 +6,7 @@
 #include "render/debug/instance_pass.h"
 #include "render/debug/overlay_pass.h"
 #include "render/display/display_pass.h"
+#include "render/display/display_target.h"
 #include "render/environment/environment_pass.h"
 #include "render/frustum.h"
 #include "render/gbuffer/geometry_pass.h"
@@ -17,6 +18,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -33,12 +35,11 @@ struct DrawnFrame {
     glm::dvec3 origin;  ///< `Scene::origin`.
 };
 
-/// An 8-bit picture that is read back.
-struct DisplayTarget {
-    DisplayTarget(int width, int height);
-    gl::Texture texture;
-    gl::Framebuffer framebuffer;
+/// Consecutive samples of a picture.
+struct SampleSpan {
+    std::uint32_t first, end;
 };
+using SampleViews = std::function<CameraView(std::uint32_t sample)>;
 
 /// The passes of a renderer and the targets that they draw into. A `Renderer` and its `Frame`s share it.
 struct Renderer::State {
@@ -46,6 +47,14 @@ struct Renderer::State {
 
     /// Draws a frame and counts it in `frameNumber`.
     void render(GpuScene::State& scene, const CameraView& requested, const FrameSettings& settings);
+
+    /// Whether the samples after the last frame, of the same scene and settings, can be drawn by
+    /// `drawSamples`: nothing but the view changes, and memory of the CPU is all that lighting reads.
+    bool canOverlapSamples(const GpuScene::State& scene) const;
+    /// Draws more samples from the views of `viewOf`, and calls `add` with the radiance of each, on another
+    /// thread: one sample is drawn while the one before is lit. The last one is the renderer's frame then.
+    void drawSamples(GpuScene::State& scene, const SampleSpan& samples, const SampleViews& viewOf,
+                     const std::function<void(const GBufferTargets::Memory&)>& add);
 
     // What frames ask for, after a check that `frame` is theirs.
     LightingInputs lightingInputs(const GpuScene::State& scene) const;
@@ -77,6 +86,8 @@ struct Renderer::State {
     std::uint64_t frameNumber = 0;
     std::optional<DrawnFrame> frame;
     ShadowCounts shadowCounts;  ///< Of the last frame.
+    /// Of all samples that were drawn together with the last frame; empty where it was drawn alone.
+    std::vector<PassTime> samplePasses;
     // Created when they are first needed.
     std::optional<DebugViewPass> debugView;
     std::optional<OverlayPass> overlays;
@@ -88,6 +99,9 @@ struct Renderer::State {
   private:
     void selectTargets(int width, int height, bool withShadows);
     void createPasses(const FrameSettings& settings, Technique technique);
+    void describeFrame(const GpuScene::State& scene, const CameraView& requested,
+                       const FrameSettings& settings, Technique technique, bool shadows);
+    void startSample(GpuScene::State& scene, const CameraView& view, std::uint32_t sample);
     void drawLit(const GpuScene::State& scene);
     void drawBackground(const GpuScene::State& scene);
     void drawDebugView(const GpuScene::State& scene);

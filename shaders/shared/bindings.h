@@ -35,6 +35,10 @@ const int OCCLUSION_ALPHAS_UNIT = 12;    // R32UI buffer: images of alpha, four 
 const int RADIANCE_UNIT = 0;
 const int LOOKUP_UNIT = 1;
 
+// Texture units of the mean of samples.
+const int SUM_UNIT = 0;
+const int LARGE_SUM_UNIT = 1;
+
 // Texture units of the debug views, after those of the G-buffer.
 const int VIEW_UNIT = 2;             // what the view shows besides the G-buffer: emission, light counts or instances
 const int INSTANCE_COLORS_UNIT = 3;  // RGBA32F buffer: a texel an instance
@@ -75,6 +79,7 @@ const int DIRECTIONAL_SPAN_LOCATION = 1;  // fullscreen: first and end of direct
 const int ENVIRONMENT_PARTS_LOCATION = 0; // environment: factors on diffuse and specular reflection
 const int EXPOSURE_LOCATION = 0;          // display: factor before the transform
 const int ORIGIN_LOCATION = 1;            // display: lower left corner of the picture in the target
+const int SAMPLE_COUNT_LOCATION = 0;      // sample_mean: what the sum is divided by
 const int LIMIT_RANGE_LOCATION = 0;       // cage_limit: first and end of a dispatch's vertices, number of points, number of vertices
 const int LIMIT_TANGENTS_LOCATION = 1;    // cage_limit: are tangents needed?
 const int DEFORM_POSE_LOCATION = 0;       // deform: number of vertices; first joint and morph weight in the poses; has it tangents?

@@ -4,6 +4,7 @@
 #include <ImfFrameBuffer.h>
 #include <ImfInputFile.h>
 #include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
 #include <png.h>
 
 #include <numeric>
@@ -61,6 +62,9 @@ ExrPicture readExr(const std::string& path) {
     picture.width = box.max.x - box.min.x + 1;
     picture.height = box.max.y - box.min.y + 1;
     picture.chromaticities = Imf::hasChromaticities(file.header());
+    for (auto attribute = file.header().begin(); attribute != file.header().end(); ++attribute)
+        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute()))
+            picture.texts[attribute.name()] = text->value();
     Imf::FrameBuffer target;
     const Imf::ChannelList& channels = file.header().channels();
     for (auto channel = channels.begin(); channel != channels.end(); ++channel) {

@@ -22,6 +22,7 @@ struct ExrPicture {
     std::map<std::string, std::vector<float>> channels;  ///< Rows from the top.
     bool floats = true;                                  ///< All channels are 32-bit float.
     bool chromaticities = false;                         ///< The file states its primaries.
+    std::map<std::string, std::string> texts;            ///< Attributes of the header.
 
     std::vector<std::string> names() const;
     float at(const std::string& channel, int x, int y) const;

@@ -60,6 +60,19 @@ TEST(Usage, EveryErrorIsNamed) {
         BadUsage{{"plaza:1", "--frames", "0-5x0"}, "whole number from 1"},
         BadUsage{{"plaza:1", "--frames", "5-4"}, "whole number from 5"},
         BadUsage{{"plaza:1", "--frames", "a-b"}, "whole number"},
+        BadUsage{{"plaza:1", "--samples", "0"}, "whole number from 1 to 65536"},
+        BadUsage{{"plaza:1", "--samples", "65537"}, "whole number from 1 to 65536"},
+        BadUsage{{"plaza:1", "--aperture", "2.8"}, "--aperture needs --focus"},
+        BadUsage{{"plaza:1", "--aperture", "0", "--focus", "2"}, "between 0 and 1000"},
+        BadUsage{{"plaza:1", "--focus", "2"}, "--focus needs --aperture"},
+        BadUsage{{"plaza:1", "--aperture", "2", "--focus", "0"}, "--focus"},
+        BadUsage{{"plaza:1", "--blades", "6"}, "--blades needs --aperture"},
+        BadUsage{{"plaza:1", "--aperture", "2", "--focus", "2", "--blades", "2"}, "3 to 64"},
+        BadUsage{{"plaza:1", "--aperture", "2", "--focus", "2", "--ortho", "3"}, "exclude each other"},
+        BadUsage{{"plaza:1", "--shutter", "1.5"}, "from 0 to 1"},
+        BadUsage{{"plaza:1", "--fps", "0"}, "--fps"},
+        BadUsage{{"plaza:1", "-o", "a.exr", "--aov-filter", "first"}, "needs --aov"},
+        BadUsage{{"plaza:1", "-o", "a.exr", "--aov", "Z", "--aov-filter", "median"}, "average, first"},
         BadUsage{{"plaza:1", "--time", "noon"}, "expected a number"},
         BadUsage{{"plaza:1", "--device", "gpu"}, "software"},
         BadUsage{{"plaza:1", "--device", "-1"}, "software"},
@@ -116,8 +129,11 @@ TEST(Usage, HelpNamesEveryOptionOfTheContract) {
                                "--quiet",    "--list",
                                "--threads",  "--subdivision-evaluator",
                                "--shadows",  "--ao-distance",
-                               "--ao-rays",  "Examples:",
-                               "Exit codes:"})
+                               "--ao-rays",  "--samples",
+                               "--aperture", "--focus",
+                               "--blades",   "--shutter",
+                               "--fps",      "--aov-filter",
+                               "Examples:",  "Exit codes:"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 

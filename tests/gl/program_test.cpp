@@ -72,6 +72,8 @@ const std::vector<Linked> table{
     {"fullscreen_triangle.vert", "debug_view.frag"},
     {"fullscreen_triangle.vert", "debug_view_display.frag"},
     {"fullscreen_triangle.vert", "overlay_display.frag"},
+    {"fullscreen_triangle.vert", "sample_add.frag"},
+    {"fullscreen_triangle.vert", "sample_mean.frag"},
     {"overlay_mesh.vert", "overlay_lines.frag", {}, "overlay_edges.geom"},
     {"overlay_cage.vert", "overlay_lines.frag", {}, "overlay_edges.geom"},
     {"surface_instance.vert", "surface_instance.frag"},

@@ -60,6 +60,8 @@ const std::map<std::string, std::string> layerOfHeader = {
     {"gbuffer.h", "render"},
     {"gpu_scene.h", "render"},
     {"renderer.h", "render"},
+    {"accumulator.h", "render"},
+    {"sampling.h", "render"},
 };
 
 const std::string umbrella = "candela.h";

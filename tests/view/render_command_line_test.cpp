@@ -40,7 +40,7 @@ Words wordsOf(const std::string& command) {
 SceneOptions readBack(const std::string& command) {
     CLI::App app;
     SceneOptions options;
-    SceneOptionReader reader(app, options);
+    SceneOptionReader reader(app, options, 16);
     std::string output;
     app.add_option("-o", output);
     Words words = wordsOf(command);
@@ -63,8 +63,9 @@ SceneOptions someScene() {
 }
 
 TEST(RenderCommandLine, NamesSceneSizeAndOutput) {
-    EXPECT_EQ(renderCommandLine(someScene()),
-              "candela-render plaza:64 --size 1280x720 --brdf course --technique auto -o candela.png");
+    EXPECT_EQ(
+        renderCommandLine(someScene()),
+        "candela-render plaza:64 --size 1280x720 --samples 64 --brdf course --technique auto -o candela.png");
 }
 
 TEST(RenderCommandLine, QuotesNamesForAShell) {
@@ -169,6 +170,26 @@ TEST(RenderCommandLine, PreservesEnumerationsAndLists) {
     EXPECT_TRUE(read.autoExposure);
     EXPECT_EQ(read.pluginFolders, options.pluginFolders);
     EXPECT_EQ(read.display.display, "Display P3");
+}
+
+TEST(RenderCommandLine, PreservesSamplesLensAndShutter) {
+    SceneOptions options = someScene();
+    EXPECT_EQ(readBack(options).sampling.count, 64u) << "the view's own default";
+    options.sampling = {.count = 9,
+                        .fNumber = 1.0f / 3.0f,
+                        .focusDistance = 2.7f,
+                        .blades = 7,
+                        .shutter = 1.0 / 3.0,
+                        .framesPerSecond = 30.0};
+    const SamplingOptions read = readBack(options).sampling;
+    EXPECT_EQ(read.count, 9u);
+    EXPECT_EQ(read.fNumber, options.sampling.fNumber);
+    EXPECT_EQ(read.focusDistance, options.sampling.focusDistance);
+    EXPECT_EQ(read.blades, 7u);
+    EXPECT_EQ(read.shutter, options.sampling.shutter);
+    EXPECT_EQ(read.framesPerSecond, 30.0);
+    options.debug.view = candela::DebugView::normals;
+    EXPECT_EQ(renderCommandLine(options).find("--samples"), std::string::npos) << "it has one";
 }
 
 TEST(RenderCommandLine, NamesShadowsWhereTheyAreNotTheDefault) {

@@ -41,7 +41,8 @@ class ViewProgram : public testing::Test {
     }
     CommandResult run(const Words& arguments) const { return runCommand(arguments, here()); }
     void render(Words arguments, const std::string& output) const {
-        arguments.insert(arguments.end(), {"-o", output, "--quiet"});
+        // What candela-view writes for a script.
+        arguments.insert(arguments.end(), {"--samples", "1", "-o", output, "--quiet"});
         expectSuccess(runCommand(arguments, {.folder = folder.path(), .program = CANDELA_RENDER}));
     }
 

@@ -15,10 +15,18 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace {
 
 using namespace std::chrono_literals;
+
+/// With one sample a pixel, where the arguments say nothing of it: most tests are of what is drawn at once.
+std::vector<std::string> withSamples(std::vector<std::string> arguments) {
+    if (std::ranges::find(arguments, "--samples") == arguments.end())
+        arguments.insert(arguments.end(), {"--samples", "1"});
+    return arguments;
+}
 
 ViewOptions parsed(const std::vector<std::string>& arguments) {
     std::vector<const char*> words{"candela-view"};
@@ -38,7 +46,8 @@ void GLAPIENTRY report(GLenum source, GLenum type, GLuint, GLenum, GLsizei, cons
 }  // namespace
 
 ViewSession::ViewSession(const std::vector<std::string>& arguments)
-    : application_(std::make_unique<Application>(parsed(arguments))), window_(glfwGetCurrentContext()) {
+    : application_(std::make_unique<Application>(parsed(withSamples(arguments)))),
+      window_(glfwGetCurrentContext()) {
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(report, &glErrors_);
@@ -159,6 +168,7 @@ void ViewTest::SetUp() {
 }
 
 PngPicture ViewTest::rendered(std::vector<std::string> arguments) const {
+    arguments = withSamples(std::move(arguments));
     arguments.insert(arguments.end(), {"-o", "rendered.png", "--quiet"});
     expectSuccess(runCommand(arguments, {.folder = folder.path()}));
     return readPng(folder / "rendered.png");

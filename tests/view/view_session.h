@@ -18,7 +18,7 @@ struct GLFWwindow;
 /// error.
 class ViewSession {
   public:
-    /// `arguments` are those of the command line.
+    /// `arguments` are those of the command line; without --samples a pixel has one.
     explicit ViewSession(const std::vector<std::string>& arguments);
     ~ViewSession();
 
@@ -66,7 +66,8 @@ class ViewTest : public testing::Test {
     ~ViewTest() override;
     void SetUp() override;
 
-    /// The image that candela-render draws with these arguments, given without -o.
+    /// The image that candela-render draws with these arguments, given without -o; without --samples of one
+    /// sample a pixel.
     PngPicture rendered(std::vector<std::string> arguments) const;
     /// The image that a copied command draws.
     PngPicture renderedBy(const std::string& command) const;

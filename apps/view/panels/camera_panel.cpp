@@ -10,6 +10,8 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 
 namespace {
 
@@ -76,6 +78,26 @@ void editHeight(ViewModel& model) {
     storeLens(model);
 }
 
+/// Depth of field. It shows in the samples of a picture at rest.
+void editAperture(ViewModel& model) {
+    SamplingOptions& sampling = model.options.sampling;
+    bool hasLens = sampling.fNumber.has_value();
+    if (ImGui::Checkbox("depth of field", &hasLens)) {
+        sampling.fNumber = hasLens ? std::optional(candela::Lens{}.fNumber) : std::nullopt;
+        sampling.focusDistance = glm::distance(model.camera.eye(), model.camera.target());
+    }
+    if (!hasLens) return;
+    slideNumber("f-number", *sampling.fNumber,
+                {.min = 0.1f, .max = 32.0f, .format = "f/%.1f", .scale = NumberRange::Scale::logarithmic});
+    const float speed = *sampling.focusDistance / pixelsToTarget;
+    dragNumber("focus", *sampling.focusDistance,
+               {.min = 1e-3f, .max = 1e6f, .speed = speed, .format = "%.4g m"});
+    constexpr std::uint32_t mostBlades = 12;
+    std::uint32_t blades = sampling.blades;
+    if (slideLevel("blades", blades, 0, std::max(mostBlades, blades)))
+        sampling.blades = blades == 0 ? 0 : std::max(blades, 3u);
+}
+
 void editLens(ViewModel& model) {
     bool orthographic = model.camera.orthographicHeight().has_value();
     if (ImGui::Checkbox("orthographic", &orthographic)) {
@@ -87,6 +109,7 @@ void editLens(ViewModel& model) {
         editHeight(model);
     } else {
         editFieldOfView(model);
+        editAperture(model);
     }
 }
 

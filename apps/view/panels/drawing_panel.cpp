@@ -2,9 +2,11 @@
 #include "panels/panel_values.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
+#include "view_options.h"
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 
 namespace {
@@ -34,6 +36,13 @@ void chooseLighting(ViewModel& model) {
     chooseOne("reflection", model.options.brdf, models,
               [](candela::BrdfModel brdf) { return candela::toString(brdf); });
     chooseShadows(model.options.shadows);
+}
+
+void editSamples(SamplingOptions& sampling) {
+    // Up to what a view that rests gets within minutes; the command line takes more.
+    constexpr std::uint32_t most = 4096;
+    std::uint32_t count = sampling.count.value_or(defaultViewSamples);
+    if (slideLevel("samples at rest", count, 1, std::max(most, count))) sampling.count = count;
 }
 
 void chooseDebugView(DebugViewOptions& options) {
@@ -99,6 +108,7 @@ void drawDrawingPanel(ViewModel& model) {
     const PanelWindow window(Panel::drawing, "Drawing", model.panels.drawing);
     if (!window) return;
     chooseLighting(model);
+    editSamples(model.options.sampling);
     chooseDebugView(model.options.debug);
     ImGui::Separator();
     showText("subdivision");

@@ -118,12 +118,16 @@ std::string speedText(const std::deque<FrameRecord>& frames) {
     return text.data();
 }
 
+std::string samplesText(std::uint32_t samples) {
+    return groupedText(samples) + (samples == 1 ? " sample" : " samples");
+}
+
 std::string statusText(const ViewModel& model) {
     std::string text = model.frames.empty() ? "" : speedText(model.frames);
     if (!model.document) return text;
     if (!text.empty()) text += " | ";
-    return text + groupedText(model.document->lights().size()) + " lights | " +
-           candela::toString(model.technique);
+    return text + samplesText(model.samples) + " | " + groupedText(model.document->lights().size()) +
+           " lights | " + candela::toString(model.technique);
 }
 
 void drawStatus(const ViewModel& model) {

@@ -17,13 +17,13 @@ using Scale = DebugViewRow::Scale;
 constexpr std::array rows{
     ChannelRow{
         {"Z", "", "distance along the view axis in metres, 0 on the background",
-         "reversed depth: near plane / Z without a far plane", "32-bit float"},
+         "reversed depth: near plane / Z without a far plane", "32-bit float", SampleFilter::first},
         depth,
         [](const ChannelPixel& pixel) { return glm::vec3(viewDistance(pixel.frame, pixel.depth), 0, 0); },
         // Nearest / (nearest + distance), by the distance of the closest surface.
         {DebugView::depth, "depth", depth, Scale::maximum, "vec3(depthCode(depth, maximum))"}},
     ChannelRow{{"P", "XYZ", "position in metres, in the space of the scene's file",
-                "follows from Z and the camera", "none of its own"},
+                "follows from Z and the camera", "none of its own", SampleFilter::first},
                depth,
                [](const ChannelPixel& pixel) {
                    const glm::dvec3 position(worldPosition(pixel.frame, pixel.x, pixel.y, pixel.depth));

@@ -44,4 +44,12 @@ void GBufferTargets::bind() const {
     glBindTextureUnit(layout::DEPTH_UNIT, depth.name());
 }
 
+const gl::Texture& GBufferTargets::litRadiance() const {
+    if (!memory.radiance.empty()) {
+        glTextureSubImage2D(radiance.name(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, memory.radiance.data());
+        memory = {};
+    }
+    return radiance;
+}
+
 }  // namespace candela

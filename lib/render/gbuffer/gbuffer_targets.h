@@ -47,6 +47,8 @@ struct GBufferTargets {
     bool hasShadowWord() const { return layout.size() == shadowWordTextures.size(); }
     /// Binds the word textures and the depth for reading by shaders.
     void bind() const;
+    /// The radiance of the frame, after its lighting: writes it first where it is still in memory.
+    const gl::Texture& litRadiance() const;
 
     int width, height;
     GBufferLayout layout;
@@ -56,6 +58,12 @@ struct GBufferTargets {
     gl::Framebuffer surfaces;             ///< Words and depth.
     gl::Framebuffer surfacesAndEmission;  ///< Words, radiance and depth.
     gl::Framebuffer lit;                  ///< Radiance alone.
+    /// What a technique on the CPU has left in its own memory: the radiance that `radiance` is still to get,
+    /// RGBA, and the depth, rows from the bottom. Empty where `radiance` holds all.
+    struct Memory {
+        std::span<const float> radiance, depth;
+    };
+    mutable Memory memory;
 };
 
 }  // namespace candela

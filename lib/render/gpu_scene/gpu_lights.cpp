@@ -1,6 +1,7 @@
 #include "render/gpu_scene/gpu_lights.h"
 
 #include "render/layout.h"
+#include "render/sampling/sample_sequence.h"
 #include "scene/model/light_range.h"
 
 #include <candela/brdf.h>
@@ -86,12 +87,31 @@ void GpuLights::writeRange(std::uint32_t record, float range) {
     records_.edit(record)[0].w = 1.0f / (range * range);
 }
 
+void GpuLights::writePosition(std::uint32_t record, const glm::vec3& position) {
+    reaches_.x[record] = position.x;
+    reaches_.y[record] = position.y;
+    reaches_.z[record] = position.z;
+    glm::vec4& texel = records_.edit(record)[0];
+    texel = glm::vec4(position, texel.w);
+}
+
+void GpuLights::placeSpheres(std::uint32_t sample) {
+    for (const Sphere& sphere : spheres_) {
+        const glm::vec3 position =
+            sphere.center + sphere.radius * glm::vec3(lightPoint(sample, sphere.index));
+        if (isFinite(position)) writePosition(recordOf_[sphere.index], position);
+    }
+}
+
+void GpuLights::setSample(std::uint32_t sample) {
+    if (sample != sample_) placeSpheres(sample);
+    sample_ = sample;
+}
+
 void GpuLights::writeLocal(std::uint32_t record, const WorldLight& light) {
-    reaches_.x[record] = light.position.x;
-    reaches_.y[record] = light.position.y;
-    reaches_.z[record] = light.position.z;
+    writePosition(record, light.position);
     const std::span<glm::vec4> texels = records_.edit(record);
-    texels[0] = glm::vec4(light.position, 0.0f);
+    texels[0].w = 0.0f;
     texels[1] = intensityTexel(light);
     reaches_.range[record] = 0.0f;
     isRangeless_[record] = !(light.range > 0.0f);
@@ -103,6 +123,7 @@ void GpuLights::writeLocal(std::uint32_t record, const WorldLight& light) {
 }
 
 void GpuLights::assignRanges(const RangeRule& rule) {
+    if (sample_ != 0) placeSpheres(0);
     std::vector<RangelessLight> lights;
     lights.reserve(rangeless_.size());
     for (const std::uint32_t record : rangeless_)
@@ -120,6 +141,7 @@ void GpuLights::assignRanges(const RangeRule& rule) {
         report_.minRange = i == 0 ? written : std::min(report_.minRange, written);
         report_.maxRange = std::max(report_.maxRange, written);
     }
+    if (sample_ != 0) placeSpheres(sample_);
     rangelessMoved_ = false;
 }
 
@@ -141,6 +163,7 @@ void GpuLights::reserve(const LightCounts& counts) {
     reaches_.reserve(local);
     recordOf_.reserve(all);
     rangeless_.reserve(local);
+    spheres_.reserve(local);
     isRangeless_.reserve(local);
 }
 
@@ -163,6 +186,8 @@ void GpuLights::set(std::span<const WorldLight> lights, const RangeRule& rule) {
     reaches_.resize(static_cast<std::size_t>(counts.points + counts.spots));
     recordOf_.clear();
     rangeless_.clear();
+    spheres_.clear();
+    sample_ = 0;
     isRangeless_.assign(reaches_.size(), false);
     auto point = 0u, spot = static_cast<std::uint32_t>(counts.points);
     auto directional = static_cast<std::uint32_t>(counts.points + counts.spots);
@@ -178,6 +203,9 @@ void GpuLights::set(std::span<const WorldLight> lights, const RangeRule& rule) {
             writeDirectional(directional, light);
             recordOf_.push_back(directional++);
         }
+        if (light.radius > 0.0f && light.type != LightType::directional)
+            spheres_.push_back(
+                {static_cast<std::uint32_t>(recordOf_.size() - 1), light.position, light.radius});
     }
     if (hasRangeless()) assignRanges(rule);
     upload();
@@ -191,11 +219,13 @@ void GpuLights::move(std::uint32_t index, const WorldLight& light) {
         return;
     }
     if (light.type == LightType::spot) writeCone(record, light);
-    reaches_.x[record] = light.position.x;
-    reaches_.y[record] = light.position.y;
-    reaches_.z[record] = light.position.z;
-    glm::vec4& texel = records_.edit(record)[0];
-    texel = glm::vec4(light.position, texel.w);
+    glm::vec3 position = light.position;
+    const auto sphere = std::ranges::lower_bound(spheres_, index, {}, &Sphere::index);
+    if (sphere != spheres_.end() && sphere->index == index) {
+        sphere->center = position;
+        position += sphere->radius * glm::vec3(lightPoint(sample_, index));
+    }
+    writePosition(record, position);
     rangelessMoved_ = rangelessMoved_ || isRangeless_[record];
 }
 

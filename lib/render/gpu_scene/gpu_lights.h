@@ -48,6 +48,11 @@ class GpuLights {
     /// Moves and rotates one of the lights of the last `set`, whose other values do not change. A light whose
     /// new position is not finite, because a world matrix overflows, stays where it is.
     void move(std::uint32_t index, const WorldLight& light);
+    /// Moves each light that has a radius to its point in the sample of this number; 0 is its centre. Holds
+    /// for later moves too, until the next `set`, which is of sample 0.
+    void setSample(std::uint32_t sample);
+    /// Do samples move any light?
+    bool hasSpheres() const { return !spheres_.empty(); }
     bool hasRangeless() const { return !rangeless_.empty(); }
     /// Has a light without a range moved since the last `assignRanges`?
     bool rangelessMoved() const { return rangelessMoved_; }
@@ -71,6 +76,9 @@ class GpuLights {
   private:
     void reserve(const LightCounts& counts);
     void writeLocal(std::uint32_t record, const WorldLight& light);
+    void writePosition(std::uint32_t record, const glm::vec3& position);
+    /// Writes the positions of `spheres_` in a sample.
+    void placeSpheres(std::uint32_t sample);
     void writeDirectional(std::uint32_t record, const WorldLight& light);
     void writeCone(std::uint32_t record, const WorldLight& light);
     void writeRange(std::uint32_t record, float range);
@@ -85,6 +93,14 @@ class GpuLights {
     std::vector<std::uint32_t> rangeless_;  ///< Records of the lights without a range.
     std::vector<bool> isRangeless_;         ///< Of each record of a point or spot light.
     bool rangelessMoved_ = false;
+    /// A light with a radius.
+    struct Sphere {
+        std::uint32_t index;  ///< In the last `set`.
+        glm::vec3 center;
+        float radius;
+    };
+    std::vector<Sphere> spheres_;  ///< Sorted by index.
+    std::uint32_t sample_ = 0;     ///< In which their positions are.
     RecordBuffer<glm::vec4> records_, cones_;
 };
 

@@ -29,6 +29,15 @@ LightingTechnique& Lighting::technique(Technique technique, TileBackend backend)
     return *entry;
 }
 
+CpuTiles& Lighting::cpuTiles() {
+    return static_cast<CpuTiles&>(technique(Technique::tiles, TileBackend::cpu));
+}
+
+CpuTiles& Lighting::otherCpuTiles() {
+    if (!otherTiles_) otherTiles_ = std::make_unique<CpuTiles>();
+    return *otherTiles_;
+}
+
 bool Lighting::tracesInShaders(Technique technique, TileBackend backend) const {
     return technique != Technique::tiles || tileBackend(backend) != TileBackend::cpu;
 }

@@ -28,6 +28,9 @@ class Lighting {
 
     /// `technique` is not `automatic`. `backend` is read for `tiles` only.
     LightingTechnique& technique(Technique technique, TileBackend backend);
+    /// The technique `tiles` on the CPU, and another one of it, which shade two frames at the same time.
+    CpuTiles& cpuTiles();
+    CpuTiles& otherCpuTiles();
     PairCounter& counter();
     /// How many lights that cast shadows would light each pixel but are hidden from it: rows from the bottom.
     /// All 0 in a frame without shadows. The rays are those of the technique `tiles` on the CPU.
@@ -48,7 +51,7 @@ class Lighting {
     FullscreenPass fullscreen_;
     std::map<std::pair<Technique, TileBackend>, std::unique_ptr<LightingTechnique>> techniques_;
     std::unique_ptr<PairCounter> counter_;
-    std::unique_ptr<CpuTiles> shadowTiles_;
+    std::unique_ptr<CpuTiles> shadowTiles_, otherTiles_;
 };
 
 }  // namespace candela

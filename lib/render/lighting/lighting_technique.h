@@ -47,6 +47,7 @@ class LightingTechnique {
     /// How the geometry pass loads the radiance target: `dontCare` for a technique that writes every pixel.
     virtual LoadOp radianceLoadOp() const { return LoadOp::clear; }
 
+    /// The result may stay in memory (`GBufferTargets::memory`) until the next frame.
     virtual void render(const LightingInputs& inputs, gl::PassTimer& timer) = 0;
 
     /// Whether `render` adds the light of the environment too; else `EnvironmentPass` does.

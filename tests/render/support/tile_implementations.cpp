@@ -89,7 +89,7 @@ std::vector<float> radianceOf(const Context& context, const TileImplementation& 
         if (environment != nullptr && !implementation.technique->drawsEnvironment())
             environmentPass.addLight(inputs, targets.lit, {});
     }
-    return readColor(targets.radiance, picture.width, picture.height);
+    return readColor(targets.litRadiance(), picture.width, picture.height);
 }
 
 }  // namespace candela::test

@@ -162,13 +162,21 @@ void CpuTiles::shadeAll(TileFrame frame, BrdfModel brdf) {
     } while (binned < frame.localCount);
 }
 
+void CpuTiles::capture(const LightingInputs& inputs) {
+    readTargets(inputs);
+    frame_ = frameOf(inputs);
+    brdf_ = inputs.brdf;
+}
+
+void CpuTiles::shade() {
+    shadeAll(frame_, brdf_);
+}
+
 void CpuTiles::render(const LightingInputs& inputs, gl::PassTimer& timer) {
     const gl::PassTimer::Scope pass(timer, "lighting");
-    readTargets(inputs);
-    const TileFrame frame = frameOf(inputs);
-    shadeAll(frame, inputs.brdf);
-    glTextureSubImage2D(inputs.targets.radiance.name(), 0, 0, 0, frame.width, frame.height, GL_RGBA, GL_FLOAT,
-                        radiance_.data());
+    capture(inputs);
+    shade();
+    inputs.targets.memory = result();
 }
 
 std::vector<float> CpuTiles::shadowedPerPixel(const LightingInputs& inputs) {

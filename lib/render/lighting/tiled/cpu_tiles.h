@@ -24,6 +24,13 @@ class CpuTiles final : public LightingTechnique {
     LoadOp radianceLoadOp() const override { return LoadOp::dontCare; }
     bool drawsEnvironment() const override { return true; }
     void render(const LightingInputs& inputs, gl::PassTimer& timer) override;
+    /// The two halves of `render`: reads what the geometry pass has drawn, then shades it. `shade` uses no
+    /// OpenGL and may run on another thread, while the context draws something else; the lights and the
+    /// occlusion structure of the inputs must stay as they are until it ends.
+    void capture(const LightingInputs& inputs);
+    void shade();
+    /// What the last `shade` has written, until the next `capture`.
+    GBufferTargets::Memory result() const { return {radiance_, depth_}; }
     std::uint64_t countEvaluated(const LightingInputs& inputs, PairCounter& counter) override;
     std::uint64_t lightListBytes() const override { return listBytes_; }
     ShadowCounts shadowCounts() const override;
@@ -60,6 +67,8 @@ class CpuTiles final : public LightingTechnique {
     std::vector<std::uint32_t> shadowWords_;
     std::vector<float> depth_, radiance_;
     std::array<float, 256> srgbDecode_;
+    TileFrame frame_{};  ///< Of the last `capture`.
+    BrdfModel brdf_ = BrdfModel::course;
 };
 
 }  // namespace candela

@@ -1,0 +1,153 @@
+#include "render/accumulation/sample_sums.h"
+
+#include "base/thread_pool.h"
+#include "render/layout.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace candela {
+
+namespace {
+
+/// How many frames the first level takes.
+constexpr std::uint32_t levelSize = 256;
+
+void clearToBlack(const gl::Framebuffer& framebuffer) {
+    constexpr std::array<GLfloat, 4> black{0.0f, 0.0f, 0.0f, 0.0f};
+    glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, 0, black.data());
+}
+
+void upload(const SampleTarget& target, int width, int height, std::span<const float> rgba) {
+    glTextureSubImage2D(target.texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, rgba.data());
+}
+
+/// Calls `body(first, end)` for spans of `pixels` pixels, on all cores.
+template <typename Body>
+void forSpans(std::size_t pixels, const Body& body) {
+    constexpr std::size_t perSpan = std::size_t{1} << 15;
+    ThreadPool::shared()->run((pixels + perSpan - 1) / perSpan, [&](std::size_t i, unsigned) {
+        body(i * perSpan, std::min(pixels, (i + 1) * perSpan));
+    });
+}
+
+}  // namespace
+
+SampleTarget::SampleTarget(int width, int height, const char* label)
+    : texture(gl::Texture::target2d(GL_RGBA32F, width, height, label)),
+      framebuffer({&texture}, nullptr, label) {}
+
+SampleSums::Device::Device(int width, int height)
+    : sum(width, height, "sum of samples"),
+      largeSum(width, height, "large sum of samples"),
+      addProgram({{"fullscreen_triangle.vert", {}, {}}, {"sample_add.frag", {}, {}}}, "sample add"),
+      meanProgram({{"fullscreen_triangle.vert", {}, {}}, {"sample_mean.frag", {}, {}}}, "sample mean"),
+      vertexArray("samples") {
+    clearToBlack(sum.framebuffer);
+    clearToBlack(largeSum.framebuffer);
+}
+
+SampleSums::SampleSums(int width, int height)
+    : width_(width), height_(height), mean_(width, height, "mean of samples") {}
+
+void SampleSums::clear() {
+    if (onDevice_) {
+        clearToBlack(device_->sum.framebuffer);
+        clearToBlack(device_->largeSum.framebuffer);
+    }
+    memory_.largeSum.clear();
+    onDevice_ = false;
+    count_ = meanOf_ = 0;
+}
+
+void SampleSums::add(const GBufferTargets& targets) {
+    const bool inMemory = !targets.memory.radiance.empty();
+    if (inMemory && !onDevice_) {
+        addInMemory(targets.memory);
+    } else {
+        if (!onDevice_) moveToDevice();
+        addOnDevice(targets);
+    }
+}
+
+void SampleSums::moveToDevice() {
+    if (!device_) device_.emplace(width_, height_);
+    if (count_ > 0) upload(device_->sum, width_, height_, memory_.sum);
+    if (!memory_.largeSum.empty()) upload(device_->largeSum, width_, height_, memory_.largeSum);
+    memory_ = {};
+    onDevice_ = true;
+}
+
+void SampleSums::draw(const gl::Program& program, const SampleTarget& into) const {
+    glUseProgram(program.name());
+    glBindVertexArray(device_->vertexArray.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, into.framebuffer.name());
+    glViewport(0, 0, width_, height_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void SampleSums::addOnDevice(const GBufferTargets& targets) {
+    glBindTextureUnit(layout::RADIANCE_UNIT, targets.litRadiance().name());
+    glBindTextureUnit(layout::DEPTH_UNIT, targets.depth.name());
+    glBlendFunc(GL_ONE, GL_ONE);
+    glEnable(GL_BLEND);
+    draw(device_->addProgram, device_->sum);
+    glDisable(GL_BLEND);
+    if (++count_ % levelSize != 0) return;
+    writeMeanOnDevice(1.0f, mean_);
+    std::swap(mean_, device_->largeSum);
+    clearToBlack(device_->sum.framebuffer);
+}
+
+void SampleSums::addInMemory(const GBufferTargets::Memory& frame) {
+    const std::size_t pixels = frame.depth.size();
+    memory_.sum.resize(4 * pixels);
+    const bool replaces = count_ == 0;
+    const bool carries = ++count_ % levelSize == 0;
+    if (carries) memory_.largeSum.resize(4 * pixels, 0.0f);
+    forSpans(pixels, [&](std::size_t first, std::size_t end) {
+        const float* radiance = frame.radiance.data();
+        float* sum = memory_.sum.data();
+        if (replaces) std::fill(sum + 4 * first, sum + 4 * end, 0.0f);
+        for (std::size_t i = first; i < end; ++i) {
+            for (std::size_t c = 4 * i; c < 4 * i + 3; ++c) sum[c] += radiance[c];
+            sum[4 * i + 3] += frame.depth[i] > 0.0f ? 1.0f : 0.0f;
+        }
+        if (!carries) return;
+        for (std::size_t c = 4 * first; c < 4 * end; ++c) memory_.largeSum[c] += std::exchange(sum[c], 0.0f);
+    });
+}
+
+void SampleSums::writeMeanOnDevice(float divisor, const SampleTarget& into) const {
+    glBindTextureUnit(layout::SUM_UNIT, device_->sum.texture.name());
+    glBindTextureUnit(layout::LARGE_SUM_UNIT, device_->largeSum.texture.name());
+    glProgramUniform1f(device_->meanProgram.name(), layout::SAMPLE_COUNT_LOCATION, divisor);
+    draw(device_->meanProgram, into);
+}
+
+void SampleSums::writeMeanInMemory(float divisor) {
+    std::vector<float> mean(memory_.sum.size());
+    forSpans(mean.size(), [&](std::size_t first, std::size_t end) {
+        for (std::size_t c = first; c < end; ++c) {
+            const float large = memory_.largeSum.empty() ? 0.0f : memory_.largeSum[c];
+            mean[c] = (memory_.sum[c] + large) / divisor;
+        }
+    });
+    upload(mean_, width_, height_, mean);
+}
+
+const gl::Texture& SampleSums::mean() {
+    if (meanOf_ == count_) return mean_.texture;
+    const auto divisor = static_cast<float>(count_);
+    if (onDevice_)
+        writeMeanOnDevice(divisor, mean_);
+    else
+        writeMeanInMemory(divisor);
+    meanOf_ = count_;
+    return mean_.texture;
+}
+
+}  // namespace candela

@@ -1,0 +1,28 @@
+// --samples: a row for each number of samples.
+#include "bench_run.h"
+
+#include "command.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+TEST(BenchSamples, ARowForEachNumberHasItsCostInSingleFrames) {
+    const Json bench = benchOf({"--lights", "64", "--samples", "1,4"});
+    const Json &one = bench["results"].at(0), &four = bench["results"].at(1);
+    EXPECT_FALSE(one.contains("samples"));
+    EXPECT_FALSE(one.contains("single_frames"));
+    EXPECT_EQ(four["samples"], 4);
+    EXPECT_EQ(one["frames"], four["frames"]) << "drawn alternately";
+    EXPECT_NEAR(four["single_frames"].get<double>(),
+                four["frame_ms"].get<double>() / one["frame_ms"].get<double>(), 1e-6);
+    EXPECT_GT(four["picture_ms"].get<double>(), 0.0);
+}
+
+TEST(BenchSamples, PicturesOfTheSameNumberAreCompared) {
+    const Json bench = benchOf({"--lights", "64", "--samples", "3", "--technique", "all"});
+    for (const Json& row : bench["results"]) EXPECT_EQ(row["samples"], 3);
+    EXPECT_LT(bench["results"].at(0)["difference"]["mean"].get<double>(), 1e-5);
+}
+
+}  // namespace
