@@ -17,7 +17,9 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* extensionName = "EXT_lights_image_based";
-constexpr double maxIntensity = 1e20;
+constexpr double maxIntensity = 1e17;  // times 255, the largest radiance, within what a scene takes
+/// Of a face of 2048 × 2048 texels with 16 bits a sample.
+constexpr std::uint64_t maxFaceBytes = std::uint64_t{8} * 2048 * 2048;
 
 /// A member of an object; null where it has none.
 const Json& memberOf(const Json& object, const char* name) {
@@ -55,7 +57,7 @@ void readIntensity(const Json& intensity, ImageBasedLight& light, const Host& ho
     if (intensity.is_number() && intensity >= 0.0 && intensity <= maxIntensity)
         light.intensity = intensity.get<float>();
     else
-        host.note(CANDELA_NOTE_REPAIRED, light.element, "\"intensity\" must be 0 to 1e20: 1 is used");
+        host.note(CANDELA_NOTE_REPAIRED, light.element, "\"intensity\" must be 0 to 1e17: 1 is used");
 }
 
 std::array<std::size_t, 6> readFaces(const Json& light, const Json& images, const std::string& element) {
@@ -91,6 +93,8 @@ struct Face {
 /// Alpha divides the colours (RGBD); a file without it has 1.
 Face decodeFace(const Bytes& file, const std::string& element) {
     static const std::array<float, 256> linear = linearTable();
+    if (decodedSize(file) > maxFaceBytes)
+        throw Failure{element, "its images are larger than 2048 x 2048 texels"};
     const Image image = decodeImage(file, element);
     if (image.width != image.height) throw Failure{element, "its images must be square"};
     Face face{image.width, std::vector<float>(std::size_t{3} * image.width * image.height)};

@@ -281,9 +281,30 @@ void addCageInstance(Fuzzer& fuzz, const candela_host& host) {
     host.add_cage_instance(host.self, &instance);
 }
 
+void setEnvironment(Fuzzer& fuzz, const candela_host& host) {
+    std::array<float, 32> texels;
+    texels.fill(fuzz.oneIn(4) ? fuzz.number() : 1.0f);
+    candela_environment environment{};
+    environment.struct_size = fuzz.structSize(sizeof environment);
+    environment.width = 4;
+    environment.height = 2;
+    fuzz.modify(environment.width);
+    fuzz.modify(environment.height);
+    environment.pixels_size = sizeof texels;
+    environment.pixels = fuzz.oneIn(9) ? nullptr : texels.data();
+    environment.rotation[3] = 1.0f;
+    fuzz.modify(environment.rotation);
+    environment.intensity = 1.0f;
+    fuzz.modify(environment.intensity);
+    if (fuzz.oneIn(9)) fuzz.modify(environment.is_hidden);
+    fuzz.modify(environment.occlusion_distance);
+    host.set_environment(host.self, &environment);
+}
+
 using Add = void (*)(Fuzzer&, const candela_host&);
-constexpr std::array<Add, 10> adds{addImage, addMaterial,  addMesh, addNode, addCamera,
-                                   addLight, addAnimation, addCage, addSkin, addCageInstance};
+constexpr std::array<Add, 11> adds{addImage,  addMaterial,     addMesh,       addNode,
+                                   addCamera, addLight,        addAnimation,  addCage,
+                                   addSkin,   addCageInstance, setEnvironment};
 
 // Without these elements cage instances would hardly ever be valid.
 void addValidCage(const candela_host& host) {

@@ -39,11 +39,12 @@ GltfFile fullFile() {
     file.add("cameras", R"({"type":"perspective","perspective":{"yfov":1,"znear":0.1}})");
     file.set("extensions",
              R"({"KHR_lights_punctual":{"lights":[{"type":"spot","spot":{"innerConeAngle":0.1},
-                "extras":{"castsShadow":0,"radius":0.5}}]}})");
+                "extras":{"castsShadow":0,"radius":0.5}}]},"EXT_lights_image_based":{"lights":[{"name":"i",
+                "intensity":2,"rotation":[0,0,0,1],"specularImages":[[0,0,0,0,0,0]]}]}})");
     file.add("nodes", R"({"mesh":1,"children":[2,3],"rotation":[0,0,0,1],"extras":{"castsShadow":1}})");
     file.add("nodes", R"({"camera":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,1,2,3,1]})");
     file.add("nodes", R"({"extensions":{"KHR_lights_punctual":{"light":0}}})");
-    file.add("scenes", R"({"nodes":[0,1]})");
+    file.add("scenes", R"({"nodes":[0,1],"extensions":{"EXT_lights_image_based":{"light":0}}})");
     file.addData<float>("SCALAR", {0, 1});
     file.addData<float>("VEC3", {0, 0, 0, 1, 1, 1});
     file.add("animations", R"({"samplers":[{"input":6,"output":7}],

@@ -121,7 +121,7 @@ TEST(ImageBasedLight, whatIsBrokenIsLeftOutOrRepairedWithANote) {
         return imported.scene.environment.has_value();
     };
     EXPECT_TRUE(expectNote(fileWithLight(coloredFace, R"(,"intensity":-1)"),
-                           "image-based light 0 'hall': \"intensity\" must be 0 to 1e20: 1 is used"));
+                           "image-based light 0 'hall': \"intensity\" must be 0 to 1e17: 1 is used"));
     EXPECT_TRUE(expectNote(fileWithLight(coloredFace, R"(,"rotation":[0,0,0,0])"),
                            "image-based light 0 'hall': \"rotation\" is no quaternion: it is not rotated"));
     EXPECT_FALSE(
