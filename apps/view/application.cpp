@@ -157,7 +157,8 @@ void Application::step() {
         model_.options.width = size.x;
         model_.options.height = size.y;
     }
-    for (const std::string& file : window_.takeDropped()) model_.requests.open = file;
+    for (const std::string& file : window_.takeDropped())
+        if (!takeAsEnvironment(model_, file)) model_.requests.open = file;
     takeLoaded();
     if (shaders_.takeChange()) reloadShaders();
     advanceTime();

@@ -19,6 +19,7 @@ std::string label(const char* kind, std::size_t index, const std::string& name) 
 Document::Document(candela::ImportedScene imported, const candela::Context& context,
                    const candela::GpuSceneOptions& options, std::size_t scatteredLights)
     : scene_(std::move(imported.scene)),
+      ownEnvironment_(std::exchange(scene_.environment, std::nullopt)),
       notes_(std::move(imported.report.notes)),
       gpuScene_(context, scene_, options),
       visibility_(scene_.nodes.size(), candela::GpuScene::Visibility::shown),
@@ -142,8 +143,9 @@ void Document::showLights() {
 }
 
 void Document::uploadLights(candela::GpuScene& scene) const {
-    if (defaultLights_.empty()) return scene.setLights(shownLights_);
+    if (defaultLights_.empty() && !sun_) return scene.setLights(shownLights_);
     std::vector<candela::WorldLight> lights = shownLights_;
+    if (sun_) lights.push_back(*sun_);
     lights.insert(lights.end(), defaultLights_.begin(), defaultLights_.end());
     scene.setLights(lights);
 }
@@ -159,6 +161,66 @@ void Document::setDefaultLighting(const std::optional<DefaultLighting>& lighting
     };
     if (std::ranges::equal(lights, defaultLights_, same)) return;
     defaultLights_ = std::move(lights);
+    lightsTaken_ = true;
+    uploadLights(gpuScene_);
+}
+
+EnvironmentLight Document::environmentOf(const SceneOptions& options) {
+    // `scene_` has the environment that is shown.
+    std::swap(scene_.environment, ownEnvironment_);
+    try {
+        EnvironmentLight light = loadEnvironment(scene_, options);
+        std::swap(scene_.environment, ownEnvironment_);
+        return light;
+    } catch (...) {
+        std::swap(scene_.environment, ownEnvironment_);
+        throw;
+    }
+}
+
+std::vector<std::string> Document::setEnvironment(const SceneOptions& options) {
+    const EnvironmentOption &wanted = options.environment, &shown = shownEnvironment_.option;
+    const bool isSame =
+        shownEnvironment_.isLoaded && wanted.source == shown.source && wanted.file == shown.file;
+    if (isSame && wanted.degrees == shown.degrees && wanted.stops == shown.stops &&
+        options.background == shownEnvironment_.background)
+        return {};
+    if (isSame) {
+        placeEnvironment(options);
+        return {};
+    }
+    EnvironmentLight loaded = environmentOf(options);
+    EnvironmentLight placed = placedEnvironment(loaded, options);
+    gpuScene_.setEnvironment(placed.environment);
+    scene_.environment = std::move(placed.environment);
+    if (loaded.environment) loaded.environment->picture = {};
+    std::vector<std::string> notes = std::move(loaded.notes);
+    shownEnvironment_.loaded = std::move(loaded);
+    shownEnvironment_.isLoaded = true;
+    placeEnvironment(options);
+    return notes;
+}
+
+void Document::placeEnvironment(const SceneOptions& options) {
+    const EnvironmentLight placed = placedEnvironment(shownEnvironment_.loaded, options);
+    if (placed.environment) {
+        const candela::Environment& from = *placed.environment;
+        gpuScene_.setEnvironmentSettings(
+            {from.rotation, from.intensity, from.isBackground, from.occlusionDistance});
+        scene_.environment->rotation = from.rotation;
+        scene_.environment->intensity = from.intensity;
+        scene_.environment->isBackground = from.isBackground;
+    }
+    shownEnvironment_.option = options.environment;
+    shownEnvironment_.background = options.background;
+    const bool hadSun = sun_.has_value();
+    sun_.reset();
+    if (placed.sun) {
+        candela::Scene alone;
+        alone.lights = {*placed.sun};
+        sun_ = candela::worldLights(alone, {}).front();
+    }
+    if (!sun_ && !hadSun) return;
     lightsTaken_ = true;
     uploadLights(gpuScene_);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/scene_environment.h"
 #include "common/scene_options.h"
 #include "light_values.h"
 
@@ -21,6 +22,7 @@ class Document {
     Document(candela::ImportedScene imported, const candela::Context& context,
              const candela::GpuSceneOptions& options, std::size_t scatteredLights);
 
+    /// With the environment that is shown.
     const candela::Scene& scene() const { return scene_; }
     /// Grows with everything that changes the picture.
     std::uint64_t revision() const { return revision_; }
@@ -61,6 +63,12 @@ class Document {
         double exposure = 0.0;
     };
     void setDefaultLighting(const std::optional<DefaultLighting>& lighting);
+    /// Shows the environment of the options: reads it where it is another one, and turns, brightens or shows
+    /// it otherwise. Its sun is not among `lights`. Returns notes on what was read. Throws `candela::Error`
+    /// and changes nothing when it can not be read.
+    std::vector<std::string> setEnvironment(const SceneOptions& options);
+    /// What `setEnvironment` was given last.
+    const EnvironmentOption& environmentOption() const { return shownEnvironment_.option; }
     void setLightMotion(const LightMotion& motion);
     const LightMotion& lightMotion() const { return motion_; }
 
@@ -78,8 +86,11 @@ class Document {
     void showLights();
     void uploadLights(candela::GpuScene& scene) const;
     void worldLights();
+    EnvironmentLight environmentOf(const SceneOptions& options);
+    void placeEnvironment(const SceneOptions& options);
 
     candela::Scene scene_;
+    std::optional<candela::Environment> ownEnvironment_;  ///< Of the file.
     std::vector<candela::ImportNote> notes_;
     candela::GpuScene gpuScene_;
     std::uint64_t revision_ = 0;
@@ -87,6 +98,14 @@ class Document {
     std::vector<candela::GpuScene::Visibility> visibility_;
     std::vector<candela::WorldLight> restingLights_, shownLights_;
     std::vector<candela::WorldLight> defaultLights_;
+    std::optional<candela::WorldLight> sun_;  ///< Of the environment.
+    /// The environment that is shown.
+    struct ShownEnvironment {
+        EnvironmentOption option;
+        std::optional<bool> background;
+        EnvironmentLight loaded;  ///< Before it is turned and brightened, without its picture.
+        bool isLoaded = false;
+    } shownEnvironment_;
     std::size_t ownLights_;       ///< Of the scene's lights, those that were not scattered.
     std::size_t firstScattered_;  ///< Of the resting lights.
     LightMotion motion_;

@@ -1,5 +1,6 @@
 #include "scene_lighting.h"
 
+#include "common/scene_environment.h"
 #include "common/scene_lights.h"
 
 #include <candela/exposure.h>
@@ -8,10 +9,24 @@
 
 void lightDocument(ViewModel& model, const candela::CameraView& view) {
     const SceneOptions& options = model.options;
+    try {
+        for (const std::string& note : model.document->setEnvironment(options))
+            model.messages.push_back({Message::Kind::note, note});
+    } catch (...) {
+        model.options.environment = model.document->environmentOption();
+        throw;
+    }
     std::optional<Document::DefaultLighting> lighting;
     if (usesDefaultLights(model.document->scene(), options.defaultLights))
         lighting = {view, options.autoExposure ? 0.0 : options.display.exposure};
     model.document->setDefaultLighting(lighting);
+}
+
+bool takeAsEnvironment(ViewModel& model, const std::string& file) {
+    if (!isEnvironmentFile(file)) return false;
+    model.options.environment.source = EnvironmentOption::Source::file;
+    model.options.environment.file = file;
+    return true;
 }
 
 void measureExposure(ViewModel& model, const candela::Frame& frame) {

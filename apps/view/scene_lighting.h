@@ -5,8 +5,13 @@
 #include <candela/camera.h>
 #include <candela/renderer.h>
 
-/// Brings the default lights of the options to a view: `model.document` is there.
+/// Brings the environment of the options, and default lights, to a view: `model.document` is there. Throws
+/// `candela::Error` when the environment can not be read; the options have the one before then.
 void lightDocument(ViewModel& model, const candela::CameraView& view);
+
+/// Lets the options name a file as environment if it is a picture of linear light by its ending. Returns
+/// whether it is.
+bool takeAsEnvironment(ViewModel& model, const std::string& file);
 
 /// Sets the exposure at which the median of what is lit in a frame is mid-grey.
 void measureExposure(ViewModel& model, const candela::Frame& frame);

@@ -99,6 +99,42 @@ TEST_F(EditSession, DefaultLightsAreThoseOfTheCommandLine) {
     EXPECT_EQ(session.document().lights().size(), 1u);
 }
 
+TEST_F(EditSession, TheEnvironmentIsThatOfTheCommandLine) {
+    using enum EnvironmentOption::Source;
+    ViewSession session(small({"square.gltf", "--environment", "sky,20"}));
+    session.awaitScene();
+    expectPicture(session, {"square.gltf", "--environment", "sky,20"});
+    EXPECT_EQ(session.document().lights().size(), 1u) << "its sun is not the scene's";
+    SceneOptions& options = session.model().options;
+    options.environment.stops = -1.0;
+    options.background = false;
+    session.step();
+    expectPicture(session, {"square.gltf", "--environment", "sky,20,-1", "--background", "off"});
+    options.environment = {studio, "", 0.0, 0.0};
+    options.background.reset();
+    session.step();
+    expectPicture(session, {"square.gltf", "--environment", "studio"});
+    options.environment.source = none;
+    session.step();
+    expectPicture(session, {"square.gltf", "--environment", "none"});
+    const EnvironmentOption before = options.environment;
+    session.drop("absent.hdr");
+    session.step();
+    EXPECT_EQ(session.messages(Message::Kind::error), 1u);
+    EXPECT_EQ(options.environment.source, before.source);
+    expectPicture(session, {"square.gltf", "--environment", "none"});
+}
+
+TEST_F(EditSession, ADroppedPictureBecomesTheEnvironment) {
+    folder.write("grey.HDR", "#?RADIANCE\n\n-Y 1 +X 2\n\x80\x80\x80\x80\x80\x80\x80\x80");
+    ViewSession session(small({"square.gltf"}));
+    session.awaitScene();
+    session.drop("grey.HDR");
+    session.step();
+    expectPicture(session, {"square.gltf", "--environment", "grey.HDR"});
+    EXPECT_EQ(session.document().scene().environment->picture.name, "grey.HDR");
+}
+
 TEST_F(EditSession, AutomaticExposureIsThatOfTheCommandLine) {
     ViewSession session(small({"square.gltf", "--exposure", "auto"}));
     session.awaitScene();

@@ -192,6 +192,32 @@ TEST(RenderCommandLine, PreservesSamplesLensAndShutter) {
     EXPECT_EQ(renderCommandLine(options).find("--samples"), std::string::npos) << "it has one";
 }
 
+TEST(RenderCommandLine, PreservesTheEnvironment) {
+    using enum EnvironmentOption::Source;
+    const auto readOf = [](const EnvironmentOption& environment) {
+        SceneOptions options = someScene();
+        options.environment = environment;
+        return readBack(options).environment;
+    };
+    const auto expectSame = [&](const EnvironmentOption& option) {
+        const EnvironmentOption read = readOf(option);
+        EXPECT_EQ(read.source, option.source);
+        EXPECT_EQ(read.file, option.file);
+        EXPECT_EQ(read.degrees, option.degrees);
+        EXPECT_EQ(read.stops, option.stops);
+    };
+    expectSame({});
+    expectSame({none, "", 0.0, 0.0});
+    expectSame({studio, "", 0.0, 1.5});
+    expectSame({sky, "", -90.125, 0.0});
+    expectSame({file, "a folder/it's, a sky.HDR", 1.0 / 3.0, -2.0});
+    expectSame({file, "a,12.hdr", 0.0, 0.0});
+    SceneOptions options = someScene();
+    EXPECT_FALSE(readBack(options).background);
+    options.background = false;
+    EXPECT_EQ(readBack(options).background, false);
+}
+
 TEST(RenderCommandLine, NamesShadowsWhereTheyAreNotTheDefault) {
     using enum candela::Shadows;
     SceneOptions options = someScene();

@@ -138,6 +138,38 @@ void drawLights(ViewModel& model) {
     drawEditor(model, kept);
 }
 
+const char* nameOf(EnvironmentOption::Source source) {
+    switch (source) {
+        case EnvironmentOption::Source::none:
+            return "none";
+        case EnvironmentOption::Source::studio:
+            return "studio";
+        case EnvironmentOption::Source::sky:
+            return "sky";
+        case EnvironmentOption::Source::file:
+            return "file";
+        default:
+            return "of the scene";
+    }
+}
+
+void drawEnvironment(ViewModel& model) {
+    using enum EnvironmentOption::Source;
+    EnvironmentOption& option = model.options.environment;
+    std::vector<EnvironmentOption::Source> sources{own, none, studio, sky};
+    if (!option.file.empty()) sources.push_back(file);
+    chooseOne("environment", option.source, sources,
+              [](EnvironmentOption::Source source) { return nameOf(source); });
+    if (option.source == file) showWrappedText(option.file);
+    showDimText("Drop an .hdr or .exr on the window.");
+    const auto& environment = model.document->scene().environment;
+    if (!environment) return;
+    slideNumber("rotation", option.degrees, -180.0, 180.0, "%.0f degrees");
+    slideNumber("brightness", option.stops, -10.0, 10.0, "%+.2f stops");
+    bool shown = environment->isBackground;
+    if (ImGui::Checkbox("background", &shown)) model.options.background = shown;
+}
+
 /// The command line takes more; this guards against typing errors that would exhaust memory.
 constexpr std::uint32_t maxScattered = 10'000'000;
 
@@ -218,6 +250,10 @@ void drawLightPanel(ViewModel& model) {
     if (!window || !model.document || !ImGui::BeginTabBar("tabs")) return;
     if (ImGui::BeginTabItem("List")) {
         drawLights(model);
+        ImGui::EndTabItem();
+    }
+    if (ImGui::BeginTabItem("Environment")) {
+        drawEnvironment(model);
         ImGui::EndTabItem();
     }
     if (ImGui::BeginTabItem("Scatter")) {
