@@ -1,7 +1,9 @@
 #include "scene_environment.h"
 
 #include "parse.h"
+#include "scene_lights.h"
 
+#include <candela/default_lights.h>
 #include <candela/error.h>
 #include <candela/image_file.h>
 
@@ -20,6 +22,13 @@ constexpr double maxDegrees = 1.0e6, maxStops = 64.0;
 constexpr std::array words{std::pair{"studio", EnvironmentOption::Source::studio},
                            std::pair{"sky", EnvironmentOption::Source::sky},
                            std::pair{"none", EnvironmentOption::Source::none}};
+
+/// Of a studio that was not asked for, a surface farther away than this share of the scene's size hides
+/// nothing: the inside of a closed room is lit too.
+constexpr float occlusionShare = 0.1f;
+
+constexpr const char* addedNote =
+    "the scene has no light of its own: a studio lights it (--environment none leaves it out)";
 
 std::string shortest(double number) {
     std::array<char, 64> buffer;
@@ -51,6 +60,14 @@ EnvironmentLight fromSky() {
     return {std::move(sky.environment), sky.sun, "sky", {}};
 }
 
+EnvironmentLight addedStudio(const candela::Scene& scene) {
+    EnvironmentLight light{candela::studioEnvironment(), {}, "studio", {addedNote}};
+    const candela::Bounds box = sceneBounds(scene, 0.0);
+    const float size = box.empty() ? 0.0f : glm::distance(box.min, box.max);
+    if (size > 0.0f) light.environment->occlusionDistance = occlusionShare * size;
+    return light;
+}
+
 EnvironmentLight ofScene(const candela::Scene& scene) {
     EnvironmentLight light{scene.environment, {}, "scene", {}};
     light.sun = candela::takeSun(*light.environment);
@@ -71,7 +88,8 @@ EnvironmentLight loadEnvironment(const candela::Scene& scene, const SceneOptions
         case none:
             return {};
         default:
-            return scene.environment ? ofScene(scene) : EnvironmentLight{};
+            if (scene.environment) return ofScene(scene);
+            return candela::hasLight(scene) ? EnvironmentLight{} : addedStudio(scene);
     }
 }
 

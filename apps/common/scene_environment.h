@@ -18,7 +18,7 @@ struct EnvironmentLight {
 };
 
 /// The environment of the options before it is turned and brightened: that of `EnvironmentOption::source`, or
-/// by default the scene's own. Throws `candela::Error` that
+/// by default the scene's own, or a studio where the scene has no light at all. Throws `candela::Error` that
 /// names the file.
 EnvironmentLight loadEnvironment(const candela::Scene& scene, const SceneOptions& options);
 

@@ -36,7 +36,7 @@ bool usesDefaultLights(const candela::Scene& scene, DefaultLights option) {
 }
 
 const char* const defaultLightsNote =
-    "the scene has no light of its own: default lights are added (--default-lights off leaves them out)";
+    "the scene has no light: default lights are added (--default-lights off leaves them out)";
 
 std::vector<candela::WorldLight> lightsWithDefaults(const candela::Scene& scene, double time,
                                                     const candela::CameraView& view, double exposure) {

@@ -54,11 +54,12 @@ constexpr const char* ortho = "An orthographic view in which the picture is HEIG
 
 constexpr const char* defaultLights =
     "Add a key, a fill and a rim light that move with the camera: auto (where the\n"
-    "scene has no light), on or off. Default: auto";
+    "scene has neither light nor environment), on or off. Default: auto";
 constexpr const char* environment =
     "What surrounds and lights the scene instead of its own environment: a picture\n"
     "in linear light, studio (soft boxes), sky (a clear day with its sun) or none.\n"
-    "DEGREES turn it about +Y, STOPS brighten it";
+    "DEGREES turn it about +Y, STOPS brighten it. Default: the scene's own, or\n"
+    "studio where the scene has no light";
 constexpr const char* background =
     "Whether the environment is seen behind the scene: on or off. Default: on, but\n"
     "for studio";

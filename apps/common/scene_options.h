@@ -27,7 +27,7 @@ struct EyeOptions {
 
 /// --default-lights: whether lights are added that move with the camera.
 enum class DefaultLights {
-    automatic,  ///< Where the scene has no light of its own.
+    automatic,  ///< Where the scene has neither light of its own nor an environment.
     on,
     off,
 };

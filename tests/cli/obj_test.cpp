@@ -52,7 +52,7 @@ TEST_F(ObjFiles, ShowTheSideOfTheirNormals) {
 TEST_F(ObjFiles, AreDrawnAndLitFromBothSides) {
     // The default lights are at the camera.
     const auto from = [&](const char* eye) {
-        return draw(square + "f 1 2 3 4\n", {"--eye", eye, "--target", "0,0,0"});
+        return draw(square + "f 1 2 3 4\n", {"--eye", eye, "--target", "0,0,0", "--environment", "none"});
     };
     const ExrPicture front = from("0,0,5"), back = from("0,0,-5");
     expectNormal(front, 1.0f);

@@ -80,16 +80,16 @@ TEST_F(EditSession, ScatteredLightsAreThoseOfTheCommandLine) {
 
 TEST_F(EditSession, DefaultLightsAreThoseOfTheCommandLine) {
     writeChanged("dark.gltf", [](auto& scene) { scene["nodes"][1].erase("extensions"); });
-    ViewSession session(small({"dark.gltf"}));
+    ViewSession session(small({"dark.gltf", "--environment", "none"}));
     session.awaitScene();
-    expectPicture(session, {"dark.gltf"});
+    expectPicture(session, {"dark.gltf", "--environment", "none"});
     EXPECT_TRUE(session.document().lights().empty()) << "they are not the scene's";
     session.model().options.camera = "1";
     session.step();
-    expectPicture(session, {"dark.gltf", "--camera", "1"});
+    expectPicture(session, {"dark.gltf", "--environment", "none", "--camera", "1"});
     session.model().options.display.exposure = 2.0;
     session.step();
-    expectPicture(session, {"dark.gltf", "--camera", "1", "--exposure", "2"});
+    expectPicture(session, {"dark.gltf", "--environment", "none", "--camera", "1", "--exposure", "2"});
     session.model().options.defaultLights = DefaultLights::off;
     session.step();
     EXPECT_EQ(session.picture().colors(), 1u);

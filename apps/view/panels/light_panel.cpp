@@ -123,7 +123,9 @@ void chooseDefaultLights(ViewModel& model) {
     chooseOne("default lights", model.options.defaultLights, std::array{automatic, on, off},
               [](DefaultLights option) { return toString(option); });
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("three lights that move with the camera; auto: where the scene brings none");
+        ImGui::SetTooltip(
+            "three lights that move with the camera; auto: where the scene has neither light nor "
+            "environment");
 }
 
 void drawLights(ViewModel& model) {
