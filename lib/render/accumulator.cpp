@@ -174,8 +174,7 @@ Frame Accumulator::addSamples(Renderer& renderer, GpuScene& scene, const CameraV
             !drawing.canOverlapSamples(*scene.state_))
             continue;
         const gl::StateGuard guard(*state.binding, user);
-        drawing.drawSamples(*scene.state_, {i + 1, end}, viewOf,
-                            [&](const GBufferTargets::Memory& sample) { state.sums->addInMemory(sample); });
+        drawing.drawSamples(*scene.state_, {i + 1, end}, viewOf, *state.sums);
         return Frame(renderer.state_, scene.state_, drawing.frameNumber);
     }
     return std::move(*frame);

@@ -18,6 +18,17 @@ void addPasses(const std::vector<std::pair<std::string, double>>& added, std::ve
     }
 }
 
+/// The last sample stays in memory as the frame; others go to the sum alone.
+void shadeSample(CpuTiles& tiles, SampleSums& sums, bool isLast) {
+    if (isLast || tiles.hasEmission()) {
+        tiles.shade();
+        sums.addInMemory(tiles.result());
+    } else {
+        tiles.shadeOnto(sums.sumInMemory());
+        sums.countInMemory(tiles.result().depth);
+    }
+}
+
 }  // namespace
 
 bool Renderer::State::canOverlapSamples(const GpuScene::State& scene) const {
@@ -32,10 +43,9 @@ bool Renderer::State::canOverlapSamples(const GpuScene::State& scene) const {
 }
 
 void Renderer::State::drawSamples(GpuScene::State& scene, const SampleSpan& samples,
-                                  const SampleViews& viewOf,
-                                  const std::function<void(const GBufferTargets::Memory&)>& add) {
-    std::vector<PassTime> sums;
-    addPasses(timer.results(), sums);
+                                  const SampleViews& viewOf, SampleSums& sums) {
+    std::vector<PassTime> times;
+    addPasses(timer.results(), times);
     std::future<void> lit;  // Its destructor waits, also where something throws.
     for (std::uint32_t i = samples.first; i < samples.end; ++i) {
         startSample(scene, viewOf(i), i);
@@ -45,17 +55,16 @@ void Renderer::State::drawSamples(GpuScene::State& scene, const SampleSpan& samp
             const gl::PassTimer::Scope pass(timer, "lighting");
             tiles.capture(lightingInputs(scene));
             if (lit.valid()) lit.get();
-            lit = std::async(std::launch::async, [&tiles, &add] {
-                tiles.shade();
-                add(tiles.result());
-            });
-            if (i + 1 == samples.end) lit.get();
+            const bool isLast = i + 1 == samples.end;
+            lit =
+                std::async(std::launch::async, [&tiles, &sums, isLast] { shadeSample(tiles, sums, isLast); });
+            if (isLast) lit.get();
         }
-        addPasses(timer.results(), sums);
+        addPasses(timer.results(), times);
     }
     targets->memory = lighting.cpuTiles().result();
     shadowCounts = lighting.cpuTiles().shadowCounts();
-    samplePasses = std::move(sums);
+    samplePasses = std::move(times);
 }
 
 }  // namespace candela

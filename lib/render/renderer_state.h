@@ -2,6 +2,7 @@
 
 #include "gl/context_binding.h"
 #include "gl/pass_timer.h"
+#include "render/accumulation/sample_sums.h"
 #include "render/debug/debug_view_pass.h"
 #include "render/debug/instance_pass.h"
 #include "render/debug/overlay_pass.h"
@@ -51,10 +52,11 @@ struct Renderer::State {
     /// Whether the samples after the last frame, of the same scene and settings, can be drawn by
     /// `drawSamples`: nothing but the view changes, and memory of the CPU is all that lighting reads.
     bool canOverlapSamples(const GpuScene::State& scene) const;
-    /// Draws more samples from the views of `viewOf`, and calls `add` with the radiance of each, on another
-    /// thread: one sample is drawn while the one before is lit. The last one is the renderer's frame then.
+    /// Draws more samples from the views of `viewOf` and adds them to `sums`, which are in memory and not
+    /// empty. A sample is drawn while the one before is lit, on another thread. The last one is the
+    /// renderer's frame then.
     void drawSamples(GpuScene::State& scene, const SampleSpan& samples, const SampleViews& viewOf,
-                     const std::function<void(const GBufferTargets::Memory&)>& add);
+                     SampleSums& sums);
 
     // What frames ask for, after a check that `frame` is theirs.
     LightingInputs lightingInputs(const GpuScene::State& scene) const;

@@ -75,8 +75,15 @@ void SampleSums::add(const GBufferTargets& targets) {
 
 void SampleSums::moveToDevice() {
     if (!device_) device_.emplace(width_, height_);
-    if (count_ > 0) upload(device_->sum, width_, height_, memory_.sum);
-    if (!memory_.largeSum.empty()) upload(device_->largeSum, width_, height_, memory_.largeSum);
+    if (count_ > 0) {
+        for (std::size_t i = 0; i < memory_.coverage.size(); ++i)
+            memory_.sum[4 * i + 3] = memory_.coverage[i];
+        upload(device_->sum, width_, height_, memory_.sum);
+    }
+    if (!memory_.largeSum.empty()) {
+        for (std::size_t i = 3; i < memory_.largeSum.size(); i += 4) memory_.largeSum[i] = 0.0f;
+        upload(device_->largeSum, width_, height_, memory_.largeSum);
+    }
     memory_ = {};
     onDevice_ = true;
 }
@@ -105,19 +112,32 @@ void SampleSums::addOnDevice(const GBufferTargets& targets) {
 void SampleSums::addInMemory(const GBufferTargets::Memory& frame) {
     const std::size_t pixels = frame.depth.size();
     memory_.sum.resize(4 * pixels);
+    memory_.coverage.resize(pixels);
     const bool replaces = count_ == 0;
-    const bool carries = ++count_ % levelSize == 0;
-    if (carries) memory_.largeSum.resize(4 * pixels, 0.0f);
     forSpans(pixels, [&](std::size_t first, std::size_t end) {
         const float* radiance = frame.radiance.data();
         float* sum = memory_.sum.data();
-        if (replaces) std::fill(sum + 4 * first, sum + 4 * end, 0.0f);
-        for (std::size_t i = first; i < end; ++i) {
-            for (std::size_t c = 4 * i; c < 4 * i + 3; ++c) sum[c] += radiance[c];
-            sum[4 * i + 3] += frame.depth[i] > 0.0f ? 1.0f : 0.0f;
+        if (replaces) {
+            std::fill(sum + 4 * first, sum + 4 * end, 0.0f);
+            std::fill(memory_.coverage.data() + first, memory_.coverage.data() + end, 0.0f);
         }
-        if (!carries) return;
-        for (std::size_t c = 4 * first; c < 4 * end; ++c) memory_.largeSum[c] += std::exchange(sum[c], 0.0f);
+        for (std::size_t c = 4 * first; c < 4 * end; ++c) sum[c] += radiance[c];
+    });
+    countInMemory(frame.depth);
+}
+
+void SampleSums::countInMemory(std::span<const float> depth) {
+    forSpans(depth.size(), [&](std::size_t first, std::size_t end) {
+        float* coverage = memory_.coverage.data();
+        for (std::size_t i = first; i < end; ++i) coverage[i] += depth[i] > 0.0f ? 1.0f : 0.0f;
+    });
+    if (++count_ % levelSize == 0) carryInMemory();
+}
+
+void SampleSums::carryInMemory() {
+    memory_.largeSum.resize(memory_.sum.size(), 0.0f);
+    forSpans(memory_.sum.size(), [&](std::size_t first, std::size_t end) {
+        for (std::size_t c = first; c < end; ++c) memory_.largeSum[c] += std::exchange(memory_.sum[c], 0.0f);
     });
 }
 
@@ -130,11 +150,12 @@ void SampleSums::writeMeanOnDevice(float divisor, const SampleTarget& into) cons
 
 void SampleSums::writeMeanInMemory(float divisor) {
     std::vector<float> mean(memory_.sum.size());
-    forSpans(mean.size(), [&](std::size_t first, std::size_t end) {
-        for (std::size_t c = first; c < end; ++c) {
+    forSpans(memory_.coverage.size(), [&](std::size_t first, std::size_t end) {
+        for (std::size_t c = 4 * first; c < 4 * end; ++c) {
             const float large = memory_.largeSum.empty() ? 0.0f : memory_.largeSum[c];
             mean[c] = (memory_.sum[c] + large) / divisor;
         }
+        for (std::size_t i = first; i < end; ++i) mean[4 * i + 3] = memory_.coverage[i] / divisor;
     });
     upload(mean_, width_, height_, mean);
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace candela {
@@ -32,6 +33,10 @@ class SampleSums {
     /// Adds what a technique has in memory; the sums are not on the device (`isInMemory`). Uses no OpenGL.
     void addInMemory(const GBufferTargets::Memory& frame);
     bool isInMemory() const { return !onDevice_; }
+    /// The first level of the sum in memory, RGBA, to which a host adds the radiance of a frame itself, and
+    /// then calls `countInMemory` with its depth. Frames have been added in memory before.
+    std::span<float> sumInMemory() { return memory_.sum; }
+    void countInMemory(std::span<const float> depth);
     std::uint32_t count() const { return count_; }
     int width() const { return width_; }
     int height() const { return height_; }
@@ -47,14 +52,16 @@ class SampleSums {
         gl::Program addProgram, meanProgram;
         gl::VertexArray vertexArray;
     };
-    /// The sums in memory, RGBA, rows from the bottom. `largeSum` is empty before it is needed.
+    /// The sums in memory, RGBA without meaning in A, rows from the bottom; `largeSum` is empty before it is
+    /// needed. Coverage is a whole number of frames, exact in single precision.
     struct Memory {
-        std::vector<float> sum, largeSum;
+        std::vector<float> sum, largeSum, coverage;
     };
 
     void addOnDevice(const GBufferTargets& targets);
     /// Brings the sums in memory to the device, where they stay until the next `clear`.
     void moveToDevice();
+    void carryInMemory();
     void draw(const gl::Program& program, const SampleTarget& into) const;
     /// Writes the sum of both levels over `divisor`.
     void writeMeanOnDevice(float divisor, const SampleTarget& into) const;

@@ -172,6 +172,13 @@ void CpuTiles::shade() {
     shadeAll(frame_, brdf_);
 }
 
+void CpuTiles::shadeOnto(std::span<float> sum) {
+    TileFrame frame = frame_;
+    frame.radiance = sum.data();
+    frame.loadRadiance = true;
+    shadeAll(frame, brdf_);
+}
+
 void CpuTiles::render(const LightingInputs& inputs, gl::PassTimer& timer) {
     const gl::PassTimer::Scope pass(timer, "lighting");
     capture(inputs);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace candela {
@@ -29,6 +30,10 @@ class CpuTiles final : public LightingTechnique {
     /// occlusion structure of the inputs must stay as they are until it ends.
     void capture(const LightingInputs& inputs);
     void shade();
+    /// As `shade`, but adds to `sum`, RGBA of as many pixels, and leaves `result` alone; alpha is undefined
+    /// then. Not for a frame with emission (`hasEmission`), which the light is added to.
+    void shadeOnto(std::span<float> sum);
+    bool hasEmission() const { return frame_.loadRadiance; }
     /// What the last `shade` has written, until the next `capture`.
     GBufferTargets::Memory result() const { return {radiance_, depth_}; }
     std::uint64_t countEvaluated(const LightingInputs& inputs, PairCounter& counter) override;
