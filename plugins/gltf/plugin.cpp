@@ -12,6 +12,7 @@
 #include "compressed_views.h"
 #include "document.h"
 #include "image_based_light.h"
+#include "lights.h"
 #include "materials.h"
 #include "mesh_deformations.h"
 #include "meshes.h"

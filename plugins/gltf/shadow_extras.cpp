@@ -72,6 +72,11 @@ const Json& arrayAt(const Json& document, const char* pointer) {
 
 }  // namespace
 
+std::uint32_t castsNoShadow(const std::map<std::size_t, bool>& flags, std::size_t index) {
+    const auto found = flags.find(index);
+    return found != flags.end() && !found->second ? 1 : 0;
+}
+
 ShadowExtras readShadowExtras(const Json& document, const Host& host) {
     ShadowExtras extras;
     const Json& nodes = arrayAt(document, "/nodes");

@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 
 #include "../common/host.h"
@@ -16,6 +17,9 @@ struct ShadowExtras {
     std::map<std::size_t, bool> lights;  ///< "castsShadow" of a light.
     std::map<std::size_t, float> radii;  ///< "radius" of a light, metres, 0 or more.
 };
+
+/// `casts_no_shadow` of the ABI structs, of an element by its flags.
+std::uint32_t castsNoShadow(const std::map<std::size_t, bool>& flags, std::size_t index);
 
 /// `document` need not be well-formed elsewhere. A wrong value is left out, with a note that names element
 /// and key.
