@@ -1,9 +1,8 @@
-// The environment's picture where no surface is.
+// The environment's picture where no surface is: the triangle lies at the depth of the background, and the depth test selects it.
 
 #include "lib/frame.glsl"
 
 layout(binding = ENVIRONMENT_PICTURE_UNIT) uniform sampler2D picture;  // equirectangular, linear Rec.709
-layout(binding = DEPTH_UNIT) uniform sampler2D depthTexture;
 
 layout(location = 0) out vec4 radiance;
 
@@ -24,7 +23,6 @@ vec3 interpolated(vec2 place) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if (texelFetch(depthTexture, pixel, 0).x > 0.0) discard;
     vec3 ray = isOrthographic() ? frame.cameraForward.xyz
                                 : frame.rayCorner.xyz + float(pixel.x) * frame.rayStepX.xyz + float(pixel.y) * frame.rayStepY.xyz;
     vec3 d = vec3(dot(frame.environmentX.xyz, ray), dot(frame.environmentY.xyz, ray), dot(frame.environmentZ.xyz, ray));

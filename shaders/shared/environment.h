@@ -36,13 +36,13 @@ SHARED_FUNCTION Real environmentLevel(ShadingPoint point) {
     return octavesBelowOne(point.alpha2) * 0.5f;
 }
 
-// About the middle of the light that a lobe reflects: a rough one leans from the mirror direction to the normal. Any length over 0.
-// Lagarde and de Rousiers, "Moving Frostbite to physically based rendering", 2014, listing 22.
+// About the middle of the light that a lobe reflects: a rough one leans from the mirror direction to the normal, as in Lagarde and de
+// Rousiers, "Moving Frostbite to physically based rendering", 2014, 4.9.3. The weight (1 - alpha²)^4 is fitted to integrals of both models:
+// docs/environment.md. Any length over 0.
 SHARED_FUNCTION Real3 specularDirection(ShadingPoint point) {
     Real3 mirrored = point.normal * (2.0f * max(point.nDotV, 0.0f)) - point.toEye;
-    Real alpha = sqrt(point.alpha2);
-    Real smoothness = max(1.0f - alpha, 1.0e-30f);
-    return point.normal + (mirrored - point.normal) * (smoothness * (sqrt(smoothness) + alpha));
+    Real weight = (1.0f - point.alpha2) * (1.0f - point.alpha2);
+    return point.normal + (mirrored - point.normal) * (weight * weight);
 }
 
 // The share of the lobe's light that arrives where `visibility` of the hemisphere is free, 1 where all of it is. The same, listing 26.

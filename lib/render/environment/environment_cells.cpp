@@ -134,8 +134,8 @@ void EnvironmentCells::addQuadrant(const EnvironmentPicture& picture, int quadra
             const glm::vec3 radiance =
                 factor.x == 1 && factor.y == 1
                     ? picture.texel(column, row)
-                    : picture.interpolated((static_cast<float>(column) + 0.5f) / static_cast<float>(factor.x),
-                                           (static_cast<float>(row) + 0.5f) / static_cast<float>(factor.y));
+                    : picture.interpolated({(static_cast<float>(column) + 0.5f) / static_cast<float>(width),
+                                            (static_cast<float>(row) + 0.5f) / static_cast<float>(height)});
             const float weight = solidAngle * (sum(radiance) + floor);
             EnvironmentCell cell{};
             cell.direction[0] = (right ? side.x : -side.x) * weight;

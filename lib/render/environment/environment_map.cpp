@@ -35,10 +35,11 @@ const EnvironmentKernel& environmentKernel() {
 
 namespace {
 
-/// Texels along a side of the levels that are filtered: a texel is a third to twice as wide as alpha.
-constexpr std::array<int, EnvironmentMap::levelCount - 1> filteredSizes{64,  64,  64,  64, 64,
-                                                                        128, 256, 256, 512};
-constexpr int irradianceSize = 128;
+/// Texels along a side of the levels that are filtered. The lobe's full width at half maximum, 2.6 alpha, is
+/// that of at least two texels; of one for the last level, whose texels take most of the time.
+constexpr std::array<int, EnvironmentMap::levelCount - 1> filteredSizes{64, 64,  64,  64, 64,
+                                                                        96, 160, 256, 384};
+constexpr int irradianceSize = 160;
 constexpr int peakTexels = 2;
 
 /// Texels along a side of the level that is not filtered: about those of the picture.
@@ -92,7 +93,7 @@ void EnvironmentMap::filterLevel(int index, const EnvironmentCells& cells, const
     const OctahedralMap& map = level(index);
     const float alpha = std::exp2(-static_cast<float>(index));
     // Narrow lobes gather most of their light from the finest cells.
-    const float cellShare = map.size <= 64 ? 0.15f : map.size <= 128 ? 0.25f : map.size <= 256 ? 0.5f : 0.7f;
+    const float cellShare = map.size <= 64 ? 0.15f : map.size <= 160 ? 0.25f : 0.5f;
     const FilterJob job{
         cells.grids().data(), static_cast<int>(cells.grids().size()), alpha, cellShare, map.size, inner(map),
         map.size + 2};
@@ -104,14 +105,25 @@ void EnvironmentMap::filterLevel(int index, const EnvironmentCells& cells, const
     });
 }
 
+/// Texels that mirror each other about the middle of the map have the same angles but for signs.
 void EnvironmentMap::resample(const EnvironmentPicture& picture) {
     const OctahedralMap& map = levels_.back();
+    const int last = map.size - 1, stride = map.size + 2;
     float* first = inner(map);
-    ThreadPool::shared()->run(static_cast<std::size_t>(map.size), [&](std::size_t row, unsigned) {
-        float* texel = first + 4 * row * (static_cast<std::size_t>(map.size) + 2);
-        for (int column = 0; column < map.size; ++column, texel += 4) {
-            const glm::vec3 radiance = picture.radiance(directionOf(column, static_cast<int>(row), map.size));
+    ThreadPool::shared()->run(static_cast<std::size_t>(map.size / 2), [&](std::size_t line, unsigned) {
+        const int row = static_cast<int>(line);
+        const auto write = [&](int toColumn, int toRow, const glm::vec3& radiance) {
+            float* texel = first + 4 * (toRow * stride + toColumn);
             for (int i = 0; i < 3; ++i) texel[i] = radiance[i];
+        };
+        for (int column = 0; column <= last / 2; ++column) {
+            // x and z are negative here.
+            const PicturePoint point = picture.pointOf(directionOf(column, row, map.size));
+            write(column, row, picture.interpolated(point));
+            write(last - column, row, picture.interpolated({1.0f - point.x, point.y}));
+            const float across = 0.5f - point.x;  // From the middle column's quarter to the border's.
+            write(column, last - row, picture.interpolated({across, point.y}));
+            write(last - column, last - row, picture.interpolated({1.0f - across, point.y}));
         }
     });
 }

@@ -63,8 +63,12 @@ void EnvironmentPass::drawBackground(const GBufferTargets& targets, const GpuEnv
     }
     glUseProgram(background_->name());
     glBindTextureUnit(layout::ENVIRONMENT_PICTURE_UNIT, environment.picture().name());
-    glBindTextureUnit(layout::DEPTH_UNIT, targets.depth.name());
-    draw(targets.lit, targets);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_EQUAL);
+    glDepthMask(GL_FALSE);
+    draw(targets.litWithDepth, targets);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_DEPTH_TEST);
 }
 
 }  // namespace candela

@@ -22,7 +22,9 @@ glm::vec3 EnvironmentPicture::texel(std::uint32_t column, std::uint32_t row) con
     return workingFromRec709_ * rec709(column, row);
 }
 
-glm::vec3 EnvironmentPicture::interpolated(float x, float y) const {
+glm::vec3 EnvironmentPicture::interpolated(const PicturePoint& point) const {
+    const float x = point.x * static_cast<float>(picture_.width),
+                y = point.y * static_cast<float>(picture_.height);
     const float left = std::floor(x - 0.5f), top = std::floor(y - 0.5f);
     const auto width = static_cast<int>(picture_.width), height = static_cast<int>(picture_.height);
     const int column = static_cast<int>(left), row = static_cast<int>(top);
@@ -36,12 +38,10 @@ glm::vec3 EnvironmentPicture::interpolated(float x, float y) const {
     return workingFromRec709_ * glm::mix(above, below, weightY);
 }
 
-glm::vec3 EnvironmentPicture::radiance(const glm::vec3& direction) const {
+PicturePoint EnvironmentPicture::pointOf(const glm::vec3& direction) {
     constexpr float pi = std::numbers::pi_v<float>;
     const float across = std::sqrt(direction.x * direction.x + direction.z * direction.z);
-    const float x = 0.5f + std::atan2(direction.x, -direction.z) / (2.0f * pi);
-    const float y = std::atan2(across, direction.y) / pi;
-    return interpolated(x * static_cast<float>(picture_.width), y * static_cast<float>(picture_.height));
+    return {0.5f + std::atan2(direction.x, -direction.z) / (2.0f * pi), std::atan2(across, direction.y) / pi};
 }
 
 }  // namespace candela

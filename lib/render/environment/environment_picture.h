@@ -9,6 +9,11 @@
 
 namespace candela {
 
+/// A place in a picture, 0 to 1 from the left and from the top.
+struct PicturePoint {
+    float x, y;
+};
+
 /// The texels of an equirectangular picture (`Environment::picture`) in the working space.
 class EnvironmentPicture {
   public:
@@ -22,12 +27,11 @@ class EnvironmentPicture {
     glm::vec3 texel(std::uint32_t column, std::uint32_t row) const;
 
     /// Bilinear between the centres of texels: across the border of the columns, and at the poles constant
-    /// beyond the last row. `x` and `y` are in texels, from the left and from the top; centres are at
-    /// 0.5, 1.5, ..., and `x` is 0 to the width.
-    glm::vec3 interpolated(float x, float y) const;
+    /// beyond the last row.
+    glm::vec3 interpolated(const PicturePoint& point) const;
 
-    /// The interpolated radiance of a direction in the picture's frame, of any length over 0.
-    glm::vec3 radiance(const glm::vec3& direction) const;
+    /// Where a direction in the picture's frame, of any length over 0, is seen.
+    static PicturePoint pointOf(const glm::vec3& direction);
 
   private:
     glm::vec3 rec709(std::uint32_t column, std::uint32_t row) const;

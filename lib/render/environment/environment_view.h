@@ -8,14 +8,11 @@ namespace candela {
 struct EnvironmentView {
     static constexpr int levelCount = 10;
 
-    /// An octahedral map of an `EnvironmentMap`.
-    struct Map {
-        const float* texels;  ///< RGBA, the border included.
-        int size;             ///< Without the border.
-    };
-    Map levels[levelCount];
-    Map irradiance;
-    const float* peaks;  ///< Eight floats each: direction and 0, irradiance and 0.
+    const float* texels;  ///< RGBA: see `EnvironmentMap`.
+    /// The first texel of each level, and its texels along a side without the border.
+    float firstTexels[levelCount], sizes[levelCount];
+    float irradianceFirst, irradianceSize;  ///< The same of the irradiance.
+    const float* peaks;                     ///< Eight floats each: direction and 0, irradiance and 0.
     int peakCount;
     float axes[3][3];  ///< Rows of the rotation from the world to the picture's frame.
     float intensity;

@@ -18,12 +18,14 @@ gl::Texture uploaded(const Image& picture) {
 
 EnvironmentView viewOf(const EnvironmentMap& map) {
     static_assert(EnvironmentView::levelCount == EnvironmentMap::levelCount);
-    const auto mapOf = [&](const OctahedralMap& part) {
-        return EnvironmentView::Map{map.texels().data() + 4 * part.first, part.size};
-    };
     EnvironmentView view{};
-    for (int i = 0; i < EnvironmentMap::levelCount; ++i) view.levels[i] = mapOf(map.level(i));
-    view.irradiance = mapOf(map.irradiance());
+    view.texels = map.texels().data();
+    for (int i = 0; i < EnvironmentMap::levelCount; ++i) {
+        view.firstTexels[i] = static_cast<float>(map.level(i).first);
+        view.sizes[i] = static_cast<float>(map.level(i).size);
+    }
+    view.irradianceFirst = static_cast<float>(map.irradiance().first);
+    view.irradianceSize = static_cast<float>(map.irradiance().size);
     view.peaks = map.texels().data() + 4 * layout::ENVIRONMENT_PEAKS;
     view.peakCount = static_cast<int>(map.peaks().size());
     return view;

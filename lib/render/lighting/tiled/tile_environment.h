@@ -8,24 +8,33 @@
 namespace candela {
 namespace {
 
-inline Four fourAt(const float* from) {
-    Four v;
-    __builtin_memcpy(&v, from, sizeof v);
-    return v;
-}
+/// Where pixels read a map: four texels around a point, and the weights of the later ones.
+struct MapCells {
+    std::int32_t above[laneCount], below[laneCount];  ///< Floats of `EnvironmentView::texels`.
+    float weightX[laneCount], weightY[laneCount];
 
-/// As `interpolatedMap` of shaders/lib/environment.glsl, at one pixel.
-inline Four interpolatedMap(const EnvironmentView::Map& map, float u, float v) {
-    const float x = u * static_cast<float>(map.size) + 0.5f, y = v * static_cast<float>(map.size) + 0.5f;
-    const int column = static_cast<int>(x), row = static_cast<int>(y);
-    const float weightX = x - static_cast<float>(column), weightY = y - static_cast<float>(row);
-    const std::int64_t stride = 4 * (static_cast<std::int64_t>(map.size) + 2);
-    const float* at = map.texels + row * stride + std::int64_t{4} * column;
-    const Four above = fourAt(at) + (fourAt(at + 4) - fourAt(at)) * weightX;
-    const float* next = at + stride;
-    const Four below = fourAt(next) + (fourAt(next + 4) - fourAt(next)) * weightX;
-    return above + (below - above) * weightY;
-}
+    /// The point's numbers that are none become 0. `firstTexel` and `size` are whole numbers.
+    MapCells(MapPoint point, Floats firstTexel, Floats size) {
+        const Floats x = min(max(point.u, 0.0f), 1.0f) * size + 0.5f,
+                     y = min(max(point.v, 0.0f), 1.0f) * size + 0.5f;
+        const Ints column = __builtin_convertvector(x, Ints), row = __builtin_convertvector(y, Ints);
+        const Ints stride = __builtin_convertvector(size, Ints) + 2;
+        const Ints first = (__builtin_convertvector(firstTexel, Ints) + row * stride + column) * 4;
+        const Ints second = first + stride * 4;
+        __builtin_memcpy(above, &first, sizeof first);
+        __builtin_memcpy(below, &second, sizeof second);
+        store(weightX, x - __builtin_convertvector(column, Floats));
+        store(weightY, y - __builtin_convertvector(row, Floats));
+    }
+
+    /// As `interpolatedMap` of shaders/lib/environment.glsl, at one pixel.
+    Four interpolated(const float* texels, int lane) const {
+        const float *a = texels + above[lane], *b = texels + below[lane];
+        const Four first = loadFour(a) + (loadFour(a + 4) - loadFour(a)) * weightX[lane];
+        const Four second = loadFour(b) + (loadFour(b + 4) - loadFour(b)) * weightX[lane];
+        return first + (second - first) * weightY[lane];
+    }
+};
 
 /// Colours of pixels, one after the other.
 struct PixelColors {
@@ -43,21 +52,12 @@ struct PixelColors {
     }
 };
 
-/// Points of a map for each pixel. Numbers that are none become 0.
-struct PixelPoints {
-    float u[laneCount], v[laneCount];
-
-    explicit PixelPoints(MapPoint point) {
-        store(u, min(max(point.u, 0.0f), 1.0f));
-        store(v, min(max(point.v, 0.0f), 1.0f));
-    }
-};
-
 inline Vec3 irradianceAt(const EnvironmentView& environment, Vec3 normal) {
-    const PixelPoints points(octahedralPoint(normal));
+    const MapCells cells(octahedralPoint(normal), splat(environment.irradianceFirst),
+                         splat(environment.irradianceSize));
     PixelColors colors;
     for (int lane = 0; lane < laneCount; ++lane)
-        colors.set(lane, interpolatedMap(environment.irradiance, points.u[lane], points.v[lane]));
+        colors.set(lane, cells.interpolated(environment.texels, lane));
     Vec3 sum = colors.columns();
     for (int i = 0; i < environment.peakCount; ++i) {
         const float* peak = environment.peaks + 8 * i;
@@ -68,16 +68,18 @@ inline Vec3 irradianceAt(const EnvironmentView& environment, Vec3 normal) {
 
 inline Vec3 radianceAt(const EnvironmentView& environment, Vec3 direction, Floats level) {
     constexpr int last = EnvironmentView::levelCount - 1;
-    const PixelPoints points(octahedralPoint(direction));
-    float levels[laneCount];
-    store(levels, min(max(level, 0.0f), static_cast<float>(last)));
+    const MapPoint point = octahedralPoint(direction);
+    const Floats kept = min(max(level, 0.0f), static_cast<float>(last));
+    const Ints low = __builtin_convertvector(min(kept, static_cast<float>(last - 1)), Ints);
+    const MapCells rough(point, lookUp(environment.firstTexels, low), lookUp(environment.sizes, low));
+    const MapCells smooth(point, lookUp(environment.firstTexels + 1, low),
+                          lookUp(environment.sizes + 1, low));
+    float weights[laneCount];
+    store(weights, kept - __builtin_convertvector(low, Floats));
     PixelColors colors;
     for (int lane = 0; lane < laneCount; ++lane) {
-        const int low =
-            levels[lane] < static_cast<float>(last - 1) ? static_cast<int>(levels[lane]) : last - 1;
-        const Four a = interpolatedMap(environment.levels[low], points.u[lane], points.v[lane]);
-        const Four b = interpolatedMap(environment.levels[low + 1], points.u[lane], points.v[lane]);
-        colors.set(lane, a + (b - a) * (levels[lane] - static_cast<float>(low)));
+        const Four a = rough.interpolated(environment.texels, lane);
+        colors.set(lane, a + (smooth.interpolated(environment.texels, lane) - a) * weights[lane]);
     }
     return colors.columns();
 }
@@ -124,6 +126,23 @@ inline Vec3 environmentLight(const TileFrame& frame, const ShadingPoint& point, 
     const ShadingPoint copy = point;
     reflectEnvironment(frame, copy, left, bottom, first, radiance);
     return radiance;
+}
+
+/// Shades a tile that only the environment lights: no box is needed.
+template <int brdf>
+void reflectInTile(const TileFrame& frame, int left, int bottom) {
+    for (int y = bottom; y < bottom + tileSize && y < frame.height; y += blockSize) {
+        for (int x = left; x < left + tileSize && x < frame.width; x += blockSize) {
+            const BlockPixels pixels = fetchPixels(frame, x, y);
+            std::uint32_t surface = 0;
+            for (const std::uint32_t word : pixels.word1) surface |= word;
+            if (surface == 0) continue;
+            for (int first = 0; first < pixelsPerBlock; first += laneCount) {
+                const ShadingPoint point = shadingPointAt<brdf>(frame, pixels, first);
+                addRadiance(frame, pixels, x, y, first, environmentLight(frame, point, x, y, first));
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -186,5 +186,40 @@ inline SurfaceLobes unpackLobes(const TileFrame& frame, Ints word0, Ints word1) 
     return lobes;
 }
 
+// ---- Shading
+
+inline void addPixel(const TileFrame& frame, std::int64_t at, Four radiance) {
+    Four sum;
+    __builtin_memcpy(&sum, frame.radiance + 4 * at, sizeof sum);
+    sum += radiance;
+    __builtin_memcpy(frame.radiance + 4 * at, &sum, sizeof sum);
+}
+
+/// Adds what `laneCount` pixels of the block, from `first` on, receive.
+inline void addRadiance(const TileFrame& frame, const BlockPixels& pixels, int left, int bottom, int first,
+                        Vec3 sum) {
+    const Ints surface = isSurface(pixels, first);
+    const Vec3 kept{select(surface, sum.x, Floats{}), select(surface, sum.y, Floats{}),
+                    select(surface, sum.z, Floats{})};
+    const bool whole = isWhole(frame, left, bottom);
+    for (int lane = 0; lane < laneCount; lane += blockSize) {
+        const int row = bottom + (first + lane) / blockSize;
+        const std::int64_t at = static_cast<std::int64_t>(row) * frame.width + left;
+        const Four x = fourOf(kept.x, lane), y = fourOf(kept.y, lane), z = fourOf(kept.z, lane);
+        for (int column = 0; column < blockSize; ++column) {
+            if (!whole && (row >= frame.height || left + column >= frame.width)) break;
+            addPixel(frame, at + column, Four{x[column], y[column], z[column], 0.0f});
+        }
+    }
+}
+
+template <int brdf>
+inline ShadingPoint shadingPointAt(const TileFrame& frame, const BlockPixels& pixels, int first) {
+    const Ints word0 = loadWords(pixels.word0 + first), word1 = loadWords(pixels.word1 + first);
+    const Vec3 position = positionOf(frame, pixels, first);
+    return shadingPoint(brdf, unpackLobes(frame, word0, word1), unpackNormal(word1), position,
+                        wayToEye(frame, position), {frame.albedoTable, frame.albedoTableSize});
+}
+
 }  // namespace
 }  // namespace candela
