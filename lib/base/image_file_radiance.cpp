@@ -95,10 +95,8 @@ class RadianceDecoder {
             fail("its header ends without its size: a line such as -Y 512 +X 1024 was expected");
         fromBottom_ = y == "+Y";
         fromRight_ = x == "-X";
-        lines_ = counts[0];
-        lineLength_ = counts[1];
-        width_ = counts[!isColumn_];
-        height_ = counts[isColumn_];
+        lines_ = counts[0], lineLength_ = counts[1];
+        width_ = counts[!isColumn_], height_ = counts[isColumn_];
         requireHdrSize(path_, width_, height_);
     }
     /// The texel of the picture that a texel of a line is.
