@@ -36,10 +36,10 @@ struct AccumulatorOptions {
 };
 
 /// The mean of frames: of the samples of a picture (candela/sampling.h). It can be shown after any frame, and
-/// is finer after the next one. The mean is taken of scene-linear radiance; the sum stays on the device, in
-/// single precision and in two levels of 256 frames each, whose rounding is at most 3.1e-5 of the mean.
-/// Every function throws `Error` (environment) when the context is not current on the calling thread, and
-/// (badInput) after a move.
+/// is finer after the next one. The mean is taken of scene-linear radiance. The sum stays on the device, or in
+/// memory where lighting runs on the CPU; it is in single precision and in two levels of 256 frames each,
+/// whose rounding is at most 3.1e-5 of the mean. Every function throws `Error` (environment) when the context
+/// is not current on the calling thread, and (badInput) after a move.
 class CANDELA_API Accumulator {
   public:
     /// Throws `Error` as `Frame::aovs` does of the options' names.
