@@ -8,6 +8,9 @@ layout(binding = BASE_COLOR_UNIT) uniform sampler2D baseColorTexture;
 layout(binding = METALLIC_ROUGHNESS_UNIT) uniform sampler2D metallicRoughnessTexture;
 layout(binding = NORMAL_UNIT) uniform sampler2D normalTexture;
 layout(binding = EMISSION_UNIT) uniform sampler2D emissionTexture;
+#ifdef OCCLUSION
+layout(binding = OCCLUSION_TEXTURE_UNIT) uniform sampler2D occlusionTexture;
+#endif
 
 layout(location = 0) in vec3 worldNormal;
 layout(location = 1) in vec4 worldTangent;
@@ -44,6 +47,9 @@ void main() {
     MaterialLobes lobes = texturedLobes();
     MaterialState state = materialState(material);
     vec3 normal = shadingNormal(state.normalScale);
+#ifdef OCCLUSION
+    writeOcclusion(texel(occlusionTexture, OCCLUSION_SLOT).r, state.occlusionStrength);
+#endif
 #ifdef SHADOWS
     writeShadowWord(shadowPlane.xyz, worldNormal, shadowPlane.w);
 #endif

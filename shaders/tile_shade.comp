@@ -14,15 +14,19 @@ layout(location = LIST_PART_LOCATION) uniform ivec2 listPart;
 vec3 localLight(Receiver receiver, int index) {
     LocalLight light = fetchLight(index);
     if (!isLit(receiver.point.position, light)) return vec3(0.0);
-    // One call, as each is compiled into the loop: transmittanceFromPoint is long.
     bool isPoint = index < frame.lightCounts.x;
 #ifdef SHADOWS
+    // One call, as each is compiled into the loop: transmittanceFromPoint is long.
     bool reached = isPoint ? isReached(receiver.point, light) : isReached(receiver.point, light, fetchCone(index));
-    if (reached && castsShadow(index)) light.intensity *= transmittanceFromPoint(receiver.rayEnd, light.position);
-    if (light.intensity == vec3(0.0)) return vec3(0.0);
-#endif
+    float passing = 1.0;
+    if (reached && castsShadow(index)) passing = transmittanceFromPoint(receiver.rayEnd, light.position);
+    if (passing == 0.0) return vec3(0.0);
+    if (isPoint) return dimmed(pointLightRadiance(BRDF, receiver.point, light), passing);
+    return dimmed(spotLightRadiance(BRDF, receiver.point, light, fetchCone(index)), passing);
+#else
     if (isPoint) return pointLightRadiance(BRDF, receiver.point, light);
     return spotLightRadiance(BRDF, receiver.point, light, fetchCone(index));
+#endif
 }
 
 vec3 listedLights(Receiver receiver, int start, int first, int end) {

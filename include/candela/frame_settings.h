@@ -93,6 +93,13 @@ struct AmbientOcclusionSettings {
     std::uint32_t rays = 64;  ///< At each pixel, 1 to 4096.
 };
 
+/// The rays that find how much of the scene's environment a pixel sees, in frames with shadows.
+struct EnvironmentOcclusionSettings {
+    /// At each pixel, 1 to 4096. Neighbouring pixels share what they find, and each `FrameSettings::sample`
+    /// has rays of its own.
+    std::uint32_t rays = 4;
+};
+
 /// How a frame is drawn.
 struct FrameSettings {
     int width = 1280, height = 720;  ///< Pixels, 1 or more each.
@@ -107,6 +114,7 @@ struct FrameSettings {
     /// takes the sample of this number, and lights with a radius stand at a point of their sphere. 0: they
     /// stand at its centre.
     std::uint32_t sample = 0;
+    EnvironmentOcclusionSettings environmentOcclusion = {};
 };
 
 }  // namespace candela

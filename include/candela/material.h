@@ -54,7 +54,7 @@ struct Material {
     std::optional<Texture> metallicRoughnessTexture;  ///< G roughness, B metallic, linear.
     std::optional<Texture> normalTexture;             ///< Tangent space, linear.
     std::optional<Texture>
-        occlusionTexture;                    ///< R, linear. Punctual light does not use it (glTF 2.0, 3.9.3).
+        occlusionTexture;                    ///< R, linear: dims the environment's light (glTF 2.0, 3.9.3).
     std::optional<Texture> emissionTexture;  ///< RGB sRGB-encoded (linear when rgba32f).
     float normalScale = 1.0f;                ///< Multiplies x and y of the normal texture.
     float occlusionStrength = 1.0f;          ///< 0 to 1.

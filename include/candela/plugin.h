@@ -99,7 +99,7 @@ typedef struct candela_material {
     candela_texture base_color_texture;         /* RGB sRGB-encoded (linear when 32F), A linear */
     candela_texture metallic_roughness_texture; /* G roughness, B metallic, linear */
     candela_texture normal_texture;             /* tangent space, linear */
-    candela_texture occlusion_texture; /* R, linear: kept in the scene; punctual light does not use it */
+    candela_texture occlusion_texture; /* R, linear: dims the light of the environment */
     candela_texture emission_texture;  /* RGB sRGB-encoded (linear when 32F) */
     float normal_scale;                /* multiplies x and y of the normal texture */
     float occlusion_strength;          /* 0 to 1 */

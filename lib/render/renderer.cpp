@@ -54,6 +54,10 @@ void checkSettings(const FrameSettings& settings) {
         refuse("ambient occlusion of " + std::to_string(rays) + " rays is asked for; expected 1 to " +
                std::to_string(maxRays));
     }
+    if (settings.environmentOcclusion.rays < 1 || settings.environmentOcclusion.rays > maxRays) {
+        refuse("occlusion of the environment by " + std::to_string(settings.environmentOcclusion.rays) +
+               " rays is asked for; expected 1 to " + std::to_string(maxRays));
+    }
 }
 
 bool castsShadows(const FrameSettings& settings) {
@@ -137,40 +141,49 @@ Renderer::State::State(const Context& context)
       display(context.isSoftware() ? DisplayPass::Baking::always : DisplayPass::Baking::never),
       frameBuffer("frame uniforms", gl::BufferUsage::dynamic) {}
 
-void Renderer::State::selectTargets(int width, int height, bool withShadows) {
+void Renderer::State::selectTargets(int width, int height, const GBufferParts& parts) {
     if (targets != nullptr && (targets->width != width || targets->height != height)) {
         displayTarget.reset();
         emissionTargets.reset();
-        for (auto& set : targetSets) set.reset();
+        targets = nullptr;
+        targetSets.clear();
     }
-    auto& set = targetSets[withShadows ? 1 : 0];
-    if (!set)
-        set.emplace(width, height,
-                    withShadows ? GBufferLayout(shadowWordTextures) : GBufferLayout(baseWordTextures));
-    targets = &*set;
+    targets = &targetsWith(parts, width, height);
     targets->memory = {};
 }
 
+GBufferTargets& Renderer::State::targetsWith(const GBufferParts& parts, int width, int height) {
+    const auto found = targetSets.find(parts);
+    if (found != targetSets.end()) return found->second;
+    return targetSets.try_emplace(parts, width, height, parts).first->second;
+}
+
 /// Creates what the frame is drawn with, before its passes are timed.
-void Renderer::State::createPasses(const FrameSettings& settings, Technique technique) {
+void Renderer::State::createPasses(const FrameSettings& settings, Technique technique,
+                                   const TracedRays& traced) {
     if (settings.debugView == DebugView::none) {
         lighting.technique(technique, settings.tileBackend);
     } else if (!debugView) {
         debugView.emplace();
     }
     if (hasLines(settings.overlays) && !overlays) overlays.emplace();
+    const bool inShaders = lighting.tracesInShaders(technique, settings.tileBackend);
+    if (traced.environment && inShaders && !environmentOcclusionPass)
+        environmentOcclusionPass.emplace(lighting.raysPerInvocation());
 }
 
-LightingInputs Renderer::State::lightingInputs(const GpuScene::State& scene) const {
+LightingInputs Renderer::State::lightingInputs(const GpuScene::State& scene) {
     return {*targets,
             scene.lights,
             frame->frustum,
             frame->uniforms,
             frame->settings.brdf,
-            frame->shadows ? scene.occlusion.get() : nullptr,
+            frame->traced.shadows ? scene.occlusion.get() : nullptr,
             lightOf(scene),
-            nullptr,
-            draws.emits()};
+            visibility.bytes,
+            draws.emits(),
+            frame->traced.environment || targets->parts.occlusion ? &gbufferCopy : nullptr,
+            visibility.texture};
 }
 
 void Renderer::State::bindFrame() {
@@ -190,6 +203,7 @@ void Renderer::State::drawLit(const GpuScene::State& scene) {
         const gl::PassTimer::Scope pass(timer, "geometry");
         drawGeometry(scene, *targets, technique.radianceLoadOp());
     }
+    findVisibility(scene);
     const LightingInputs inputs = lightingInputs(scene);
     lighting.bind(inputs);
     technique.render(inputs, timer);
@@ -205,6 +219,33 @@ void Renderer::State::drawBackground(const GpuScene::State& scene) {
     const gl::PassTimer::Scope pass(timer, "background");
     targets->litRadiance();  // The background is drawn over it.
     environment.drawBackground(*targets, *scene.environment);
+}
+
+/// Of the environment: what occlusion textures leave of what rays find.
+void Renderer::State::findVisibility(const GpuScene::State& scene) {
+    if (frame->traced.environment) {
+        const gl::PassTimer::Scope pass(timer, "ambient occlusion");
+        visibility = traceVisibility(scene);
+    } else if (targets->parts.occlusion &&
+               lighting.tracesInShaders(frame->technique, frame->settings.tileBackend)) {
+        visibility.texture = &targets->words[targets->indexOf(layout::OCCLUSION_OUTPUT)];
+    } else if (targets->parts.occlusion) {
+        visibility.bytes = gbufferCopy.occlusion().data();
+    }
+}
+
+EnvironmentVisibility Renderer::State::traceVisibility(const GpuScene::State& scene) {
+    constexpr float farthest = 1.0e30f;
+    const EnvironmentRays rays{frame->settings.environmentOcclusion.rays, frame->settings.sample,
+                               scene.environment->settings().occlusionDistance.value_or(farthest)};
+    if (environmentOcclusionPass && lighting.tracesInShaders(frame->technique, frame->settings.tileBackend))
+        return {&environmentOcclusionPass->render(*targets, *scene.occlusion->shaderForm(), rays), nullptr};
+    const std::span<const std::uint8_t> textures =
+        targets->parts.occlusion ? gbufferCopy.occlusion() : std::span<const std::uint8_t>{};
+    return {nullptr, environmentOcclusion
+                         .compute({frame->uniforms, gbufferCopy.depth(), gbufferCopy.surfaces(),
+                                   gbufferCopy.shadowWords(), textures, scene.occlusion->view(), rays})
+                         .data()};
 }
 
 void Renderer::State::drawDebugView(const GpuScene::State& scene) {
@@ -242,14 +283,14 @@ const GBufferTargets& Renderer::State::drawEnvironment(const GpuScene::State& sc
 }
 
 const GBufferTargets& Renderer::State::prepareRays(GpuScene::State& scene) {
-    if (frame->shadows) return *targets;
+    if (targets->parts.shadowWord) return *targets;
     scene.updateCages(frame->view, targets->width, targets->height, VertexScope::everywhere);
     scene.updateDeformations(frame->frustum, VertexScope::everywhere);
     scene.updateOcclusion();
-    auto& set = targetSets[1];
-    if (!set) set.emplace(targets->width, targets->height, GBufferLayout(shadowWordTextures));
-    drawGeometry(scene, *set, LoadOp::dontCare);
-    return *set;
+    const GBufferParts parts{.shadowWord = true};
+    const GBufferTargets& set = targetsWith(parts, targets->width, targets->height);
+    drawGeometry(scene, set, LoadOp::dontCare);
+    return set;
 }
 
 std::vector<float> Renderer::State::countShadowed(GpuScene::State& scene) {
@@ -264,7 +305,7 @@ std::vector<float> Renderer::State::traceAmbientOcclusion(GpuScene::State& scene
     const GBufferTargets& from = prepareRays(scene);
     const std::vector<float> depth = readDepth(from);
     std::vector<std::uint32_t> shadowWords(depth.size());
-    readWords(from, 1, shadowWords);
+    readWords(from, layout::SHADOW_OUTPUT, shadowWords);
     const std::vector<GBufferTexel> surfaces = readSurfaces(from);
     return ambientOcclusion({frame->uniforms, depth, surfaces, shadowWords, scene.occlusion->view(),
                              frame->settings.ambientOcclusion});
@@ -288,10 +329,11 @@ void Renderer::State::displayFrame(const DisplayTransform& transform, const Fram
 }
 
 void Renderer::State::describeFrame(const GpuScene::State& scene, const CameraView& requested,
-                                    const FrameSettings& settings, Technique technique, bool shadows) {
+                                    const FrameSettings& settings, Technique technique,
+                                    const TracedRays& traced) {
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
     const CameraView view = withFarPlane(requested, scene, aspect);
-    frame.emplace(DrawnFrame{settings, view, technique, shadows,
+    frame.emplace(DrawnFrame{settings, view, technique, traced,
                              frameUniforms(view, settings.width, settings.height,
                                            scene.options.workingFromRec709, scene.lights.counts()),
                              Frustum(view, aspect), scene.sceneState.origin});
@@ -303,7 +345,7 @@ void Renderer::State::startSample(GpuScene::State& scene, const CameraView& view
     targets->memory = {};
     FrameSettings settings = frame->settings;
     settings.sample = sample;
-    describeFrame(scene, view, settings, frame->technique, frame->shadows);
+    describeFrame(scene, view, settings, frame->technique, frame->traced);
     timer.beginFrame();
     bindFrame();
     const gl::PassTimer::Scope pass(timer, "geometry");
@@ -316,19 +358,25 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
     frame.reset();
     shadowCounts = {};
     samplePasses.clear();
+    visibility = {};
     // Without such a light, as in a scene that only default lights light, the structure is not built.
     const bool shadows = drawsShadows(settings) && scene.lights.anyCastsShadow();
-    selectTargets(settings.width, settings.height, shadows);
+    const bool isLit = settings.debugView == DebugView::none;
+    const TracedRays traced{shadows, drawsShadows(settings) && isLit && scene.hasEnvironmentLight()};
+    const GBufferParts parts{.shadowWord = traced.shadows || traced.environment,
+                             .occlusion = isLit && scene.usesOcclusionTextures()};
+    selectTargets(settings.width, settings.height, parts);
+    gbufferCopy.reset(*targets);
     scene.lights.setSample(settings.sample);
     scene.update();
     const Technique technique =
         settings.technique == Technique::automatic ? Technique::tiles : settings.technique;
-    createPasses(settings, technique);
-    describeFrame(scene, requested, settings, technique, shadows);
+    createPasses(settings, technique, traced);
+    describeFrame(scene, requested, settings, technique, traced);
     timer.beginFrame();
     bindFrame();
     // What is out of view may cast shadows into it.
-    const VertexScope scope = shadows ? VertexScope::everywhere : VertexScope::inView;
+    const VertexScope scope = parts.shadowWord ? VertexScope::everywhere : VertexScope::inView;
     if (scene.hasCages()) {
         const gl::PassTimer::Scope pass(timer, "cages");
         scene.updateCages(frame->view, settings.width, settings.height, scope);
@@ -337,7 +385,7 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
         const gl::PassTimer::Scope pass(timer, "deform");
         scene.updateDeformations(frame->frustum, scope);
     }
-    if (shadows) {
+    if (parts.shadowWord) {
         const gl::PassTimer::Scope pass(timer, "shadows");
         scene.updateOcclusion();
         if (lighting.tracesInShaders(technique, settings.tileBackend)) scene.occlusion->updateShaderForm();

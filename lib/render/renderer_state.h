@@ -10,30 +10,45 @@
 #include "render/display/display_target.h"
 #include "render/environment/environment_pass.h"
 #include "render/frustum.h"
+#include "render/gbuffer/gbuffer_copy.h"
 #include "render/gbuffer/geometry_pass.h"
 #include "render/gpu_scene/gpu_scene_state.h"
 #include "render/layout.h"
 #include "render/lighting/lighting.h"
+#include "render/occlusion/environment_occlusion.h"
+#include "render/occlusion/environment_occlusion_pass.h"
 
 #include <candela/renderer.h>
 
-#include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
 namespace candela {
+
+/// What a frame traces rays for.
+struct TracedRays {
+    bool shadows;      ///< Of lights.
+    bool environment;  ///< How much of the environment pixels see.
+};
 
 /// The frame that a renderer's targets hold.
 struct DrawnFrame {
     FrameSettings settings;
     CameraView view;      ///< Orthographic ones have a far plane.
     Technique technique;  ///< Never `automatic`.
-    bool shadows;
+    TracedRays traced;
     layout::FrameUniforms uniforms;
     Frustum frustum;
     glm::dvec3 origin;  ///< `Scene::origin`.
+};
+
+/// How much of the environment each pixel sees, as `LightingInputs` has it. All of it where neither is there.
+struct EnvironmentVisibility {
+    const gl::Texture* texture = nullptr;
+    const std::uint8_t* bytes = nullptr;
 };
 
 /// Consecutive samples of a picture.
@@ -59,7 +74,7 @@ struct Renderer::State {
                      SampleSums& sums);
 
     // What frames ask for, after a check that `frame` is theirs.
-    LightingInputs lightingInputs(const GpuScene::State& scene) const;
+    LightingInputs lightingInputs(const GpuScene::State& scene);
     void bindFrame();
     void drawGeometry(const GpuScene::State& scene, const GBufferTargets& into, LoadOp radianceLoad);
     /// Draws the geometry again into targets whose radiance is the emission alone: that of the frame's own
@@ -90,21 +105,28 @@ struct Renderer::State {
     ShadowCounts shadowCounts;  ///< Of the last frame.
     /// Of all samples that were drawn together with the last frame; empty where it was drawn alone.
     std::vector<PassTime> samplePasses;
+    GBufferCopy gbufferCopy;           ///< Of the frame's targets.
+    EnvironmentVisibility visibility;  ///< Of the frame.
+    EnvironmentOcclusion environmentOcclusion;
     // Created when they are first needed.
     std::optional<DebugViewPass> debugView;
+    std::optional<EnvironmentOcclusionPass> environmentOcclusionPass;
     std::optional<OverlayPass> overlays;
-    GBufferTargets* targets = nullptr;                        ///< Of the frame: one of `targetSets`.
-    std::array<std::optional<GBufferTargets>, 2> targetSets;  ///< Without and with the shadow word.
-    std::optional<GBufferTargets> emissionTargets;  ///< Where `drawEmission` and `drawEnvironment` draw.
+    GBufferTargets* targets = nullptr;                  ///< Of the frame: one of `targetSets`.
+    std::map<GBufferParts, GBufferTargets> targetSets;  ///< Of the frame's size.
+    std::optional<GBufferTargets> emissionTargets;      ///< Where `drawEmission` and `drawEnvironment` draw.
     std::optional<DisplayTarget> displayTarget;
 
   private:
-    void selectTargets(int width, int height, bool withShadows);
-    void createPasses(const FrameSettings& settings, Technique technique);
+    void selectTargets(int width, int height, const GBufferParts& parts);
+    GBufferTargets& targetsWith(const GBufferParts& parts, int width, int height);
+    void createPasses(const FrameSettings& settings, Technique technique, const TracedRays& traced);
     void describeFrame(const GpuScene::State& scene, const CameraView& requested,
-                       const FrameSettings& settings, Technique technique, bool shadows);
+                       const FrameSettings& settings, Technique technique, const TracedRays& traced);
     void startSample(GpuScene::State& scene, const CameraView& view, std::uint32_t sample);
     void drawLit(const GpuScene::State& scene);
+    void findVisibility(const GpuScene::State& scene);
+    EnvironmentVisibility traceVisibility(const GpuScene::State& scene);
     void drawBackground(const GpuScene::State& scene);
     void drawDebugView(const GpuScene::State& scene);
     void drawOverlays(GpuScene::State& scene);

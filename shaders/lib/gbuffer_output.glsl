@@ -23,6 +23,17 @@ void writeShadowWord(vec3 position, vec3 normal, float tangentPlane) {
 }
 #endif
 
+#ifdef OCCLUSION
+layout(location = OCCLUSION_OUTPUT) out float environmentShare;
+#endif
+
+// `red` is that of the occlusion texture (glTF 2.0, 3.9.3).
+void writeOcclusion(float red, float strength) {
+#ifdef OCCLUSION
+    environmentShare = 1.0 + strength * (red - 1.0);
+#endif
+}
+
 void writeWords(GBufferWords words) {
     surfaceWords = words.surface;
 }

@@ -108,27 +108,36 @@ Receiver receiverAt(ivec2 at, PixelSurface pixel) {
 
 vec3 pointLight(Receiver receiver, LocalLight light, bool hasShadow) {
 #ifdef SHADOWS
-    if (hasShadow && isReached(receiver.point, light)) light.intensity *= transmittanceFromPoint(receiver.rayEnd, light.position);
-    if (light.intensity == vec3(0.0)) return vec3(0.0);
-#endif
+    float passing = 1.0;
+    if (hasShadow && isReached(receiver.point, light)) passing = transmittanceFromPoint(receiver.rayEnd, light.position);
+    if (passing == 0.0) return vec3(0.0);
+    return dimmed(pointLightRadiance(BRDF, receiver.point, light), passing);
+#else
     return pointLightRadiance(BRDF, receiver.point, light);
+#endif
 }
 
 vec3 spotLight(Receiver receiver, LocalLight light, LightCone cone, bool hasShadow) {
 #ifdef SHADOWS
-    if (hasShadow && isReached(receiver.point, light, cone)) light.intensity *= transmittanceFromPoint(receiver.rayEnd, light.position);
-    if (light.intensity == vec3(0.0)) return vec3(0.0);
-#endif
+    float passing = 1.0;
+    if (hasShadow && isReached(receiver.point, light, cone)) passing = transmittanceFromPoint(receiver.rayEnd, light.position);
+    if (passing == 0.0) return vec3(0.0);
+    return dimmed(spotLightRadiance(BRDF, receiver.point, light, cone), passing);
+#else
     return spotLightRadiance(BRDF, receiver.point, light, cone);
+#endif
 }
 
 vec3 directionalLight(Receiver receiver, int index) {
     vec3 l = texelFetch(lightRecords, index * LIGHT_TEXELS).xyz;
     vec3 irradiance = texelFetch(lightRecords, index * LIGHT_TEXELS + 1).rgb;
 #ifdef SHADOWS
-    if (castsShadow(index) && dot(receiver.point.normal, l) > 0.0) irradiance *= transmittanceFromDirection(receiver.rayEnd, l);
-    if (irradiance == vec3(0.0)) return vec3(0.0);
-#endif
+    float passing = 1.0;
+    if (castsShadow(index) && dot(receiver.point.normal, l) > 0.0) passing = transmittanceFromDirection(receiver.rayEnd, l);
+    if (passing == 0.0) return vec3(0.0);
+    return dimmed(directionalLightRadiance(BRDF, receiver.point, l, irradiance), passing);
+#else
     return directionalLightRadiance(BRDF, receiver.point, l, irradiance);
+#endif
 }
 #endif

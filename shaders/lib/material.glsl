@@ -26,6 +26,7 @@ struct MaterialState {
     float normalScale;  // 0 without a normal texture
     float alphaCutoff;  // negative without a mask
     bool unlit;
+    float occlusionStrength;  // 0 without an occlusion texture
 };
 
 // The factors, which textures and vertex colours multiply.
@@ -37,11 +38,12 @@ MaterialLobes materialFactors(uint material) {
 
 MaterialState materialState(uint material) {
     vec4 factors = materialTexel(material, MATERIAL_FACTORS);
-    return MaterialState(factors.z, factors.w, materialTexel(material, MATERIAL_EMISSION).w > 0.5);
+    return MaterialState(factors.z, factors.w, materialTexel(material, MATERIAL_EMISSION).w > 0.5,
+                         uintBitsToFloat(materialWords(material, MATERIAL_PACKED).y));
 }
 
 // The transformed texture coordinate of texture `slot` of the material.
-const int BASE_COLOR_SLOT = 0, METALLIC_ROUGHNESS_SLOT = 1, NORMAL_SLOT = 2, EMISSION_SLOT = 3;
+const int BASE_COLOR_SLOT = 0, METALLIC_ROUGHNESS_SLOT = 1, NORMAL_SLOT = 2, EMISSION_SLOT = 3, OCCLUSION_SLOT = 4;
 
 vec2 textureCoordinate(uint material, int slot, vec2 uv0, vec2 uv1) {
     vec4 rowX = materialTexel(material, MATERIAL_UV_ROWS + 2 * slot);

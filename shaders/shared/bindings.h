@@ -10,6 +10,7 @@ const int BASE_COLOR_UNIT = 2;
 const int METALLIC_ROUGHNESS_UNIT = 3;
 const int NORMAL_UNIT = 4;
 const int EMISSION_UNIT = 5;
+const int OCCLUSION_TEXTURE_UNIT = 6;
 
 // Texture units of the lighting passes.
 const int SURFACE_UNIT = 0;  // RG32UI: the G-buffer's two words
@@ -69,6 +70,8 @@ const int DEFORM_POSES_STORAGE = 5;
 const int DEFORM_SURFACE_STORAGE = 6;
 const int DEFORM_TANGENTS_STORAGE = 7;
 const int RADIANCE_IMAGE = 0;
+const int HIDDEN_IMAGE = 0;      // environment_occlusion: R32F, of each pixel the rays that do not arrive
+const int VISIBILITY_IMAGE = 1;  // environment_occlusion: R8
 
 // Uniform locations.
 const int FIRST_LIGHT_LOCATION = 0;       // tile_fill: the first light of a dispatch
@@ -80,6 +83,8 @@ const int ENVIRONMENT_PARTS_LOCATION = 0; // environment: factors on diffuse and
 const int EXPOSURE_LOCATION = 0;          // display: factor before the transform
 const int ORIGIN_LOCATION = 1;            // display: lower left corner of the picture in the target
 const int SAMPLE_COUNT_LOCATION = 0;      // sample_mean: what the sum is divided by
+const int ENVIRONMENT_RAYS_LOCATION = 0;  // environment_occlusion: first and end of a dispatch's rays, rays of a pixel, number of the sample
+const int ENVIRONMENT_DISTANCE_LOCATION = 1;  // environment_occlusion: metres; what is farther hides nothing
 const int LIMIT_RANGE_LOCATION = 0;       // cage_limit: first and end of a dispatch's vertices, number of points, number of vertices
 const int LIMIT_TANGENTS_LOCATION = 1;    // cage_limit: are tangents needed?
 const int DEFORM_POSE_LOCATION = 0;       // deform: number of vertices; first joint and morph weight in the poses; has it tangents?
@@ -91,7 +96,8 @@ const int LINE_INSTANCE_LOCATION = 1;     // overlays: the instance on which lin
 // Fragment outputs of the geometry pass. Further words of the G-buffer follow.
 const int SURFACE_OUTPUT = 0;
 const int RADIANCE_OUTPUT = 1;  // emissive surfaces only
-const int SHADOW_OUTPUT = 2;    // frames with shadows only
+const int SHADOW_OUTPUT = 2;    // frames that trace rays only
+const int OCCLUSION_OUTPUT = 3; // with an environment and occlusion textures only
 
 // Vertex attributes.
 const int POSITION_ATTRIBUTE = 0;
@@ -107,7 +113,7 @@ const uint DEFORM_NONE = 0xffffffffu;
 
 // Texels a record.
 const int INSTANCE_TEXELS = 6;  // rows of the world matrix, then of its cofactor matrix with the handedness in w
-const int MATERIAL_TEXELS = 12;
+const int MATERIAL_TEXELS = 14;
 const int LIGHT_TEXELS = 2;  // position and 1 / range², or of a directional light the direction to it and 0;
                              // then intensity, and in w 1 where the light casts shadows, else 0
 
@@ -140,6 +146,6 @@ const uint OCCLUSION_BLENDS = 32u;
 const int MATERIAL_BASE_COLOR = 0;  // base colour factor and alpha
 const int MATERIAL_FACTORS = 1;     // metallic, roughness, normal scale, alpha cutoff (negative: no mask)
 const int MATERIAL_EMISSION = 2;    // emission factor; 1 when unlit
-const int MATERIAL_PACKED = 3;      // x: base colour and metallic as the G-buffer packs them (uint)
+const int MATERIAL_PACKED = 3;      // x: base colour and metallic as the G-buffer packs them (uint); y: strength of the occlusion texture
 const int MATERIAL_UV_ROWS = 4;     // two rows of the coordinate transform a texture: base colour, metallic-roughness, normal,
-                                    // emission; w of the first is the set of texture coordinates
+                                    // emission, occlusion; w of the first is the set of texture coordinates

@@ -35,13 +35,16 @@ SHARED_FUNCTION uint packNormalRoughness(vec3 normal, float roughness) {
     return code.x | code.y << 12 | uint(floor(clamp(roughness, 0.0f, 1.0f) * 255.0f + 0.5f)) << 24;
 }
 
+SHARED_FUNCTION vec3 unpackNormal(uint word1) {
+    return normalOfOctahedral((vec2(float(word1 & 0xfffu), float(word1 >> 12 & 0xfffu)) - NORMAL_CENTER) * (1.0f / NORMAL_MAX));
+}
+
 SHARED_FUNCTION GBufferSurface unpackSurfaceWords(uint word0, uint word1) {
     GBufferSurface surface;
     vec4 color = unpackUnorm4x8(word0);
     surface.lobes.baseColor = vec3(srgbDecode(color.x), srgbDecode(color.y), srgbDecode(color.z));
     surface.lobes.metallic = color.w;
-    surface.normal =
-        normalOfOctahedral((vec2(float(word1 & 0xfffu), float(word1 >> 12 & 0xfffu)) - NORMAL_CENTER) * (1.0f / NORMAL_MAX));
+    surface.normal = unpackNormal(word1);
     surface.lobes.roughness = float(word1 >> 24) * (1.0f / 255.0f);
     return surface;
 }

@@ -24,6 +24,10 @@ const gl::Program& EnvironmentPass::lightProgram(BrdfModel brdf, bool withVisibi
 }
 
 void EnvironmentPass::bindVisibility(const LightingInputs& inputs) {
+    if (inputs.environmentVisibilityTexture != nullptr) {
+        glBindTextureUnit(layout::ENVIRONMENT_VISIBILITY_UNIT, inputs.environmentVisibilityTexture->name());
+        return;
+    }
     const int width = inputs.targets.width, height = inputs.targets.height;
     if (visibilityWidth_ != width || visibilityHeight_ != height) {
         visibility_ = gl::Texture::target2d(GL_R8, width, height, "environment visibility");
@@ -44,7 +48,8 @@ void EnvironmentPass::draw(const gl::Framebuffer& target, const GBufferTargets& 
 }
 
 void EnvironmentPass::addLight(const LightingInputs& inputs, const gl::Framebuffer& target, Parts parts) {
-    const bool withVisibility = inputs.environmentVisibility != nullptr;
+    const bool withVisibility =
+        inputs.environmentVisibility != nullptr || inputs.environmentVisibilityTexture != nullptr;
     if (withVisibility) bindVisibility(inputs);
     inputs.environment->bindMaps();
     glUseProgram(lightProgram(inputs.brdf, withVisibility).name());

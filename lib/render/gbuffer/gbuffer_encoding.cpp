@@ -56,6 +56,10 @@ ShadowSurface unpackShadowWord(std::uint32_t word) {
     return {surface.geometricNormal, surface.lift};
 }
 
+glm::vec3 unpackNormal(std::uint32_t word) {
+    return encoding::unpackNormal(word);
+}
+
 GBufferSurface unpackSurface(GBufferTexel texel) {
     if (texel.y == 0) {
         throw Error(ErrorKind::badInput, "",

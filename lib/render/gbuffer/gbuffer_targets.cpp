@@ -1,10 +1,14 @@
 #include "render/gbuffer/gbuffer_targets.h"
 
+#include <algorithm>
+#include <cassert>
+
 namespace candela {
 
 namespace {
 
-std::vector<gl::Texture> makeWordTextures(GBufferLayout layout, int width, int height) {
+std::vector<gl::Texture> makeWordTextures(const std::vector<GBufferWordTexture>& layout, int width,
+                                          int height) {
     std::vector<gl::Texture> textures;
     for (const GBufferWordTexture& texture : layout)
         textures.push_back(gl::Texture::target2d(texture.internalFormat, width, height, texture.label));
@@ -12,7 +16,8 @@ std::vector<gl::Texture> makeWordTextures(GBufferLayout layout, int width, int h
 }
 
 /// The colour attachments by fragment output. `radiance` may be null.
-std::vector<const gl::Texture*> attachments(GBufferLayout layout, const std::vector<gl::Texture>& words,
+std::vector<const gl::Texture*> attachments(const std::vector<GBufferWordTexture>& layout,
+                                            const std::vector<gl::Texture>& words,
                                             const gl::Texture* radiance) {
     std::vector<const gl::Texture*> outputs;
     const auto attach = [&](int output, const gl::Texture* texture) {
@@ -27,17 +32,38 @@ std::vector<const gl::Texture*> attachments(GBufferLayout layout, const std::vec
 
 }  // namespace
 
-GBufferTargets::GBufferTargets(int pixelsWide, int pixelsHigh, GBufferLayout wordTextures)
+std::vector<GBufferWordTexture> layoutOf(const GBufferParts& parts) {
+    std::vector<GBufferWordTexture> layout{surfaceTexture};
+    if (parts.shadowWord) layout.push_back(shadowTexture);
+    if (parts.occlusion) layout.push_back(occlusionTexture);
+    return layout;
+}
+
+std::vector<std::string> definitionsOf(const GBufferParts& parts) {
+    std::vector<std::string> definitions;
+    if (parts.shadowWord) definitions.emplace_back("SHADOWS 1");
+    if (parts.occlusion) definitions.emplace_back("OCCLUSION 1");
+    return definitions;
+}
+
+GBufferTargets::GBufferTargets(int pixelsWide, int pixelsHigh, const GBufferParts& wanted)
     : width(pixelsWide),
       height(pixelsHigh),
-      layout(wordTextures),
-      words(makeWordTextures(wordTextures, width, height)),
+      parts(wanted),
+      layout(layoutOf(parts)),
+      words(makeWordTextures(layout, width, height)),
       depth(gl::Texture::target2d(GL_DEPTH_COMPONENT32F, width, height, "G-buffer depth")),
       radiance(gl::Texture::target2d(GL_RGBA32F, width, height, "radiance")),
       surfaces(attachments(layout, words, nullptr), &depth, "G-buffer"),
       surfacesAndEmission(attachments(layout, words, &radiance), &depth, "G-buffer with emission"),
       lit({&radiance}, nullptr, "radiance"),
       litWithDepth({&radiance}, &depth, "radiance with depth") {}
+
+std::size_t GBufferTargets::indexOf(int output) const {
+    const auto found = std::ranges::find(layout, output, &GBufferWordTexture::output);
+    assert(found != layout.end());
+    return static_cast<std::size_t>(found - layout.begin());
+}
 
 void GBufferTargets::bind() const {
     for (std::size_t i = 0; i < words.size(); ++i)

@@ -4,34 +4,49 @@
 #include "gl/texture.h"
 #include "render/layout.h"
 
-#include <array>
-#include <span>
+#include <compare>
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace candela {
 
-/// A texture of the G-buffer that holds words of each pixel.
+/// A texture of the G-buffer that holds words of each pixel, or bytes.
 struct GBufferWordTexture {
     const char* label;
-    GLenum internalFormat, readFormat;
-    int words;   ///< 32-bit words a pixel.
-    int unit;    ///< Texture unit from which shaders read it.
-    int output;  ///< Fragment output of the geometry pass that writes it.
+    GLenum internalFormat, readFormat, readType;
+    std::size_t bytes;  ///< A pixel.
+    int unit;           ///< Texture unit from which shaders read it.
+    int output;         ///< Fragment output of the geometry pass that writes it.
 };
 
-/// The word textures of a G-buffer. Targets, clears, bindings and readback follow it; in shaders
-/// lib/gbuffer.glsl, lib/gbuffer_input.glsl and lib/gbuffer_output.glsl do. docs/gbuffer.md says how to add
-/// one.
-using GBufferLayout = std::span<const GBufferWordTexture>;
+/// The texture that every scene needs.
+inline constexpr GBufferWordTexture surfaceTexture{"G-buffer surface",    GL_RG32UI, GL_RG_INTEGER,
+                                                   GL_UNSIGNED_INT,       8,         layout::SURFACE_UNIT,
+                                                   layout::SURFACE_OUTPUT};
+inline constexpr GBufferWordTexture shadowTexture{"G-buffer shadow",    GL_R32UI, GL_RED_INTEGER,
+                                                  GL_UNSIGNED_INT,      4,        layout::SHADOW_UNIT,
+                                                  layout::SHADOW_OUTPUT};
+inline constexpr GBufferWordTexture occlusionTexture{
+    "G-buffer occlusion",    GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1, layout::ENVIRONMENT_VISIBILITY_UNIT,
+    layout::OCCLUSION_OUTPUT};
 
-/// The words that every scene needs.
-inline constexpr std::array baseWordTextures{GBufferWordTexture{
-    "G-buffer surface", GL_RG32UI, GL_RG_INTEGER, 2, layout::SURFACE_UNIT, layout::SURFACE_OUTPUT}};
+/// What a G-buffer has besides the surface texture. Each part is for the frames that need it and costs others
+/// nothing: targets and the programs of the geometry pass exist once for each set of parts in use.
+/// docs/gbuffer.md says how to add one.
+struct GBufferParts {
+    bool shadowWord = false;  ///< Where rays start: frames whose pixels trace rays. SHADOWS in shaders.
+    /// R of occlusion textures with their strength: scenes with an environment. OCCLUSION in shaders.
+    bool occlusion = false;
 
-/// The words of frames with shadows: the programs of the geometry pass are compiled with SHADOWS.
-inline constexpr std::array shadowWordTextures{
-    baseWordTextures[0], GBufferWordTexture{"G-buffer shadow", GL_R32UI, GL_RED_INTEGER, 1,
-                                            layout::SHADOW_UNIT, layout::SHADOW_OUTPUT}};
+    auto operator<=>(const GBufferParts&) const = default;
+};
+
+/// The textures of a G-buffer. Targets, clears, bindings and readback follow it; in shaders lib/gbuffer.glsl,
+/// lib/gbuffer_input.glsl and lib/gbuffer_output.glsl do.
+std::vector<GBufferWordTexture> layoutOf(const GBufferParts& parts);
+/// With which the programs of the geometry pass are compiled.
+std::vector<std::string> definitionsOf(const GBufferParts& parts);
 
 /// How a pass finds a target that it writes.
 enum class LoadOp {
@@ -42,16 +57,18 @@ enum class LoadOp {
 
 /// The G-buffer of one picture size, and the radiance target that goes with it.
 struct GBufferTargets {
-    GBufferTargets(int width, int height, GBufferLayout layout = baseWordTextures);
+    GBufferTargets(int width, int height, const GBufferParts& parts = {});
 
-    bool hasShadowWord() const { return layout.size() == shadowWordTextures.size(); }
+    /// The index in `layout` and `words` of the texture that `output` writes. It is there.
+    std::size_t indexOf(int output) const;
     /// Binds the word textures and the depth for reading by shaders.
     void bind() const;
     /// The radiance of the frame, after its lighting: writes it first where it is still in memory.
     const gl::Texture& litRadiance() const;
 
     int width, height;
-    GBufferLayout layout;
+    GBufferParts parts;
+    std::vector<GBufferWordTexture> layout;
     std::vector<gl::Texture> words;       ///< One for each of `layout`.
     gl::Texture depth;                    ///< 32-bit float, reversed.
     gl::Texture radiance;                 ///< RGBA32F: emission, then the sum of all light.

@@ -9,14 +9,19 @@ namespace candela {
 namespace {
 
 constexpr std::array textureUnits{layout::BASE_COLOR_UNIT, layout::METALLIC_ROUGHNESS_UNIT,
-                                  layout::NORMAL_UNIT, layout::EMISSION_UNIT};
+                                  layout::NORMAL_UNIT, layout::EMISSION_UNIT, layout::OCCLUSION_TEXTURE_UNIT};
 
 void clear(const GBufferTargets& targets, LoadOp radianceLoad) {
     constexpr std::array<GLuint, 4> nothing{0, 0, 0, 0};
     constexpr std::array<GLfloat, 4> black{0.0f, 0.0f, 0.0f, 0.0f};
     constexpr GLfloat farthest = 0.0f;
-    for (const GBufferWordTexture& words : targets.layout)
-        glClearNamedFramebufferuiv(targets.surfaces.name(), GL_COLOR, words.output, nothing.data());
+    for (const GBufferWordTexture& words : targets.layout) {
+        if (words.readType == GL_UNSIGNED_INT) {
+            glClearNamedFramebufferuiv(targets.surfaces.name(), GL_COLOR, words.output, nothing.data());
+        } else {
+            glClearNamedFramebufferfv(targets.surfaces.name(), GL_COLOR, words.output, black.data());
+        }
+    }
     glClearNamedFramebufferfv(targets.surfaces.name(), GL_DEPTH, 0, &farthest);
     if (radianceLoad == LoadOp::clear)
         glClearNamedFramebufferfv(targets.lit.name(), GL_COLOR, 0, black.data());
@@ -30,12 +35,14 @@ GeometryPass::Programs::Programs(const std::vector<std::string>& definitions)
       textured({{"surface_textured.vert", definitions, {}}, {"surface_textured.frag", definitions, {}}},
                "textured surfaces") {}
 
-GeometryPass::GeometryPass() : base_({}) {}
+GeometryPass::GeometryPass() {
+    programs_.try_emplace(GBufferParts{}, definitionsOf({}));
+}
 
 const GeometryPass::Programs& GeometryPass::programsFor(const GBufferTargets& targets) {
-    if (!targets.hasShadowWord()) return base_;
-    if (!withShadowWord_) withShadowWord_.emplace(std::vector<std::string>{"SHADOWS 1"});
-    return *withShadowWord_;
+    const auto found = programs_.find(targets.parts);
+    if (found != programs_.end()) return found->second;
+    return programs_.try_emplace(targets.parts, definitionsOf(targets.parts)).first->second;
 }
 
 void GeometryPass::render(const Inputs& inputs) {

@@ -4,7 +4,7 @@
 #include "render/gbuffer/gbuffer_targets.h"
 #include "render/gpu_scene/gpu_scene_state.h"
 
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,7 +24,7 @@ class GeometryPass {
     void render(const Inputs& inputs);
 
   private:
-    /// With the fragment outputs of one layout of the G-buffer.
+    /// With the fragment outputs of one set of parts of the G-buffer.
     struct Programs {
         explicit Programs(const std::vector<std::string>& definitions);
         gl::Program plain, textured;
@@ -33,8 +33,7 @@ class GeometryPass {
     const Programs& programsFor(const GBufferTargets& targets);
     static void draw(const DrawBatch& batch, const Programs& programs);
 
-    Programs base_;
-    std::optional<Programs> withShadowWord_;  ///< Compiled when it is first needed.
+    std::map<GBufferParts, Programs> programs_;  ///< Compiled when they are first needed.
 };
 
 }  // namespace candela

@@ -20,11 +20,12 @@ constexpr PixelFormat colorFormat{GL_RGBA, GL_FLOAT, 16};
 constexpr PixelFormat byteFormat{GL_RGBA, GL_UNSIGNED_BYTE, 4};
 
 PixelFormat wordFormat(const GBufferWordTexture& texture) {
-    return {texture.readFormat, GL_UNSIGNED_INT, static_cast<std::size_t>(texture.words) * 4};
+    return {texture.readFormat, texture.readType, texture.bytes};
 }
 
 void read(const gl::Texture& texture, int width, int height, const PixelFormat& pixel, void* into) {
     // OpenGL takes the size as an int: targets of 2 GiB and more are read in bands.
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
     const std::size_t rowBytes = static_cast<std::size_t>(width) * pixel.bytes;
     const int rows = static_cast<int>(std::max<std::size_t>(1, (std::size_t{1} << 30) / rowBytes));
     for (int y = 0; y < height; y += rows) {
@@ -48,15 +49,20 @@ std::size_t pixelCount(int width, int height) {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
-static_assert(sizeof(GBufferTexel) == 4 * baseWordTextures[0].words);
+static_assert(sizeof(GBufferTexel) == surfaceTexture.bytes);
 
 }  // namespace
 
-void readWords(const GBufferTargets& targets, std::size_t index, std::span<std::uint32_t> into) {
-    const GBufferWordTexture& texture = targets.layout[index];
-    assert(into.size() ==
-           static_cast<std::size_t>(texture.words) * pixelCount(targets.width, targets.height));
-    read(targets.words[index], targets.width, targets.height, wordFormat(texture), into.data());
+void readWords(const GBufferTargets& targets, int output, std::span<std::uint32_t> into) {
+    const std::size_t index = targets.indexOf(output);
+    assert(into.size_bytes() == targets.layout[index].bytes * pixelCount(targets.width, targets.height));
+    read(targets.words[index], targets.width, targets.height, wordFormat(targets.layout[index]), into.data());
+}
+
+void readOcclusion(const GBufferTargets& targets, std::span<std::uint8_t> into) {
+    const std::size_t index = targets.indexOf(layout::OCCLUSION_OUTPUT);
+    assert(into.size() == pixelCount(targets.width, targets.height));
+    read(targets.words[index], targets.width, targets.height, wordFormat(targets.layout[index]), into.data());
 }
 
 void readDepth(const GBufferTargets& targets, std::span<float> into) {

@@ -14,8 +14,10 @@ namespace candela {
 
 // Whole targets, rows from the bottom as OpenGL has them.
 
-/// Fills `into`, which has `words` of `layout[index]` for each pixel.
-void readWords(const GBufferTargets& targets, std::size_t index, std::span<std::uint32_t> into);
+/// Fills `into`, which has the words of each pixel, from the texture that `output` writes.
+void readWords(const GBufferTargets& targets, int output, std::span<std::uint32_t> into);
+/// Fills `into`, which has one byte a pixel. The targets have the part `occlusion`.
+void readOcclusion(const GBufferTargets& targets, std::span<std::uint8_t> into);
 /// Fills `into`, which has one float a pixel.
 void readDepth(const GBufferTargets& targets, std::span<float> into);
 /// Fills `into`, which has four floats a pixel.
@@ -35,6 +37,8 @@ struct ShadowSurface {
     float lift;                 ///< Metres along it, 0 or more: see shaders/shared/shadow_ray.h.
 };
 ShadowSurface unpackShadowWord(std::uint32_t word);
+/// Of the second word of a `GBufferTexel` that is not 0: the shading normal.
+glm::vec3 unpackNormal(std::uint32_t word);
 
 // One pixel, y from the bottom.
 

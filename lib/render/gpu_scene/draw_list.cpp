@@ -31,22 +31,26 @@ Colors colorsOf(const Mesh& mesh) {
     return mesh.colors.empty() ? Colors::none : Colors::perVertex;
 }
 
-bool isPlain(const Material& material, Colors colors) {
+bool isPlain(const Material& material, Colors colors, OcclusionTextures occlusion) {
+    if (material.occlusionTexture && occlusion == OcclusionTextures::read) return false;
     return !isEmissive(material) && material.alphaMode == AlphaMode::opaque && !material.baseColorTexture &&
            !material.metallicRoughnessTexture && !material.normalTexture && colors == Colors::none;
 }
 
 /// The key of a material's draws, but for winding and geometry.
-PipelineKey materialKey(const Material& material, Colors colors, GpuImages& images) {
+PipelineKey materialKey(const Material& material, Colors colors, OcclusionTextures occlusion,
+                        GpuImages& images) {
     PipelineKey key;
     key.doubleSided = material.doubleSided;
-    if (isPlain(material, colors)) return key;
+    if (isPlain(material, colors, occlusion)) return key;
     key.program = PipelineKey::Program::textured;
     key.emissive = isEmissive(material);
     key.textures = {images.get(material.baseColorTexture, TexelEncoding::color),
                     images.get(material.metallicRoughnessTexture, TexelEncoding::data),
                     images.get(material.normalTexture, TexelEncoding::data),
-                    images.get(material.emissionTexture, TexelEncoding::color)};
+                    images.get(material.emissionTexture, TexelEncoding::color), SampledTexture{}};
+    if (material.occlusionTexture && occlusion == OcclusionTextures::read)
+        key.textures.back() = images.get(material.occlusionTexture, TexelEncoding::data);
     return key;
 }
 
@@ -55,7 +59,8 @@ bool needsDetail(const Scene& scene, const Mesh& mesh) {
     const auto count = static_cast<std::uint32_t>(scene.materials.size());
     const Submesh whole = wholeOf(mesh);
     return std::ranges::any_of(submeshesOf(mesh, whole), [&](const Submesh& submesh) {
-        return !isPlain(materialOf(scene.materials, submesh.material.value_or(count)), colorsOf(mesh));
+        return !isPlain(materialOf(scene.materials, submesh.material.value_or(count)), colorsOf(mesh),
+                        OcclusionTextures::read);
     });
 }
 
@@ -106,7 +111,7 @@ void DrawList::add(Draw draw, std::span<const Material> materials, GpuImages& im
     std::optional<PipelineKey>& key = materialKeys_[draw.material][draw.hasColors ? 1 : 0];
     if (!key) {
         key = materialKey(materialOf(materials, draw.material),
-                          draw.hasColors ? Colors::perVertex : Colors::none, images);
+                          draw.hasColors ? Colors::perVertex : Colors::none, occlusionTextures_, images);
     }
     const auto index = static_cast<std::uint32_t>(draws_.size());
     firstDraw_.resize(draw.instance + 1, index);
@@ -157,12 +162,19 @@ void DrawList::setMaterial(std::uint32_t index, const Material& material, GpuIma
     MaterialKeys keys = materialKeys_[index];
     for (const Colors colors : {Colors::none, Colors::perVertex}) {
         std::optional<PipelineKey>& key = keys[colors == Colors::perVertex ? 1 : 0];
-        if (key) key = materialKey(material, colors, images);
+        if (key) key = materialKey(material, colors, occlusionTextures_, images);
     }
     if (keys == materialKeys_[index]) return;
     materialKeys_[index] = keys;
     for (std::uint32_t i = firstOfMaterial_[index]; i < firstOfMaterial_[index + 1]; ++i)
         mark(draws_[drawsOfMaterial_[i]]);
+}
+
+void DrawList::setOcclusionTextures(OcclusionTextures textures, std::span<const Material> materials,
+                                    GpuImages& images) {
+    if (textures == occlusionTextures_) return;
+    occlusionTextures_ = textures;
+    for (std::uint32_t i = 0; i < materials.size(); ++i) setMaterial(i, materials[i], images);
 }
 
 void DrawList::setSurface(std::uint32_t instance, std::uint32_t surface) {

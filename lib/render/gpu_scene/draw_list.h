@@ -29,6 +29,9 @@ struct DrawGeometry {
     auto operator<=>(const DrawGeometry&) const = default;
 };
 
+/// Whether draws read the occlusion textures of their materials: where there is an environment.
+enum class OcclusionTextures { ignored, read };
+
 /// The OpenGL state that a draw needs. Draws with equal keys are issued together.
 struct PipelineKey {
     enum class Program { plain, textured };
@@ -37,8 +40,9 @@ struct PipelineKey {
     Program program = Program::plain;
     bool doubleSided = false;
     bool mirrored = false;  ///< The instance's matrix reverses the winding.
-    std::array<SampledTexture, 4>
-        textures{};  ///< Base colour, metallic-roughness, normal, emission; unset for plain.
+    /// Base colour, metallic-roughness, normal, emission; unset for plain. Then occlusion, unset where no
+    /// material has it or nothing reads it.
+    std::array<SampledTexture, 5> textures{};
     DrawGeometry geometry;
 
     auto operator<=>(const PipelineKey&) const = default;
@@ -109,6 +113,9 @@ class DrawList {
     void finish(std::size_t instanceCount);
 
     void setWinding(std::uint32_t instance, Winding winding);
+    /// Brings the draws of all materials to it. Throws as `setMaterial` does.
+    void setOcclusionTextures(OcclusionTextures textures, std::span<const Material> materials,
+                              GpuImages& images);
     /// Brings the draws of material `index` to its new pipeline state. Throws `Error` (limit) when a texture
     /// does not fit the device; nothing is changed then.
     void setMaterial(std::uint32_t index, const Material& material, GpuImages& images);
@@ -160,6 +167,7 @@ class DrawList {
     std::vector<Draw> draws_;
     std::vector<std::uint32_t> firstDraw_;  ///< Of each instance, and the number of draws.
     std::vector<std::uint32_t> firstOfMaterial_, drawsOfMaterial_;
+    OcclusionTextures occlusionTextures_ = OcclusionTextures::ignored;
     std::vector<MaterialKeys> materialKeys_;  ///< One a material, and one for draws without.
     Groups groups_;
     std::vector<std::uint32_t> pending_;

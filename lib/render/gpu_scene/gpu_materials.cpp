@@ -45,10 +45,12 @@ void writeRecord(std::span<glm::uvec4> record, const Material& material,
     record[layout::MATERIAL_BASE_COLOR] = bits(material.baseColor);
     record[layout::MATERIAL_FACTORS] = bits({material.metallic, material.roughness, normalScale, cutoff});
     record[layout::MATERIAL_EMISSION] = bits(glm::vec4(material.emission, material.unlit ? 1.0f : 0.0f));
-    record[layout::MATERIAL_PACKED] = {packed.x, 0, 0, 0};
+    const float occlusionStrength = material.occlusionTexture ? material.occlusionStrength : 0.0f;
+    record[layout::MATERIAL_PACKED] = {packed.x, std::bit_cast<std::uint32_t>(occlusionStrength), 0, 0};
     std::size_t row = layout::MATERIAL_UV_ROWS;
-    for (const auto* texture : {&material.baseColorTexture, &material.metallicRoughnessTexture,
-                                &material.normalTexture, &material.emissionTexture}) {
+    for (const auto* texture :
+         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+          &material.emissionTexture, &material.occlusionTexture}) {
         for (const glm::vec4& coordinates : coordinateRows(*texture)) record[row++] = bits(coordinates);
     }
 }

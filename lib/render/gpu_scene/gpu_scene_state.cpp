@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace candela {
 
@@ -41,7 +42,7 @@ Scene editableParts(const Scene& scene) {
 
 bool hasTextures(const Material& material) {
     return material.baseColorTexture || material.metallicRoughnessTexture || material.normalTexture ||
-           material.emissionTexture;
+           material.emissionTexture || material.occlusionTexture;
 }
 
 void requireIndex(const char* kind, std::uint32_t index, std::size_t count) {
@@ -90,6 +91,7 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
       cages(context, sceneState, options),
       deformations(context, scene, sceneState, detailOf(scene), options.vertexEvaluator),
       instances(sceneState) {
+    if (scene.environment) draws.setOcclusionTextures(OcclusionTextures::read, sceneState.materials, images);
     addDraws(scene);
     images.releaseSources();
     meshes.describe(vertexArray, draws.records(), defaultDetail_);
@@ -101,6 +103,16 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
 }
 
 GpuScene::State::~State() = default;
+
+bool GpuScene::State::hasEnvironmentLight() const {
+    return environment && environment->lights();
+}
+
+bool GpuScene::State::usesOcclusionTextures() const {
+    return hasEnvironmentLight() && std::ranges::any_of(sceneState.materials, [](const Material& material) {
+               return material.occlusionTexture && material.occlusionStrength > 0.0f;
+           });
+}
 
 void GpuScene::State::addDraws(const Scene& scene) {
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
@@ -228,7 +240,9 @@ void GpuScene::State::setEnvironment(const std::optional<Environment>& given) {
     }
     validateEnvironment(*given);
     const gl::StateGuard pixelStorage(*binding, "a GpuScene");
-    environment = std::make_unique<GpuEnvironment>(*given, options.workingFromRec709);
+    auto made = std::make_unique<GpuEnvironment>(*given, options.workingFromRec709);
+    draws.setOcclusionTextures(OcclusionTextures::read, sceneState.materials, images);
+    environment = std::move(made);
 }
 
 void GpuScene::State::setEnvironmentSettings(const EnvironmentSettings& settings) {

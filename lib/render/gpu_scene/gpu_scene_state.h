@@ -41,6 +41,11 @@ struct GpuScene::State {
     void setEnvironment(const std::optional<Environment>& environment);
     void setEnvironmentSettings(const EnvironmentSettings& settings);
 
+    /// Is there an environment that lights surfaces?
+    bool hasEnvironmentLight() const;
+    /// And does a material have an occlusion texture that dims its light?
+    bool usesOcclusionTextures() const;
+
     /// Brings the device's records to where the edits since the last call have put them.
     void update();
     /// Brings the cages to the levels for a frame of `width` × `height` pixels, and their vertices to their
@@ -79,7 +84,7 @@ struct GpuScene::State {
     /// pixels; meshes without vertices. The nodes' transforms as they are now are in `transforms`.
     Scene sceneState;
     std::uint64_t triangles = 0;
-    /// Created by the first frame with shadows.
+    /// Created by the first frame that traces rays.
     std::unique_ptr<OcclusionScene> occlusion;
     std::uint64_t alphaVersion = 1;  ///< Grows when a material that masks or blends by alpha changes.
     std::unique_ptr<GpuEnvironment> environment;  ///< Null without one.

@@ -9,6 +9,7 @@
 #include <candela/frame_settings.h>
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -38,6 +39,9 @@ class Lighting {
 
     /// Do shaders trace the occlusion rays of the technique? `backend` as above.
     bool tracesInShaders(Technique technique, TileBackend backend) const;
+
+    /// How many rays one invocation of a shader traces at most.
+    std::uint32_t raysPerInvocation() const { return static_cast<std::uint32_t>(limit_.traced); }
 
     /// Binds the textures that all techniques read.
     void bind(const LightingInputs& inputs);

@@ -17,6 +17,7 @@
 
 namespace candela {
 
+class GBufferCopy;
 class GpuEnvironment;
 class OcclusionScene;
 class PairCounter;
@@ -36,6 +37,9 @@ struct LightingInputs {
     /// The share of the environment that each pixel sees, 0 to 255, rows from the bottom; null: all of it.
     const std::uint8_t* environmentVisibility;
     bool emissionDrawn;  ///< `targets.radiance` holds emission; else its content is that of `radianceLoadOp`.
+    GBufferCopy* copy = nullptr;  ///< Of `targets`; null: who needs one makes it.
+    /// As `environmentVisibility`, for techniques that shade in shaders: R8, of the targets' size.
+    const gl::Texture* environmentVisibilityTexture = nullptr;
 };
 
 /// A way to bring lights to pixels. Each adds the light of all lights to `targets.radiance`. A new technique

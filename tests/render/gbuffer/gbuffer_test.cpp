@@ -332,17 +332,21 @@ TEST_F(GBufferTest, unknownAovIsAnErrorThatListsTheExistingOnes) {
 
 TEST_F(GBufferTest, layoutMayHaveAdditionalWords) {
     context().makeCurrent();
-    constexpr std::array layout{baseWordTextures[0],
-                                GBufferWordTexture{"further words", GL_R32UI, GL_RED_INTEGER, 1, 7, 2}};
-    const GBufferTargets targets(8, 4, layout);
+    const GBufferTargets targets(7, 3, {.shadowWord = true, .occlusion = true});
+    ASSERT_EQ(targets.layout.size(), 3u);
     constexpr std::array<GLuint, 4> base{1, 2, 0, 0}, further{3, 0, 0, 0};
+    constexpr std::array<GLfloat, 4> open{1.0f, 0.0f, 0.0f, 0.0f};
     for (const gl::Framebuffer* framebuffer : {&targets.surfaces, &targets.surfacesAndEmission}) {
-        glClearNamedFramebufferuiv(framebuffer->name(), GL_COLOR, layout[0].output, base.data());
-        glClearNamedFramebufferuiv(framebuffer->name(), GL_COLOR, layout[1].output, further.data());
-        std::vector<std::uint32_t> words(8 * 4);
-        readWords(targets, 1, words);
-        EXPECT_EQ(words, std::vector<std::uint32_t>(8 * 4, 3));
-        EXPECT_EQ(readSurfaceAt(targets, 7, 3).y, 2u);
+        glClearNamedFramebufferuiv(framebuffer->name(), GL_COLOR, layout::SURFACE_OUTPUT, base.data());
+        glClearNamedFramebufferuiv(framebuffer->name(), GL_COLOR, layout::SHADOW_OUTPUT, further.data());
+        glClearNamedFramebufferfv(framebuffer->name(), GL_COLOR, layout::OCCLUSION_OUTPUT, open.data());
+        std::vector<std::uint32_t> words(7 * 3);
+        readWords(targets, layout::SHADOW_OUTPUT, words);
+        EXPECT_EQ(words, std::vector<std::uint32_t>(7 * 3, 3));
+        std::vector<std::uint8_t> bytes(7 * 3);
+        readOcclusion(targets, bytes);
+        EXPECT_EQ(bytes, std::vector<std::uint8_t>(7 * 3, 255));
+        EXPECT_EQ(readSurfaceAt(targets, 6, 2).y, 2u);
     }
     targets.bind();
     GLint bound = 0;

@@ -62,20 +62,10 @@ void CpuTiles::Worker::reserveShadows(std::size_t lights, std::size_t directiona
     shadows.transmittance = occlusion.blends ? transmittance.data() : nullptr;
 }
 
-void CpuTiles::readTargets(const LightingInputs& inputs) {
-    const GBufferTargets& targets = inputs.targets;
-    const std::size_t pixels =
-        static_cast<std::size_t>(targets.width) * static_cast<std::size_t>(targets.height);
-    surfaces_.resize(2 * pixels);
-    depth_.resize(pixels);
-    radiance_.resize(4 * pixels);
-    readWords(targets, 0, surfaces_);
-    readDepth(targets, depth_);
-    if (inputs.occlusion != nullptr) {
-        shadowWords_.resize(pixels);
-        readWords(targets, 1, shadowWords_);
-    }
-    if (inputs.emissionDrawn) readColor(targets.radiance, targets.width, targets.height, radiance_);
+GBufferCopy& CpuTiles::copyOf(const LightingInputs& inputs) {
+    if (inputs.copy != nullptr) return *inputs.copy;
+    copy_.reset(inputs.targets);
+    return copy_;
 }
 
 TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
@@ -102,13 +92,15 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     frame.shift[1] = uniforms.rayStepY.w;
     frame.width = inputs.targets.width;
     frame.height = inputs.targets.height;
-    frame.surfaces = surfaces_.data();
-    frame.depth = depth_.data();
+    GBufferCopy& copy = copyOf(inputs);
+    frame.surfaces = copy.surfaces().data();
+    frame.depth = copy.depth().data();
     frame.environment = inputs.environment == nullptr ? nullptr : &inputs.environment->view();
     frame.environmentVisibility = inputs.environmentVisibility;
-    frame.shadowWords = inputs.occlusion == nullptr ? nullptr : shadowWords_.data();
+    frame.shadowWords = inputs.occlusion == nullptr ? nullptr : copy.shadowWords().data();
     frame.occlusion = inputs.occlusion == nullptr ? nullptr : &inputs.occlusion->view();
     frame.pixelSide = glm::length(glm::vec3(uniforms.rayStepY));
+    radiance_.resize(4 * copy.depth().size());
     frame.radiance = radiance_.data();
     frame.loadRadiance = inputs.emissionDrawn;
     const LightReaches& reaches = lights.reaches();
@@ -163,8 +155,8 @@ void CpuTiles::shadeAll(TileFrame frame, BrdfModel brdf) {
 }
 
 void CpuTiles::capture(const LightingInputs& inputs) {
-    readTargets(inputs);
     frame_ = frameOf(inputs);
+    if (inputs.emissionDrawn) readColor(inputs.targets.radiance, frame_.width, frame_.height, radiance_);
     brdf_ = inputs.brdf;
 }
 
@@ -187,9 +179,8 @@ void CpuTiles::render(const LightingInputs& inputs, gl::PassTimer& timer) {
 }
 
 std::vector<float> CpuTiles::shadowedPerPixel(const LightingInputs& inputs) {
-    readTargets(inputs);
-    std::vector<float> counts(depth_.size());
     TileFrame frame = frameOf(inputs);
+    std::vector<float> counts(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
     frame.shadowedCounts = counts.data();
     frame.environment = nullptr;
     frame.loadRadiance = true;  // Nothing is written to it.

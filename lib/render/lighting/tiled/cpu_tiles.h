@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/thread_pool.h"
+#include "render/gbuffer/gbuffer_copy.h"
 #include "render/lighting/lighting_technique.h"
 #include "render/lighting/tiled/light_bins.h"
 #include "render/lighting/tiled/tile_kernel.h"
@@ -35,7 +36,7 @@ class CpuTiles final : public LightingTechnique {
     void shadeOnto(std::span<float> sum);
     bool hasEmission() const { return frame_.loadRadiance; }
     /// What the last `shade` has written, until the next `capture`.
-    GBufferTargets::Memory result() const { return {radiance_, depth_}; }
+    GBufferTargets::Memory result() const { return {radiance_, {frame_.depth, radiance_.size() / 4}}; }
     std::uint64_t countEvaluated(const LightingInputs& inputs, PairCounter& counter) override;
     std::uint64_t lightListBytes() const override { return listBytes_; }
     ShadowCounts shadowCounts() const override;
@@ -59,7 +60,7 @@ class CpuTiles final : public LightingTechnique {
         void reserveShadows(std::size_t lights, std::size_t directionals, const OcclusionView& occlusion);
     };
 
-    void readTargets(const LightingInputs& inputs);
+    GBufferCopy& copyOf(const LightingInputs& inputs);
     TileFrame frameOf(const LightingInputs& inputs);
     void shadeTiles(const TileFrame& frame, BrdfModel brdf, ThreadPool& pool);
     void shadeAll(TileFrame frame, BrdfModel brdf);
@@ -68,9 +69,8 @@ class CpuTiles final : public LightingTechnique {
     LightBins bins_;
     std::uint64_t listBytes_ = 0;
     std::vector<Worker> workers_;
-    std::vector<std::uint32_t> surfaces_;
-    std::vector<std::uint32_t> shadowWords_;
-    std::vector<float> depth_, radiance_;
+    GBufferCopy copy_;  ///< Where the inputs have none.
+    std::vector<float> radiance_;
     std::array<float, 256> srgbDecode_;
     TileFrame frame_{};  ///< Of the last `capture`.
     BrdfModel brdf_ = BrdfModel::course;

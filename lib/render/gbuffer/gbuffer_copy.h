@@ -1,0 +1,35 @@
+#pragma once
+
+#include "render/gbuffer/gbuffer_targets.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace candela {
+
+/// A G-buffer in the CPU's memory, for passes that run there. Each texture is read back when it is first
+/// asked for after `reset`. Rows from the bottom.
+class GBufferCopy {
+  public:
+    /// Starts a copy of `targets`, which outlive its use.
+    void reset(const GBufferTargets& targets);
+
+    std::span<const std::uint32_t> surfaces();  ///< Two words a pixel: `GBufferTexel`.
+    std::span<const float> depth();             ///< Reversed.
+    std::span<const std::uint32_t> shadowWords();
+    std::span<const std::uint8_t> occlusion();
+
+  private:
+    /// `read` fills `values`, of which a pixel has `perPixel`.
+    template <typename T, typename Read>
+    std::span<const T> once(std::vector<T>& values, std::size_t perPixel, unsigned part, const Read& read);
+
+    const GBufferTargets* targets_ = nullptr;
+    unsigned present_ = 0;  ///< A bit for each of the following.
+    std::vector<std::uint32_t> surfaces_, shadowWords_;
+    std::vector<float> depth_;
+    std::vector<std::uint8_t> occlusion_;
+};
+
+}  // namespace candela

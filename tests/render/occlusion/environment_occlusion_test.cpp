@@ -1,0 +1,265 @@
+// How much of the environment pixels see, by Embree and in shaders, against closed forms and each other.
+
+#include "occlusion/visibility_fixture.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <variant>
+#include <vector>
+
+namespace candela::test {
+namespace {
+
+constexpr float everything = 1.0e30f;
+
+Material grey() {
+    Material material;
+    material.baseColor = {0.5f, 0.5f, 0.5f, 1.0f};
+    material.doubleSided = true;
+    return material;
+}
+
+glm::mat4 rotated(const glm::vec3& position, float degrees, const glm::vec3& axis) {
+    return glm::rotate(glm::translate(glm::mat4(1.0f), position), glm::radians(degrees), axis);
+}
+
+/// A horizontal square that faces up.
+glm::mat4 flatAt(const glm::vec3& position) {
+    return rotated(position, -90.0f, {1, 0, 0});
+}
+
+/// The floor y = 0 and the wall x = 0, which ends 5 m to all sides.
+Scene floorAndWall() {
+    Scene scene = sceneOf(makeQuad(5.0f), grey(), flatAt({5, 0, 0}));
+    place(scene, makeQuad(5.0f), grey(), rotated({0, 5, 0}, 90.0f, {0, 1, 0}));
+    return scene;
+}
+
+/// See ambient_occlusion_test.cpp.
+double freeBesideAWall(double d, double distance) {
+    const double a = std::min(d / distance, 1.0);
+    return 1.0 - (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::numbers::pi;
+}
+
+Scene closedBox() {
+    Scene scene;
+    for (int i = 0; i < 4; ++i)
+        place(scene, makeQuad(1.0f), grey(),
+              glm::translate(rotated({}, 90.0f * float(i), {0, 1, 0}), {0, 0, 1}));
+    for (const float side : {-1.0f, 1.0f}) place(scene, makeQuad(1.0f), grey(), flatAt({0, side, 0}));
+    return scene;
+}
+
+/// Rectangles that stand and float over a floor, and pass through it and each other.
+Scene cardsOnAFloor() {
+    Scene scene = sceneOf(makeQuad(6.0f), grey(), flatAt({0, 0, 0}));
+    for (std::uint32_t i = 0; i < 30; ++i) {
+        const glm::vec3 position(4.0f * hashed(1, i) - 2.0f, 0.8f * hashed(2, i), 4.0f * hashed(3, i) - 2.0f);
+        place(scene, makeQuad(0.2f + 0.4f * hashed(4, i)), grey(),
+              rotated(position, 360.0f * hashed(5, i), hashedDirection(6, i)));
+    }
+    return scene;
+}
+
+TEST_F(VisibilityTest, OpenSurfacesSeeAllOfIt) {
+    std::vector<Scene> scenes{sceneOf(makeSphere(1.0f, 12, 6), grey()),
+                              sceneOf(makeSphere(1.0f, 64, 32), grey())};
+    for (std::uint32_t i = 0; i < 4; ++i)
+        scenes.push_back(
+            sceneOf(makeQuad(50.0f), grey(), rotated({}, 360.0f * hashed(1, i), hashedDirection(2, i))));
+    for (const Scene& scene : scenes) {
+        GpuScene uploaded = upload(scene);
+        for (const Form form : forms) {
+            for (const std::uint32_t rays : {1u, 4u, 7u, 64u}) {
+                const Picture picture = visibility(uploaded, lookAt({1.4f, 1.6f, 2.7f}, {0, 0, 0}, 0.8f),
+                                                   {rays, rays, everything}, form);
+                int surfaces = 0;
+                for (std::size_t i = 0; i < picture.depth.size(); ++i) {
+                    if (picture.depth[i] == 0.0f) continue;
+                    ++surfaces;
+                    ASSERT_EQ(picture.bytes[i], 255) << i << ", " << rays << " rays";
+                }
+                EXPECT_GT(surfaces, 300);
+            }
+        }
+    }
+}
+
+TEST_F(VisibilityTest, ACornerOfTwoPlanes) {
+    GpuScene scene = upload(floorAndWall());
+    CameraView orthographic = lookAt({3, 3, 1}, {0.4f, 0.3f, 0}, 0.5f);
+    orthographic.orthographicHeight = 1.6f;
+    orthographic.farPlane = 100.0f;
+    for (const CameraView& view : {lookAt({3, 3, 1}, {0.4f, 0.3f, 0}, 0.5f), orthographic}) {
+        for (const Form form : forms) {
+            for (const std::uint32_t rays : {4u, 256u}) {
+                constexpr float distance = 1.5f;
+                const Picture picture = visibility(scene, view, {rays, 0, distance}, form);
+                double sum = 0.0;
+                int count = 0;
+                for (std::size_t i = 0; i < picture.depth.size(); ++i) {
+                    const glm::vec3 p = picture.positions[i];
+                    const float d = std::max(p.x, p.y);
+                    const bool isBeside = std::abs(p.z) + distance < 5.0f && d + distance < 10.0f;
+                    if (picture.depth[i] == 0.0f || !isBeside) continue;
+                    const double error = picture.bytes[i] / 255.0 - freeBesideAWall(d, distance);
+                    // A byte, the width of the filter, and the discrepancy of 16 × rays directions for
+                    // segments of a disc; of fewer beside the edge, where the filter's window is cut.
+                    const double tolerance = rays == 256 ? 0.02 : d > 0.15f && isInside(i) ? 0.08 : 0.15;
+                    ASSERT_NEAR(error, 0.0, tolerance) << p.x << ", " << p.y;
+                    sum += error;
+                    ++count;
+                }
+                EXPECT_GT(count, 1000);
+                EXPECT_LT(std::abs(sum), 0.006 * count) << rays;
+            }
+        }
+    }
+}
+
+TEST_F(VisibilityTest, SamplesAverageToTheClosedForm) {
+    GpuScene scene = upload(floorAndWall());
+    const CameraView view = lookAt({3, 3, 1}, {0.4f, 0.3f, 0}, 0.5f);
+    constexpr int samples = 64;
+    std::vector<double> sums;
+    Picture picture;
+    for (std::uint32_t sample = 0; sample < samples; ++sample) {
+        const Picture next = visibility(scene, view, {4, sample, 1.5f}, Form::cpu);
+        EXPECT_NE(next.bytes, picture.bytes) << sample;
+        picture = next;
+        sums.resize(picture.bytes.size());
+        for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += picture.bytes[i] / 255.0;
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const glm::vec3 p = picture.positions[i];
+        if (picture.depth[i] == 0.0f || std::abs(p.z) > 3.4f || std::max(p.x, p.y) > 8.0f) continue;
+        ASSERT_NEAR(sums[i] / samples, freeBesideAWall(std::max(p.x, p.y), 1.5), 0.02) << i;
+    }
+}
+
+TEST_F(VisibilityTest, InsideAClosedBoxNothingIsSeen) {
+    GpuScene scene = upload(closedBox());
+    const CameraView view = lookAt({0.2f, 0.1f, 0.3f}, {-1, -0.8f, -1}, 1.2f);
+    for (const Form form : forms) {
+        for (const std::uint8_t value : visibility(scene, view, {4, 0, everything}, form).bytes)
+            ASSERT_EQ(value, 0);
+    }
+}
+
+/// Neighbours on another surface do not take part.
+TEST_F(VisibilityTest, NoHaloesAtEdges) {
+    Scene scene = floorAndWall();
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        const glm::vec3 center(1.2f + 0.1f * float(i), 0.6f + 0.5f * hashed(9, i), 0.35f * float(i) - 0.9f);
+        // Towards the eye.
+        place(scene, makeQuad(0.08f), grey(),
+              glm::inverse(glm::lookAt(center, 2.0f * center - glm::vec3(3, 3, 1), {0, 1, 0})));
+    }
+    GpuScene uploaded = upload(scene);
+    for (const Form form : forms) {
+        const Picture picture =
+            visibility(uploaded, lookAt({3, 3, 1}, {0.4f, 0.3f, 0}, 0.5f), {16, 0, 0.2f}, form);
+        int onCards = 0, dark = 0;
+        for (std::size_t i = 0; i < picture.depth.size(); ++i) {
+            const glm::vec3 p = picture.positions[i];
+            if (picture.depth[i] == 0.0f) continue;
+            dark += picture.bytes[i] < 200;
+            if (std::min(p.x, p.y) < 0.25f) continue;
+            ++onCards;
+            ASSERT_EQ(picture.bytes[i], 255) << i;
+        }
+        EXPECT_GT(onCards, 50);
+        EXPECT_GT(dark, 50);
+    }
+}
+
+TEST_F(VisibilityTest, ShadersAgreeWithTheCpu) {
+    GpuScene scene = upload(cardsOnAFloor());
+    for (const std::uint32_t rays : {4u, 37u}) {
+        const EnvironmentRays settings{rays, 3, 0.9f};
+        const CameraView view = lookAt({0, 3, 6}, {0, 0.3f, 0}, 0.7f);
+        const Picture cpu = visibility(scene, view, settings, Form::cpu),
+                      shader = visibility(scene, view, settings, Form::shader);
+        int different = 0, surfaces = 0;
+        for (std::size_t i = 0; i < cpu.depth.size(); ++i) {
+            if (cpu.depth[i] == 0.0f) continue;
+            ++surfaces;
+            // One code of rounding; more where a ray grazes an edge.
+            different += std::abs(int(cpu.bytes[i]) - int(shader.bytes[i])) > 1;
+        }
+        std::printf("%u rays: %d of %d pixels differ\n", rays, different, surfaces);
+        EXPECT_LT(different, surfaces / 100);
+        EXPECT_LT(*std::ranges::min_element(cpu.bytes), 200);
+    }
+}
+
+TEST_F(VisibilityTest, ThreadsGiveTheSameBits) {
+    GpuScene scene = upload(cardsOnAFloor());
+    const CameraView view = lookAt({0, 3, 6}, {0, 0.3f, 0}, 0.7f);
+    const std::vector<std::uint8_t> expected = visibility(scene, view, {5, 1, 0.9f}, Form::cpu).bytes;
+    for (const unsigned threads : {1u, 3u, 8u}) {
+        setThreadCount(threads);
+        EXPECT_EQ(visibility(scene, view, {5, 1, 0.9f}, Form::cpu).bytes, expected);
+    }
+    setThreadCount(0);
+}
+
+TEST_F(VisibilityTest, MovedNodesHideAsInAFreshScene) {
+    Scene scene = cardsOnAFloor();
+    GpuScene moving = upload(scene);
+    const CameraView view = lookAt({0, 3, 6}, {0, 0.3f, 0}, 0.7f);
+    for (std::uint32_t step = 0; step < 4; ++step) {
+        for (std::uint32_t node = 1 + step; node < scene.nodes.size(); node += 3) {
+            glm::mat4& transform = std::get<glm::mat4>(scene.nodes[node].transform);
+            transform[3] +=
+                glm::vec4(hashed(90 + step, node) - 0.5f, 0.2f * hashed(91 + step, node), 0.1f, 0.0f);
+            moving.setTransform(node, transform);
+        }
+        GpuScene fresh = upload(scene);
+        for (const Form form : forms) {
+            EXPECT_EQ(visibility(moving, view, {4, step, 0.9f}, form).bytes,
+                      visibility(fresh, view, {4, step, 0.9f}, form).bytes);
+        }
+    }
+}
+
+/// glTF 2.0, 3.9.3: mix(1, R, strength), read with its own texture coordinates.
+TEST_F(VisibilityTest, OcclusionTexturesMultiply) {
+    for (const float strength : {1.0f, 0.5f, 0.0f}) {
+        Material material = grey();
+        material.occlusionTexture = Texture{};
+        material.occlusionTexture->uvSet = 1;
+        material.occlusionTexture->magFilter = material.occlusionTexture->minFilter = Filter::nearest;
+        material.occlusionTexture->scale = {2.0f, 1.0f};
+        material.occlusionStrength = strength;
+        Mesh quad = makeQuad(50.0f);
+        quad.uv1 = quad.uv0;
+        Scene scene = sceneOf(quad, material);
+        place(scene, makeQuad(1.0f), grey(), glm::translate(glm::mat4(1.0f), {0, 0, 0.5f}));
+        scene.images.push_back(makeImage(
+            2, 2, [](std::uint32_t x, std::uint32_t) { return glm::u8vec4(x == 0 ? 51 : 204, 0, 0, 255); }));
+        scene.environment = whiteEnvironment();
+        GpuScene uploaded = upload(scene);
+        for (const Form form : forms) {
+            const Picture picture =
+                visibility(uploaded, lookAt({0, 0, 30}, {0, 0, 0}, 1.0f), {4, 0, 0.1f}, form);
+            for (std::size_t i = 0; i < picture.depth.size(); ++i) {
+                const glm::vec3 p = picture.positions[i];
+                if (std::max(std::abs(p.x), std::abs(p.y)) < 1.5f && p.z < 0.4f) continue;
+                const float place = (p.x + 50.0f) / 100.0f * 4.0f;
+                if (std::abs(place - std::round(place)) < 0.05f) continue;
+                const float red = int(std::floor(place)) % 2 == 0 ? 51.0f : 204.0f;
+                const float expected = p.z > 0.4f ? 255.0f : 255.0f + strength * (red - 255.0f);
+                ASSERT_NEAR(picture.bytes[i], expected, 0.51f) << p.x;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace candela::test
