@@ -41,7 +41,8 @@ vec3 irradianceAt(vec3 normal) {
     int peaks = int(fetchTexel(ENVIRONMENT_PEAK_COUNT).x);
     for (int i = 0; i < peaks; ++i) {
         int at = ENVIRONMENT_PEAKS + 2 * i;
-        sum += fetchTexel(at + 1) * max(dot(normal, fetchTexel(at)), 0.0);
+        vec4 peak = texelFetch(environmentTexels, at);
+        sum += fetchTexel(at + 1) * meanCosine(dot(normal, peak.xyz), peak.w);
     }
     return sum;
 }

@@ -31,6 +31,12 @@ SHARED_FUNCTION Real3 inPicture(EnvironmentAxes axes, Real3 direction) {
     return Real3(dot(axes.x, direction), dot(axes.y, direction), dot(axes.z, direction));
 }
 
+// The mean of max(cosine, 0) over cosines that are spread evenly by `halfWidth` in both directions.
+SHARED_FUNCTION Real meanCosine(Real cosine, Real halfWidth) {
+    Real above = min(max(cosine + halfWidth, 0.0f), halfWidth * 2.0f);
+    return above * above / (halfWidth * 4.0f) + max(cosine - halfWidth, 0.0f);
+}
+
 // The level of the maps for the lobe's alpha, without an upper end: level i is that of alpha = 2^-i.
 SHARED_FUNCTION Real environmentLevel(ShadingPoint point) {
     return octavesBelowOne(point.alpha2) * 0.5f;

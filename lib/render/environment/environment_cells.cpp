@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <span>
 
 namespace candela {
 
@@ -185,6 +186,28 @@ std::optional<EnvironmentPeak> takePeak(std::vector<EnvironmentCell>& cells, flo
     return EnvironmentPeak{glm::normalize(vector), irradiance};
 }
 
+/// A disc of radius r has a variance of r² / 4 along an axis, an even spread from -h to h one of h² / 3. Only
+/// cells of a tenth of the brightest one's radiance count.
+float halfWidthOf(const EnvironmentPeak& peak, const CellGrid& grid) {
+    constexpr float radius = 0.06f, least = 1.0e-3f;
+    std::vector<const EnvironmentCell*> near;
+    float brightest = 0.0f;
+    for (const EnvironmentCell& cell :
+         std::span(grid.cells, std::size_t(grid.size) * std::size_t(grid.size))) {
+        if (cell.solidAngle <= 0.0f || glm::distance(directionOf(cell), peak.direction) > radius) continue;
+        near.push_back(&cell);
+        brightest = std::max(brightest, lightOf(cell) / cell.solidAngle);
+    }
+    float variance = 0.0f, light = 0.0f;
+    for (const EnvironmentCell* cell : near) {
+        if (lightOf(*cell) < 0.1f * brightest * cell->solidAngle) continue;
+        const float distance = glm::distance(directionOf(*cell), peak.direction);
+        variance += 0.5f * distance * distance * lightOf(*cell);
+        light += lightOf(*cell);
+    }
+    return light > 0.0f ? std::max(std::sqrt(3.0f * variance / light), least) : least;
+}
+
 }  // namespace
 
 DiffuseLight::DiffuseLight(const EnvironmentCells& source) {
@@ -197,6 +220,7 @@ DiffuseLight::DiffuseLight(const EnvironmentCells& source) {
         const std::optional<EnvironmentPeak> peak = takePeak(cells, leastShare * total);
         if (!peak) break;
         peaks.push_back(*peak);
+        peaks.back().halfWidth = halfWidthOf(*peak, source.grids().back());
     }
 }
 

@@ -32,6 +32,8 @@ class EnvironmentCells {
 struct EnvironmentPeak {
     glm::vec3 direction{0.0f};   ///< Unit length.
     glm::vec3 irradiance{0.0f};  ///< Of a surface that faces it.
+    /// The cosines to its parts are spread about evenly by this much in both directions: over 0.
+    float halfWidth = 0.0f;
 };
 
 constexpr std::size_t maxEnvironmentPeaks = 4;

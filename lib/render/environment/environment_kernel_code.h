@@ -145,7 +145,7 @@ void filterRow(const FilterJob& job, int row, const EnvironmentCell** scratch) {
 
 /// The mean over a cell of the cosine to a normal, or 0 where it is negative. `cosine` is that of the cell's
 /// middle; the cosines within it are spread evenly by `half` in both directions.
-inline Floats meanCosine(Floats cosine, float half) {
+inline Floats meanCellCosine(Floats cosine, float half) {
     const Floats above = min(max(cosine + half, 0.0f), 2.0f * half);
     return above * above * (0.25f / half) + max(cosine - half, 0.0f);
 }
@@ -161,7 +161,7 @@ void irradianceRow(const IrradianceJob& job, int row) {
         Floats whole = splat(0.0f);
         for (int i = 0; i < cellCount; ++i) {
             const EnvironmentCell& cell = job.grid.cells[i];
-            const Floats cosine = meanCosine(dot(n, splat3(cell.direction)), 0.5f * cell.side);
+            const Floats cosine = meanCellCosine(dot(n, splat3(cell.direction)), 0.5f * cell.side);
             sum = sum + splat3(cell.energy) * cosine;
             whole = whole + cosine * cell.solidAngle;
         }

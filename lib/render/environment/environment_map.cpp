@@ -163,6 +163,7 @@ void EnvironmentMap::writeHeader() {
     int texel = layout::ENVIRONMENT_PEAKS;
     for (const EnvironmentPeak& peak : peaks_) {
         write(texel, peak.direction), write(texel + 1, peak.irradiance);
+        texels_[static_cast<std::size_t>(4 * texel + 3)] = peak.halfWidth;
         texel += peakTexels;
     }
 }

@@ -12,7 +12,7 @@ struct EnvironmentView {
     /// The first texel of each level, and its texels along a side without the border.
     float firstTexels[levelCount], sizes[levelCount];
     float irradianceFirst, irradianceSize;  ///< The same of the irradiance.
-    const float* peaks;                     ///< Eight floats each: direction and 0, irradiance and 0.
+    const float* peaks;  ///< Eight floats each: direction and half width, irradiance and 0.
     int peakCount;
     float axes[3][3];  ///< Rows of the rotation from the world to the picture's frame.
     float intensity;

@@ -61,7 +61,7 @@ inline Vec3 irradianceAt(const EnvironmentView& environment, Vec3 normal) {
     Vec3 sum = colors.columns();
     for (int i = 0; i < environment.peakCount; ++i) {
         const float* peak = environment.peaks + 8 * i;
-        sum = sum + splat3(peak + 4) * max(dot(normal, splat3(peak)), 0.0f);
+        sum = sum + splat3(peak + 4) * meanCosine(dot(normal, splat3(peak)), splat(peak[3]));
     }
     return sum;
 }
