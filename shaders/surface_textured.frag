@@ -47,6 +47,7 @@ void main() {
     MaterialLobes lobes = texturedLobes();
     MaterialState state = materialState(material);
     vec3 normal = shadingNormal(state.normalScale);
+    float roughness = filteredRoughness(lobes.roughness, normal);
 #ifdef OCCLUSION
     writeOcclusion(texel(occlusionTexture, OCCLUSION_SLOT).r, state.occlusionStrength);
 #endif
@@ -57,7 +58,7 @@ void main() {
     if (lobes.alpha < state.alphaCutoff) discard;
 
     vec3 working = workingFromRec709(lobes.baseColor);
-    uint normalRoughness = packNormalRoughness(gl_FrontFacing ? normal : -normal, lobes.roughness);
+    uint normalRoughness = packNormalRoughness(gl_FrontFacing ? normal : -normal, roughness);
     writeWords(GBufferWords(uvec2(packBaseColor(working, lobes.metallic), state.unlit ? 0u : normalRoughness)));
     radiance = vec4(state.unlit ? working : workingFromRec709(lobes.emission), 0.0);
 }

@@ -129,6 +129,10 @@ candela::BrdfModel parseBrdf(const std::string& text) {
                      [](candela::BrdfModel model) { return candela::toString(model); });
 }
 
+bool parseOnOff(const std::string& option, const std::string& text) {
+    return parseWord(option, text, std::array{true, false}, [](bool on) { return on ? "on" : "off"; });
+}
+
 candela::Shadows parseShadows(const std::string& text) {
     using enum candela::Shadows;
     const candela::Shadows shadows = parseWord("--shadows", text, std::array{on, off},

@@ -51,6 +51,9 @@ candela::BrdfModel parseBrdf(const std::string& text);
 /// "on" or "off". Throws `candela::Error` (environment) for "on" where the library has no shadows.
 candela::Shadows parseShadows(const std::string& text);
 
+/// True for "on", false for "off".
+bool parseOnOff(const std::string& option, const std::string& text);
+
 /// The one of `values` whose name is `text`. Throws `UsageError` that lists all names, after those in `more`,
 /// which the caller handles itself.
 template <typename Values, typename Name>

@@ -79,6 +79,10 @@ constexpr const char* shadows =
     "Whether every light casts shadows, traced by occlusion rays: on or off.\n"
     "Default: ";
 
+constexpr const char* specularAntialiasing =
+    "Whether roughness is widened where normals vary from pixel to pixel, so that\n"
+    "highlights of small bumps do not sparkle: on or off. Default: on";
+
 constexpr const char* rangeLoss =
     "What lights without a range may lose together at any point, as a share of\n"
     "their light there, between 0 and 1. Default: 0.01";
@@ -273,10 +277,7 @@ void SceneOptionReader::declareLighting(CLI::App& app) {
         ->group("Lighting");
     app.add_option_function<std::string>(
            "--background",
-           [this](const std::string& text) {
-               options_.background = parseWord("--background", text, std::array{true, false},
-                                               [](bool shown) { return shown ? "on" : "off"; });
-           },
+           [this](const std::string& text) { options_.background = parseOnOff("--background", text); },
            help::background)
         ->type_name("WORD")
         ->group("Lighting");
@@ -297,6 +298,14 @@ void SceneOptionReader::declareLighting(CLI::App& app) {
     app.add_option_function<std::string>(
            "--shadows", [this](const std::string& text) { options_.shadows = parseShadows(text); },
            std::string(help::shadows) + candela::toString(drawnShadows(options_.shadows)))
+        ->type_name("WORD")
+        ->group("Lighting");
+    app.add_option_function<std::string>(
+           "--specular-aa",
+           [this](const std::string& text) {
+               options_.specularAntialiasing = parseOnOff("--specular-aa", text);
+           },
+           help::specularAntialiasing)
         ->type_name("WORD")
         ->group("Lighting");
     app.add_option_function<std::string>(

@@ -79,6 +79,7 @@ struct SceneOptions {
     candela::Technique technique = candela::Technique::automatic;
     candela::TileBackend tileBackend = candela::TileBackend::automatic;
     candela::Shadows shadows = candela::FrameSettings{}.shadows;
+    bool specularAntialiasing = candela::FrameSettings{}.specularAntialiasing;
     float rangeLoss = candela::GpuSceneOptions{}.rangeLoss;
     candela::SubdivisionSettings subdivision;
     candela::VertexEvaluator vertexEvaluator = candela::VertexEvaluator::automatic;

@@ -14,6 +14,7 @@ candela::FrameSettings frameSettings(const Options& options) {
     settings.technique = options.technique;
     settings.tileBackend = options.tileBackend;
     settings.shadows = options.shadows;
+    settings.specularAntialiasing = options.specularAntialiasing;
     settings.debugView = options.debug.view;
     settings.overlays = options.debug.overlays;
     settings.ambientOcclusion = options.ambientOcclusion;

@@ -144,6 +144,8 @@ std::string renderCommandLine(const SceneOptions& options) {
         command.option("--tiles", candela::toString(options.tileBackend));
     if (drawnShadows(options.shadows) != drawnShadows(SceneOptions{}.shadows))
         command.option("--shadows", candela::toString(options.shadows));
+    if (options.specularAntialiasing != SceneOptions{}.specularAntialiasing)
+        command.option("--specular-aa", options.specularAntialiasing ? "on" : "off");
     if (options.rangeLoss != candela::GpuSceneOptions{}.rangeLoss)
         command.option("--range-loss", numberText(options.rangeLoss));
     if (!options.debug.isDefault()) command.option("--show", debugViewText(options.debug));

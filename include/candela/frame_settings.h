@@ -115,6 +115,9 @@ struct FrameSettings {
     /// stand at its centre.
     std::uint32_t sample = 0;
     EnvironmentOcclusionSettings environmentOcclusion = {};
+    /// Widens roughness where the shading normal varies from pixel to pixel, so that highlights of small
+    /// bumps do not sparkle; see docs/lighting.md. Surfaces with one normal stay as they are.
+    bool specularAntialiasing = true;
 };
 
 }  // namespace candela

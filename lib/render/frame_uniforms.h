@@ -10,7 +10,8 @@
 
 namespace candela {
 
-/// The uniform block of a frame of `width` × `height` pixels. An orthographic view has a far plane.
+/// The uniform block of a frame of `width` × `height` pixels, without specular antialiasing. An orthographic
+/// view has a far plane.
 layout::FrameUniforms frameUniforms(const CameraView& view, int width, int height,
                                     const glm::dmat3& workingFromRec709, const LightCounts& lights);
 

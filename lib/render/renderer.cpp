@@ -338,6 +338,7 @@ void Renderer::State::describeFrame(const GpuScene::State& scene, const CameraVi
                                            scene.options.workingFromRec709, scene.lights.counts()),
                              Frustum(view, aspect), scene.sceneState.origin});
     if (scene.environment) scene.environment->describe(frame->uniforms);
+    frame->uniforms.cameraForward.w = settings.specularAntialiasing ? 1.0f : 0.0f;
 }
 
 void Renderer::State::startSample(GpuScene::State& scene, const CameraView& view, std::uint32_t sample) {

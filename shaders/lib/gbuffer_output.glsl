@@ -3,6 +3,7 @@
 #include "shared/bindings.h"
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
+#include "shared/shading_constants.h"
 
 layout(location = SURFACE_OUTPUT) out uvec2 surfaceWords;
 #ifdef SHADOWS
@@ -32,6 +33,20 @@ void writeOcclusion(float red, float strength) {
 #ifdef OCCLUSION
     environmentShare = 1.0 + strength * (red - 1.0);
 #endif
+}
+
+// The roughness whose lobe is as wide as that of `roughness` spread over the normals within the pixel, by their screen-space derivatives.
+// `normal` has any length. Kaplanyan, Hill, Patney and Lefohn, "Filtering distributions of normals for shading antialiasing", 2016, in the
+// isotropic form of Tokuyoshi and Kaplanyan, "Improved geometric specular antialiasing", 2019.
+float filteredRoughness(float roughness, vec3 normal) {
+    const float pixelVariance = 0.15915494;  // 1 / 2 pi: of a Gaussian pixel filter, pixels squared
+    const float maxKernel = 0.18;
+    vec3 unit = normal * inversesqrt(max(dot(normal, normal), 1.0e-30));
+    vec3 across = dFdx(unit), up = dFdy(unit);
+    float kernel = frame.cameraForward.w * min(2.0 * pixelVariance * (dot(across, across) + dot(up, up)), maxKernel);
+    float alpha = max(roughness * roughness, MIN_ALPHA), alpha2 = alpha * alpha;
+    // On flat surfaces the interpolation leaves rounding, which must not change the code that is stored.
+    return kernel > 1.0e-4 * alpha2 ? sqrt(sqrt(min(alpha2 + kernel, 1.0))) : roughness;
 }
 
 void writeWords(GBufferWords words) {

@@ -9,7 +9,7 @@ struct FrameUniforms {
     vec4 rayStepY;     // added for each pixel up; w: CameraView::shift in y
     vec4 cameraRight;  // w: half the picture's width, in a perspective view one metre deep
     vec4 cameraUp;     // w: half its height
-    vec4 cameraForward;
+    vec4 cameraForward;  // w: 1 with specular antialiasing, else 0
     // Perspective: near / far plane, 1 - near / far plane, 0, 0. Orthographic: 0, far plane, far - near plane, 1.
     vec4 depthRange;
     vec4 workingFromRed;  // columns of the matrix from linear Rec.709 to the working space

@@ -1,7 +1,7 @@
 // The G-buffer's encoding, read by C++ and GLSL both: the only place that packs and unpacks it, except that the tile kernels unpack vectors
 // of pixels (lib/render/lighting/tiled/tile_shading.h). The includer has GLSL's vectors, GBufferSurface and the sRGB curve.
 //   word 0: base colour, sRGB-encoded, 8 bits a channel (R lowest); metallic, 8 bits
-//   word 1: octahedral normal, 12 bits an axis (codes 1 to 4095, so that the word is never 0); perceptual roughness, 8 bits
+//   word 1: octahedral normal, 12 bits an axis (codes 1 to 4095, so that the word is never 0); fourth root of the perceptual roughness, 8 bits
 //   shadow word, of frames with shadows: lift in metres as a half float; octahedral geometric normal, 8 bits an axis
 
 const float NORMAL_MAX = 2047.0f;     // code of 1, from the centre
@@ -30,9 +30,25 @@ SHARED_FUNCTION uint packBaseColor(vec3 baseColor, float metallic) {
     return packUnorm4x8(vec4(srgbEncode(color.x), srgbEncode(color.y), srgbEncode(color.z), metallic));
 }
 
+// Code 0 is roughness 0; codes 1 to 255 are even steps of the fourth root, from that of the least alpha that shading tells from 0 (MIN_ALPHA
+// of shared/shading_constants.h) to 1. The height of a highlight, 1 / roughness^4, then has about the same relative error everywhere.
+const float ROUGHNESS_STEP = 2.2767854e-3f;  // (1 - 0.001^(1/8)) / 254
+
+SHARED_FUNCTION float unpackRoughness(uint code) {
+    float root = 1.0f - float(255u - code) * ROUGHNESS_STEP;
+    return code == 0u ? 0.0f : root * root * (root * root);
+}
+
+SHARED_FUNCTION uint packRoughness(float roughness) {
+    float code = 255.0f - (1.0f - sqrt(sqrt(clamp(roughness, 0.0f, 1.0f)))) / ROUGHNESS_STEP;
+    // Half of the roughness of code 1, and not half a step: code 0 lies farther away.
+    if (roughness < 0.5f * unpackRoughness(1u)) return 0u;
+    return uint(floor(max(code, 1.0f) + 0.5f));
+}
+
 SHARED_FUNCTION uint packNormalRoughness(vec3 normal, float roughness) {
     uvec2 code = uvec2(floor(clamp(octahedralOf(normal), -1.0f, 1.0f) * NORMAL_MAX + (NORMAL_CENTER + 0.5f)));
-    return code.x | code.y << 12 | uint(floor(clamp(roughness, 0.0f, 1.0f) * 255.0f + 0.5f)) << 24;
+    return code.x | code.y << 12 | packRoughness(roughness) << 24;
 }
 
 SHARED_FUNCTION vec3 unpackNormal(uint word1) {
@@ -45,7 +61,7 @@ SHARED_FUNCTION GBufferSurface unpackSurfaceWords(uint word0, uint word1) {
     surface.lobes.baseColor = vec3(srgbDecode(color.x), srgbDecode(color.y), srgbDecode(color.z));
     surface.lobes.metallic = color.w;
     surface.normal = unpackNormal(word1);
-    surface.lobes.roughness = float(word1 >> 24) * (1.0f / 255.0f);
+    surface.lobes.roughness = unpackRoughness(word1 >> 24);
     return surface;
 }
 

@@ -234,6 +234,13 @@ TEST(RenderCommandLine, NamesShadowsWhereTheyAreNotTheDefault) {
               std::string::npos);
 }
 
+TEST(RenderCommandLine, NamesSpecularAntialiasingWhereItIsOff) {
+    SceneOptions options = someScene();
+    EXPECT_EQ(renderCommandLine(options).find("--specular-aa"), std::string::npos);
+    options.specularAntialiasing = false;
+    EXPECT_FALSE(readBack(options).specularAntialiasing);
+}
+
 TEST(RenderCommandLine, KeepsTheLensAndTheAnimation) {
     SceneOptions options = someScene();
     options.orthographicHeight = 1.0f / 3.0f;

@@ -43,17 +43,6 @@ inline void endStreaming() {
 #endif
 }
 
-inline void transpose(Four& a, Four& b, Four& c, Four& d) {
-    const Four ab0 = __builtin_shufflevector(a, b, 0, 4, 1, 5),
-               ab1 = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-    const Four cd0 = __builtin_shufflevector(c, d, 0, 4, 1, 5),
-               cd1 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-    a = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    b = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    c = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    d = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
 // ---- Blending
 
 /// The lanes of a run that one pass blends.

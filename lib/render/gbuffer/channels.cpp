@@ -44,7 +44,7 @@ constexpr std::array rows{
                surface,
                [](const ChannelPixel& pixel) { return glm::vec3(pixel.surface.lobes.metallic, 0, 0); },
                {DebugView::metallic, "metallic", surface, Scale::fixed, "vec3(surface.lobes.metallic)"}},
-    ChannelRow{{"roughness", "", "perceptual roughness, 0 to 1", "linear", "8 bits"},
+    ChannelRow{{"roughness", "", "perceptual roughness, 0 to 1", "fourth root, from 0.032 on, and 0", "8 bits"},
                surface,
                [](const ChannelPixel& pixel) { return glm::vec3(pixel.surface.lobes.roughness, 0, 0); },
                {DebugView::roughness, "roughness", surface, Scale::fixed, "vec3(surface.lobes.roughness)"}},

@@ -13,6 +13,8 @@ namespace candela::test {
 inline constexpr int size = 33, middle = size / 2;
 /// Half a code of 255, and roundings.
 inline constexpr float halfCode = 0.5f / 255.0f + 1.0e-6f;
+/// The widest of the codes of roughness is that at 1: four times the step of the fourth root, 2.28e-3.
+inline constexpr float halfRoughnessCode = 4.6e-3f;
 /// The largest error of a packed normal (packing_test), as the length of a difference of unit vectors.
 inline constexpr float normalError = 1.04e-3f;
 

@@ -16,11 +16,11 @@ TEST_F(GBufferTest, factorsOfPlainMaterials) {
         Material material;
         material.baseColor = {hashed(80, i), hashed(81, i), hashed(82, i), 1.0f};
         material.metallic = hashed(83, i);
-        material.roughness = hashed(84, i);
+        material.roughness = 0.04f + 0.96f * hashed(84, i);  // below 0.032 only 0 is stored
         const AovReader reader = surfaces(sceneOf(makeQuad(1.0f), material));
         expectColor(reader.vector("base_color", middle, middle), glm::vec3(material.baseColor));
         EXPECT_NEAR(reader.scalar("metallic", middle, middle), material.metallic, halfCode);
-        EXPECT_NEAR(reader.scalar("roughness", middle, middle), material.roughness, halfCode);
+        EXPECT_NEAR(reader.scalar("roughness", middle, middle), material.roughness, halfRoughnessCode);
         EXPECT_EQ(reader.vector("N", middle, middle), glm::vec3(0, 0, 1));
     }
 }

@@ -96,8 +96,9 @@ TEST(PackingError, ofEverythingByRoughness) {
             std::printf("| %.2f to %.2f | %.2f %% | %.2f %% | %.1f %% | %.1f %% |\n", band.low, band.high,
                         100.0 * errors.mean, 100.0 * errors.median, 100.0 * errors.percentile99,
                         100.0 * errors.largest);
-            // Loose: less than twice what docs/gbuffer.md states. One bit less in any channel exceeds them.
-            EXPECT_LT(errors.mean, band.low < 0.1 ? 0.04 : band.low < 0.2 ? 0.025 : 0.014);
+            // Just above what docs/gbuffer.md states; the surfaces are the same in every run. A linear code
+            // of roughness exceeds the first.
+            EXPECT_LT(errors.mean, band.low < 0.1 ? 0.012 : 0.01);
             EXPECT_LT(errors.median, 0.01);
             EXPECT_GT(errors.count, 20000u);
         }
@@ -112,7 +113,7 @@ TEST(PackingError, ofEachPartByRoughness) {
         for (const Part part : {Part::normal, Part::baseColor, Part::metallic, Part::roughness}) {
             const Errors errors = errorsOf({BrdfModel::course, part, band}, 100000);
             std::printf(" %.2f %%, %.0f %% |", 100.0 * errors.mean, 100.0 * errors.largest);
-            EXPECT_LT(errors.mean, part == Part::roughness ? 0.03 : 0.006);
+            EXPECT_LT(errors.mean, 0.006);
         }
         std::printf("\n");
     }

@@ -85,9 +85,27 @@ TEST(Packing, valuesHaveAnErrorOfHalfACode) {
         const GBufferSurface unpacked =
             roundTrip({.lobes = {glm::vec3(value, 0.5f, 1.0f - value), value, value}});
         ASSERT_NEAR(unpacked.lobes.metallic, value, half);
-        ASSERT_NEAR(unpacked.lobes.roughness, value, half);
         ASSERT_NEAR(encoded(unpacked.lobes.baseColor.r), encoded(value), half);
         ASSERT_NEAR(encoded(unpacked.lobes.baseColor.b), encoded(1.0f - value), half);
+    }
+}
+
+TEST(Packing, roughnessHasAnEvenRelativeError) {
+    const auto unpacked = [](float roughness) {
+        return roundTrip({.lobes = {.roughness = roughness}}).lobes.roughness;
+    };
+    EXPECT_EQ(unpacked(0.0f), 0.0f);
+    EXPECT_EQ(unpacked(1.0f), 1.0f);
+    const float least = std::sqrt(static_cast<float>(minAlpha));
+    EXPECT_NEAR(unpacked(least), least, 1e-6f);
+    EXPECT_EQ(unpacked(0.49f * least), 0.0f);
+    EXPECT_NEAR(unpacked(0.51f * least), least, 1e-6f);
+    for (std::uint32_t i = 0; i <= 10000; ++i) {
+        const float roughness = least + (1.0f - least) * float(i) / 10000.0f;
+        // Half a step of 1/254 of the fourth root's range, four times, and its square.
+        const float root = std::sqrt(std::sqrt(roughness));
+        const float bound = 4.0f * 0.5f * (1.0f - std::sqrt(std::sqrt(least))) / 254.0f / root * 1.01f;
+        ASSERT_NEAR(unpacked(roughness) / roughness, 1.0f, bound);
     }
 }
 

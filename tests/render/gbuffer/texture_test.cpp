@@ -181,7 +181,7 @@ TEST_F(TextureTest, metallicRoughnessTextureGivesBlueAndGreen) {
     material.metallicRoughnessTexture = nearestOf(0);
     place(scene, makeQuad(1.0f), material);
     const AovReader reader = surfaces(scene);
-    EXPECT_NEAR(reader.scalar("roughness", middle, middle), 0.75f * 0.4f, halfCode);
+    EXPECT_NEAR(reader.scalar("roughness", middle, middle), 0.75f * 0.4f, halfRoughnessCode);
     EXPECT_NEAR(reader.scalar("metallic", middle, middle), 0.5f * 0.8f, halfCode);
 }
 

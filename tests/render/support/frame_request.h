@@ -15,9 +15,13 @@ struct FrameRequest {
     TileBackend tileBackend = TileBackend::automatic;
     Shadows shadows = Shadows::off;
     AmbientOcclusionSettings ambientOcclusion = {};
+    bool specularAntialiasing = true;
 
     FrameSettings settings() const {
-        return {width, height, brdf, technique, debugView, overlays, tileBackend, shadows, ambientOcclusion};
+        FrameSettings settings{width,    height,      brdf,    technique,       debugView,
+                               overlays, tileBackend, shadows, ambientOcclusion};
+        settings.specularAntialiasing = specularAntialiasing;
+        return settings;
     }
 };
 

@@ -62,15 +62,21 @@ SHARED_FUNCTION AlbedoTexel readAlbedoTable(AlbedoTable table, Floats x, Floats 
     const Ints cell = 2 * (j * table.size + i);
     const Floats weightX = column - __builtin_convertvector(i, Floats),
                  weightY = row - __builtin_convertvector(j, Floats);
-    Floats albedo[2], cosine[2];
-    for (int lane = 0; lane < laneCount; ++lane) {
-        const float* texels = table.texels + cell[lane];
-        const Four low = loadFour(texels), high = loadFour(texels + 2 * table.size);
-        const Four between = low + (high - low) * weightY[lane];
-        albedo[0][lane] = between[0], cosine[0][lane] = between[1];
-        albedo[1][lane] = between[2], cosine[1][lane] = between[3];
+    float columns[4][laneCount];  // albedo and cosine on the left, then on the right
+    for (int first = 0; first < laneCount; first += 4) {
+        Four rows[4];
+        for (int k = 0; k < 4; ++k) {
+            const float* texels = table.texels + cell[first + k];
+            const Four low = loadFour(texels), high = loadFour(texels + 2 * table.size);
+            rows[k] = low + (high - low) * weightY[first + k];
+        }
+        transpose(rows[0], rows[1], rows[2], rows[3]);
+        for (int k = 0; k < 4; ++k) __builtin_memcpy(columns[k] + first, &rows[k], sizeof(Four));
     }
-    return {albedo[0] + (albedo[1] - albedo[0]) * weightX, cosine[0] + (cosine[1] - cosine[0]) * weightX};
+    const auto between = [&](int left, int right) {
+        return load(columns[left]) + (load(columns[right]) - load(columns[left])) * weightX;
+    };
+    return {between(0, 2), between(1, 3)};
 }
 
 // ---- Light records, as GpuLights writes them
@@ -177,12 +183,18 @@ inline Vec3 unpackNormal(Ints word1) {
     return n * inversesqrt(dot(n, n));
 }
 
+inline Floats unpackRoughness(Ints code) {
+    constexpr float step = 2.2767854e-3f;  // ROUGHNESS_STEP
+    const Floats root = 1.0f - rounded(__builtin_convertvector(255 - code, Floats) * step);
+    return select(code == 0, splat(0.0f), root * root * (root * root));
+}
+
 inline SurfaceLobes unpackLobes(const TileFrame& frame, Ints word0, Ints word1) {
     SurfaceLobes lobes;
     lobes.baseColor = {lookUp(frame.srgbDecode, word0 & 0xff), lookUp(frame.srgbDecode, (word0 >> 8) & 0xff),
                        lookUp(frame.srgbDecode, (word0 >> 16) & 0xff)};
     lobes.metallic = __builtin_convertvector((word0 >> 24) & 0xff, Floats) * (1.0f / 255.0f);
-    lobes.roughness = __builtin_convertvector((word1 >> 24) & 0xff, Floats) * (1.0f / 255.0f);
+    lobes.roughness = unpackRoughness((word1 >> 24) & 0xff);
     return lobes;
 }
 
