@@ -22,10 +22,9 @@ vec3 rayEndAt(ivec2 pixel, vec3 position) {
     return shadowRayEnd(position, wayToEye(position), surface.geometricNormal, surface.lift, pixelExtent(position));
 }
 
-// `precise`, and of what a surface reflects rather than of what arrives: what passes whole is the same bit for bit as without shadows.
+// A selection, and no factor of 1: what passes whole is the same bit for bit as without shadows.
 vec3 dimmed(vec3 radiance, float passing) {
-    precise vec3 product = radiance * passing;
-    return product;
+    return passing < 1.0 ? radiance * passing : radiance;
 }
 
 // What passes of the light of a point or spot light, 0 to 1.
