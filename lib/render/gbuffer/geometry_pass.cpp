@@ -79,6 +79,8 @@ void GeometryPass::draw(const DrawBatch& batch, const Programs& programs) {
     }
     if (textured) {
         for (std::size_t i = 0; i < textureUnits.size(); ++i) {
+            // A unit that the program does not read keeps what the host has bound to it.
+            if (batch.key.textures[i].texture == 0) continue;
             glBindTextureUnit(static_cast<GLuint>(textureUnits[i]), batch.key.textures[i].texture);
             glBindSampler(static_cast<GLuint>(textureUnits[i]), batch.key.textures[i].sampler);
         }
