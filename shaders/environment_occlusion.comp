@@ -63,7 +63,11 @@ float hiddenAt(ivec2 at) {
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(at, frame.size.xy)) || !hasSurface(fetchWords(at))) return;
+    if (any(greaterThanEqual(at, frame.size.xy))) return;
+    if (!hasSurface(fetchWords(at))) {
+        imageStore(visibilityImage, at, vec4(0.0));
+        return;
+    }
     float visibility = 1.0 - hiddenAt(at) / float(rays.z);
 #ifdef OCCLUSION
     visibility *= texelFetch(occlusionTexture, at, 0).r;

@@ -22,7 +22,7 @@ vec3 rayEndAt(ivec2 pixel, vec3 position) {
     return shadowRayEnd(position, wayToEye(position), surface.geometricNormal, surface.lift, pixelExtent(position));
 }
 
-// A selection, and no factor of 1: what passes whole is the same bit for bit as without shadows.
+// What passes whole is the same bit for bit as without shadows.
 vec3 dimmed(vec3 radiance, float passing) {
     return passing < 1.0 ? radiance * passing : radiance;
 }

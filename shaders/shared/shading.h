@@ -6,6 +6,7 @@
 //   Real, Real3      a number and three of them, with the operators and functions that GLSL has for float and vec3
 //   Scalar           the type of constants
 //   SHARED_FUNCTION  what C++ puts before a function; nothing in GLSL
+//   precise          nothing in C++
 //   AlbedoTable      the reflection model's table of lib/shading/directional_albedo.h
 //   fastDivide(a, b) a / b to the last bit but one
 // before it, and `readAlbedoTable` after it, and includes shared/shading_constants.h and shared/surface_lobes.h. The parameter `brdf` is a
@@ -125,7 +126,9 @@ SHARED_FUNCTION Real3 transmitted(Real3 specularAlbedo) {
 
 // `way` points towards the eye and has any length over 0.
 SHARED_FUNCTION ShadingPoint shadingPoint(const int brdf, SurfaceLobes lobes, Real3 normal, Real3 position, Real3 way, AlbedoTable table) {
-    ShadingPoint point;
+    // `precise`: what a compiler makes of these numbers does not depend on the lights' code that reads them, so that pictures with and without
+    // shadows are the same bit for bit.
+    precise ShadingPoint point;
     point.position = position;
     point.normal = normal;
     point.toEye = way * inversesqrt(dot(way, way));

@@ -39,6 +39,7 @@ Texel texelOf(std::span<const float> table, Real x, Real y) {
 }
 
 #define SHARED_FUNCTION inline
+#define precise
 
 /// shaders/shared/shading.h over double.
 namespace exact {

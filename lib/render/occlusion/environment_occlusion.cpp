@@ -195,6 +195,7 @@ void EnvironmentOcclusion::filterRow(const EnvironmentOcclusionInputs& inputs, i
     for (int x = 0; x < inputs.frame.size.x; ++x) {
         const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(inputs.frame.size.x) +
                               static_cast<std::size_t>(x);
+        visibility_[i] = 0;
         if (samples_[i].viewDistance == 0.0f) continue;
         const float texture =
             inputs.textures.empty() ? 1.0f : static_cast<float>(inputs.textures[i]) / 255.0f;

@@ -13,6 +13,7 @@ using Real = Floats;
 using Real3 = Vec3;
 using Scalar = float;
 #define SHARED_FUNCTION __attribute__((always_inline)) inline
+#define precise  // a qualifier of GLSL
 
 // Scalars, for the bounds of one light. No function of <cmath> has internal linkage.
 inline float sqrt(float a) {
