@@ -38,7 +38,7 @@ namespace {
 /// Texels along a side of the levels that are filtered. The lobe's full width at half maximum, 2.6 alpha, is
 /// that of at least two texels; of one for the last level, whose texels take most of the time.
 constexpr std::array<int, EnvironmentMap::levelCount - 1> filteredSizes{64, 64,  64,  64, 64,
-                                                                        96, 160, 256, 384};
+                                                                        96, 160, 256, 320};
 constexpr int irradianceSize = 160;
 constexpr int peakTexels = 2;
 
@@ -93,7 +93,7 @@ void EnvironmentMap::filterLevel(int index, const EnvironmentCells& cells, const
     const OctahedralMap& map = level(index);
     const float alpha = std::exp2(-static_cast<float>(index));
     // Narrow lobes gather most of their light from the finest cells.
-    const float cellShare = map.size <= 64 ? 0.15f : map.size <= 160 ? 0.25f : 0.5f;
+    const float cellShare = map.size <= 64 ? 0.2f : map.size <= 160 ? 0.35f : 0.7f;
     const FilterJob job{
         cells.grids().data(), static_cast<int>(cells.grids().size()), alpha, cellShare, map.size, inner(map),
         map.size + 2};
