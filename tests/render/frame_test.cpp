@@ -35,16 +35,6 @@ class FrameTest : public DrawingTest {
         return upload(scene);
     }
     static DisplayTransform transform() { return ColorConfig::builtIn().displayTransform({}); }
-
-    static void expectRefused(const std::function<void()>& action, const std::string& part) {
-        try {
-            action();
-            ADD_FAILURE() << "no error, expected: " << part;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::badInput);
-            EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-        }
-    }
 };
 
 TEST_F(FrameTest, isInvalidatedByTheNext) {

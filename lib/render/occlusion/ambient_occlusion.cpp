@@ -4,9 +4,9 @@
 #include "render/frame_uniforms.h"
 #include "render/gbuffer/readback.h"
 #include "render/occlusion/ray_packet.h"
+#include "render/occlusion/shared_rays.h"
 
 #include <glm/geometric.hpp>
-#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,20 +15,6 @@
 namespace candela {
 
 namespace {
-
-// shaders/shared/shadow_ray.h over GLM's vectors.
-namespace rays {
-
-using namespace glm;
-using Real = float;
-using Real3 = vec3;
-using Scalar = float;
-
-#define SHARED_FUNCTION [[maybe_unused]] inline
-#include "shared/shadow_ray.h"
-#undef SHARED_FUNCTION
-
-}  // namespace rays
 
 /// The sine of the lowest elevation of a ray. The normals of the G-buffer err by up to 0.058 degrees, and
 /// rays nearer to the plane might meet the surface itself: 0.12 degrees.

@@ -4,9 +4,9 @@
 #include "render/frame_uniforms.h"
 #include "render/gbuffer/readback.h"
 #include "render/occlusion/ray_packet.h"
+#include "render/occlusion/shared_rays.h"
 
 #include <glm/geometric.hpp>
-#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,21 +14,6 @@
 namespace candela {
 
 namespace {
-
-// shaders/shared/shadow_ray.h and environment_ray.h over GLM's vectors.
-namespace rays {
-
-using namespace glm;
-using Real = float;
-using Real3 = vec3;
-using Scalar = float;
-
-#define SHARED_FUNCTION [[maybe_unused]] inline
-#include "shared/environment_ray.h"
-#include "shared/shadow_ray.h"
-#undef SHARED_FUNCTION
-
-}  // namespace rays
 
 constexpr int pattern = rays::OCCLUSION_PATTERN;
 /// Pixels along the side of a tile: a packet has the rays of one place of the pattern and one direction.

@@ -144,7 +144,7 @@ TEST_F(GBufferShaderTest, unpacksLikeCpp) {
         // Three roundings of unit vectors; one of a quotient, four times in the fourth power; and pow, of
         // which OpenGL asks 16 units in the last place, times its exponent.
         ASSERT_LT(glm::distance(glm::vec3(record.normalRoughness), expected.normal), 4e-7f);
-        ASSERT_NEAR(record.normalRoughness.w, expected.lobes.roughness, 5e-7f);
+        ASSERT_NEAR(record.normalRoughness.w, expected.lobes.roughness, 2e-7f);
         ASSERT_NEAR(record.colorMetallic.w, expected.lobes.metallic, 2e-7f);
         for (int c = 0; c < 3; ++c)
             ASSERT_NEAR(record.colorMetallic[c], expected.lobes.baseColor[c],

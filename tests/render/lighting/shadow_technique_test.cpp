@@ -16,17 +16,6 @@
 namespace candela::test {
 namespace {
 
-struct Form {
-    Technique technique;
-    TileBackend backend;
-    const char* name;
-};
-
-constexpr Form cpuTiles{Technique::tiles, TileBackend::cpu, "tiles on the CPU"};
-constexpr Form shaderForms[] = {{Technique::fullscreen, TileBackend::automatic, "fullscreen"},
-                                {Technique::volumes, TileBackend::automatic, "volumes"},
-                                {Technique::tiles, TileBackend::compute, "tiles in compute"}};
-
 class ShadowTechniqueTest : public DrawingTest {
   protected:
     static constexpr int width = 96, height = 54;

@@ -18,17 +18,6 @@
 namespace candela::test {
 namespace {
 
-struct Form {
-    Technique technique;
-    TileBackend backend;
-    const char* name;
-};
-
-constexpr Form forms[] = {{Technique::tiles, TileBackend::cpu, "tiles on the CPU"},
-                          {Technique::fullscreen, TileBackend::automatic, "fullscreen"},
-                          {Technique::volumes, TileBackend::automatic, "volumes"},
-                          {Technique::tiles, TileBackend::compute, "tiles in compute"}};
-
 class TransmittanceTest : public DrawingTest {
   protected:
     static constexpr int width = 96, height = 54;

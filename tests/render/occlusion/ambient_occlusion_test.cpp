@@ -2,6 +2,7 @@
 
 #include "support/cage_scenes.h"
 #include "support/drawing_test.h"
+#include "support/occluder_scenes.h"
 #include "support/procedural_scene.h"
 #include "support/random_rig.h"
 #include "support/shadow_reference.h"
@@ -30,6 +31,8 @@ FrameRequest frameOf(const CameraView& view, const AmbientOcclusionSettings& set
     return request;
 }
 
+const Material grey = doubleSided(0.5f);
+
 class AmbientOcclusionTest : public DrawingTest {
   protected:
     void SetUp() override {
@@ -47,44 +50,10 @@ class AmbientOcclusionTest : public DrawingTest {
     }
 };
 
-Material grey() {
-    Material material;
-    material.baseColor = {0.5f, 0.5f, 0.5f, 1.0f};
-    material.doubleSided = true;
-    return material;
-}
-
-glm::mat4 rotated(const glm::vec3& position, float degrees, const glm::vec3& axis) {
-    return glm::rotate(glm::translate(glm::mat4(1.0f), position), glm::radians(degrees), axis);
-}
-
-/// A horizontal square that faces up.
-glm::mat4 flatAt(const glm::vec3& position) {
-    return rotated(position, -90.0f, {1, 0, 0});
-}
-
-/// The floor y = 0 and the wall x = 0, which ends 5 m to all sides.
-Scene floorAndWall() {
-    Scene scene = sceneOf(makeQuad(5.0f), grey(), flatAt({5, 0, 0}));
-    place(scene, makeQuad(5.0f), grey(), rotated({0, 5, 0}, 90.0f, {0, 1, 0}));
-    return scene;
-}
-
-/// Rectangles that stand and float over a floor, and pass through it and each other.
-Scene cardsOnAFloor() {
-    Scene scene = sceneOf(makeQuad(6.0f), grey(), flatAt({0, 0, 0}));
-    for (std::uint32_t i = 0; i < 30; ++i) {
-        const glm::vec3 position(4.0f * hashed(1, i) - 2.0f, 0.8f * hashed(2, i), 4.0f * hashed(3, i) - 2.0f);
-        place(scene, makeQuad(0.2f + 0.4f * hashed(4, i)), grey(),
-              rotated(position, 360.0f * hashed(5, i), hashedDirection(6, i)));
-    }
-    return scene;
-}
-
 TEST_F(AmbientOcclusionTest, anOpenPlaneIsOne) {
     for (std::uint32_t i = 0; i < 6; ++i) {
-        Scene scene = sceneOf(makeQuad(50.0f), grey(),
-                              rotated({0, 0, 0}, 360.0f * hashed(1, i), hashedDirection(2, i)));
+        Scene scene =
+            sceneOf(makeQuad(50.0f), grey, rotated({0, 0, 0}, 360.0f * hashed(1, i), hashedDirection(2, i)));
         GpuScene uploaded = upload(scene);
         for (const Shadows shadows : {Shadows::off, Shadows::on}) {
             FrameRequest request = frameOf(lookAt(4.0f * hashedDirection(3, i), {0, 0, 0}, 1.0f),
@@ -105,16 +74,9 @@ TEST_F(AmbientOcclusionTest, anOpenPlaneIsOne) {
     }
 }
 
-/// Directions are uniform in the unit disc below the hemisphere (Nusselt's analog). A wall at distance d
-/// meets those whose coordinate towards it is over a = d / distance: a segment of the disc.
-double freeBesideAWall(double d, double distance) {
-    const double a = std::min(d / distance, 1.0);
-    return 1.0 - (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::numbers::pi;
-}
-
 TEST_F(AmbientOcclusionTest, aCornerOfTwoPlanes) {
     EXPECT_EQ(freeBesideAWall(0.0, 1.0), 0.5);
-    GpuScene scene = upload(floorAndWall());
+    GpuScene scene = upload(floorAndWall(grey));
     CameraView orthographic = lookAt({3, 3, 1}, {0.4f, 0.3f, 0}, 0.5f);
     orthographic.orthographicHeight = 1.6f;
     for (const CameraView& view : {lookAt({3, 3, 1}, {0.4f, 0.3f, 0}, 0.5f),
@@ -145,9 +107,9 @@ TEST_F(AmbientOcclusionTest, aCornerOfTwoPlanes) {
 TEST_F(AmbientOcclusionTest, insideAClosedBox) {
     Scene scene;
     for (int i = 0; i < 4; ++i)
-        place(scene, makeQuad(1.0f), grey(),
+        place(scene, makeQuad(1.0f), grey,
               glm::translate(rotated({}, 90.0f * float(i), {0, 1, 0}), {0, 0, 1}));
-    for (const float side : {-1.0f, 1.0f}) place(scene, makeQuad(1.0f), grey(), flatAt({0, side, 0}));
+    for (const float side : {-1.0f, 1.0f}) place(scene, makeQuad(1.0f), grey, flatAt({0, side, 0}));
     GpuScene uploaded = upload(scene);
     const CameraView view = lookAt({0.2f, 0.1f, 0.3f}, {-1, -0.8f, -1}, 1.2f);
     for (const float value : values(uploaded, frameOf(view, {.distance = 10.0f}))) ASSERT_EQ(value, 0.0f);
@@ -167,7 +129,7 @@ TEST_F(AmbientOcclusionTest, insideAClosedBox) {
 }
 
 TEST_F(AmbientOcclusionTest, runsAndThreadsGiveTheSameBits) {
-    GpuScene scene = upload(cardsOnAFloor());
+    GpuScene scene = upload(cardsOnAFloor(grey));
     const FrameRequest request = frameOf(lookAt({0, 3, 6}, {0, 0.3f, 0}, 0.7f), {.rays = 37});
     const std::vector<float> expected = values(scene, request);
     EXPECT_EQ(values(scene, request), expected);
@@ -213,7 +175,7 @@ double freeShare(const std::vector<Triangle>& triangles, const glm::dvec3& posit
 }
 
 TEST_F(AmbientOcclusionTest, allTrianglesInDoublePrecisionAgree) {
-    const Scene scene = cardsOnAFloor();
+    const Scene scene = cardsOnAFloor(grey);
     const std::vector<Triangle> triangles = trianglesOf(scene);
     GpuScene uploaded = upload(scene);
     const CameraView view = lookAt({0, 3, 5}, {0, 0.3f, 0}, 0.6f);
@@ -242,7 +204,7 @@ TEST_F(AmbientOcclusionTest, allTrianglesInDoublePrecisionAgree) {
 
 /// Rays start on the smooth surface that vertex normals describe: the facets of a convex mesh hide nothing.
 TEST_F(AmbientOcclusionTest, aCoarseSphereIsOpen) {
-    GpuScene scene = upload(sceneOf(makeSphere(1.0f, 12, 6), grey()));
+    GpuScene scene = upload(sceneOf(makeSphere(1.0f, 12, 6), grey));
     const AovReader reader =
         traced(scene, frameOf(lookAt({1, 1, 2}, {0, 0, 0}, 0.7f), {.distance = 10.0f, .rays = 256}));
     double sum = 0.0;
@@ -259,7 +221,7 @@ TEST_F(AmbientOcclusionTest, aCoarseSphereIsOpen) {
 }
 
 TEST_F(AmbientOcclusionTest, whatCastsNoShadowHidesNothing) {
-    Scene scene = floorAndWall();
+    Scene scene = floorAndWall(grey);
     for (Node& node : scene.nodes) node.castsShadow = false;
     GpuScene uploaded = upload(scene);
     const FrameRequest request = frameOf(lookAt({3, 3, 1}, {0.4f, 0.3f, 0}, 0.5f));
@@ -269,7 +231,7 @@ TEST_F(AmbientOcclusionTest, whatCastsNoShadowHidesNothing) {
 /// In a frame without shadows what is out of view may be out of date.
 TEST_F(AmbientOcclusionTest, framesWithoutShadowsSeeDeformedMeshesOutOfView) {
     Scene scene = randomRig(5, {.vertices = 120, .joints = 8});
-    place(scene, makeQuad(6.0f), grey(), flatAt({0, -4.0f, 0}));
+    place(scene, makeQuad(6.0f), grey, flatAt({0, -4.0f, 0}));
     poseRandomly(scene, 9);
     FrameRequest request = frameOf(lookAt({0, -2.5f, 5}, {0, -4, 2}, 0.9f), {.distance = 20.0f});
     GpuScene withoutShadows = upload(scene), withShadows = upload(scene);
@@ -280,7 +242,7 @@ TEST_F(AmbientOcclusionTest, framesWithoutShadowsSeeDeformedMeshesOutOfView) {
 }
 
 TEST_F(AmbientOcclusionTest, settingsOutOfRangeAreErrors) {
-    GpuScene scene = upload(floorAndWall());
+    GpuScene scene = upload(floorAndWall(grey));
     constexpr float infinity = std::numeric_limits<float>::infinity(),
                     nan = std::numeric_limits<float>::quiet_NaN();
     for (const AmbientOcclusionSettings& settings : {AmbientOcclusionSettings{0.0f, 64},
@@ -303,7 +265,7 @@ class WithoutShadowsTest : public DrawingTest {};
 
 TEST_F(WithoutShadowsTest, ambientOcclusionIsAnError) {
     if (hasShadows()) GTEST_SKIP() << "built with shadows";
-    GpuScene scene = upload(floorAndWall());
+    GpuScene scene = upload(floorAndWall(grey));
     render(scene, frameOf(lookAt({3, 3, 1}, {0, 0, 0}, 0.5f)));
     EXPECT_EQ(std::ranges::count(Renderer::aovNames(), "ambient_occlusion"), 0);
     try {

@@ -1,6 +1,7 @@
 // The light of an environment in frames: dimmed by occlusion textures and by what rays find.
 
 #include "support/drawing_test.h"
+#include "support/occluder_scenes.h"
 #include "support/procedural_scene.h"
 
 #include <candela/environment.h>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <variant>
@@ -23,16 +23,7 @@ namespace {
 
 constexpr int width = 64, height = 36;
 
-struct Form {
-    Technique technique;
-    TileBackend backend;
-    const char* name;
-};
-
-constexpr Form forms[] = {{Technique::tiles, TileBackend::cpu, "tiles on the CPU"},
-                          {Technique::fullscreen, TileBackend::automatic, "fullscreen"},
-                          {Technique::volumes, TileBackend::automatic, "volumes"},
-                          {Technique::tiles, TileBackend::compute, "tiles in compute"}};
+const Material white = doubleSided(1.0f);
 
 /// Of radiance 1.
 Environment furnace(std::optional<float> occlusionDistance = {}) {
@@ -40,9 +31,9 @@ Environment furnace(std::optional<float> occlusionDistance = {}) {
     environment.picture.width = 64;
     environment.picture.height = 32;
     environment.picture.format = PixelFormat::rgba32f;
-    const std::vector<float> white(4 * 64 * 32, 1.0f);
-    environment.picture.pixels.resize(white.size() * sizeof(float));
-    std::memcpy(environment.picture.pixels.data(), white.data(), environment.picture.pixels.size());
+    const std::vector<float> ones(4 * 64 * 32, 1.0f);
+    environment.picture.pixels.resize(ones.size() * sizeof(float));
+    std::memcpy(environment.picture.pixels.data(), ones.data(), environment.picture.pixels.size());
     environment.occlusionDistance = occlusionDistance;
     return environment;
 }
@@ -72,41 +63,10 @@ class EnvironmentFrameTest : public DrawingTest {
     }
 };
 
-Material white() {
-    Material material;
-    material.doubleSided = true;
-    return material;
-}
-
-glm::mat4 rotated(const glm::vec3& position, float degrees, const glm::vec3& axis) {
-    return glm::rotate(glm::translate(glm::mat4(1.0f), position), glm::radians(degrees), axis);
-}
-
-/// A horizontal square that faces up.
-glm::mat4 flatAt(const glm::vec3& position) {
-    return rotated(position, -90.0f, {1, 0, 0});
-}
-
-/// The floor y = 0 and the wall x = 0, which ends 5 m to all sides.
-Scene floorAndWall() {
-    Scene scene = sceneOf(makeQuad(5.0f), white(), flatAt({5, 0, 0}));
-    place(scene, makeQuad(5.0f), white(), rotated({0, 5, 0}, 90.0f, {0, 1, 0}));
-    return scene;
-}
-
-Scene sealedRoom() {
-    Scene scene;
-    for (int i = 0; i < 4; ++i)
-        place(scene, makeQuad(1.0f), white(),
-              glm::translate(rotated({}, 90.0f * float(i), {0, 1, 0}), {0, 0, 1}));
-    for (const float side : {-1.0f, 1.0f}) place(scene, makeQuad(1.0f), white(), flatAt({0, side, 0}));
-    return scene;
-}
-
 const CameraView atTheCorner = lookAt({3, 3, 1}, {0.4f, 0.3f, 0}, 0.5f);
 
 TEST_F(EnvironmentFrameTest, ASealedRoomGetsNothing) {
-    Scene scene = sealedRoom();
+    Scene scene = closedRoom(white);
     scene.environment = furnace();
     GpuScene uploaded = upload(scene);
     const CameraView inside = lookAt({0.2f, 0.1f, 0.3f}, {-1, -0.8f, -1}, 1.2f);
@@ -124,14 +84,8 @@ TEST_F(EnvironmentFrameTest, ASealedRoomGetsNothing) {
     }
 }
 
-/// See ambient_occlusion_test.cpp.
-double freeBesideAWall(double d, double distance) {
-    const double a = std::min(d / distance, 1.0);
-    return 1.0 - (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::numbers::pi;
-}
-
 TEST_F(EnvironmentFrameTest, DiffuseLightIsThatOfTheFreeShare) {
-    Scene scene = floorAndWall();
+    Scene scene = floorAndWall(white);
     constexpr float distance = 1.5f;
     scene.environment = furnace(distance);
     GpuScene uploaded = upload(scene);
@@ -160,10 +114,10 @@ TEST_F(EnvironmentFrameTest, DiffuseLightIsThatOfTheFreeShare) {
 }
 
 TEST_F(EnvironmentFrameTest, WhatNothingHidesIsLitBitForBitAsWithoutRays) {
-    Material metal = white();
+    Material metal = white;
     metal.metallic = 1.0f;
     metal.roughness = 0.4f;
-    for (const Material& material : {metal, white()}) {
+    for (const Material& material : {metal, white}) {
         Scene scene = sceneOf(makeSphere(1.0f, 16, 8), material);
         scene.environment = furnace();
         GpuScene uploaded = upload(scene);
@@ -177,9 +131,9 @@ TEST_F(EnvironmentFrameTest, WhatNothingHidesIsLitBitForBitAsWithoutRays) {
 }
 
 TEST_F(EnvironmentFrameTest, MovedNodesHideAsInAFreshScene) {
-    Scene scene = floorAndWall();
+    Scene scene = floorAndWall(white);
     for (std::uint32_t i = 0; i < 8; ++i) {
-        place(scene, makeSphere(0.15f), white(),
+        place(scene, makeSphere(0.15f), white,
               glm::translate(glm::mat4(1.0f), {0.3f + 0.1f * float(i), 0.4f, 0.3f * float(i) - 1.2f}));
     }
     scene.environment = furnace();
@@ -200,7 +154,7 @@ TEST_F(EnvironmentFrameTest, MovedNodesHideAsInAFreshScene) {
 }
 
 TEST_F(EnvironmentFrameTest, OcclusionTexturesActWithoutRays) {
-    Material material = white();
+    Material material = white;
     material.occlusionTexture = Texture{};
     material.occlusionStrength = 0.5f;
     Scene scene = sceneOf(makeQuad(50.0f), material);
@@ -225,7 +179,7 @@ TEST_F(EnvironmentFrameTest, OcclusionTexturesActWithoutRays) {
 }
 
 TEST_F(EnvironmentFrameTest, NothingIsTracedWithoutAnEnvironment) {
-    Scene scene = floorAndWall();
+    Scene scene = floorAndWall(white);
     GpuScene uploaded = upload(scene);
     for (const Form& form : forms) {
         render(uploaded, requestOf(atTheCorner, form, Shadows::on));
@@ -247,7 +201,7 @@ TEST_F(EnvironmentFrameTest, NothingIsTracedWithoutAnEnvironment) {
 }
 
 TEST_F(EnvironmentFrameTest, NumbersOfRaysOutOfRangeAreErrors) {
-    GpuScene scene = upload(floorAndWall());
+    GpuScene scene = upload(floorAndWall(white));
     for (const std::uint32_t rays : {0u, 4097u}) {
         FrameSettings settings = requestOf(atTheCorner, forms[0], Shadows::on).settings();
         settings.environmentOcclusion.rays = rays;

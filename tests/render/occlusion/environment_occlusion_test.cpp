@@ -1,6 +1,7 @@
 // How much of the environment pixels see, by Embree and in shaders, against closed forms and each other.
 
 #include "occlusion/visibility_fixture.h"
+#include "support/occluder_scenes.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <variant>
 #include <vector>
 
@@ -17,34 +17,7 @@ namespace {
 
 constexpr float everything = 1.0e30f;
 
-Material grey() {
-    Material material;
-    material.baseColor = {0.5f, 0.5f, 0.5f, 1.0f};
-    material.doubleSided = true;
-    return material;
-}
-
-glm::mat4 rotated(const glm::vec3& position, float degrees, const glm::vec3& axis) {
-    return glm::rotate(glm::translate(glm::mat4(1.0f), position), glm::radians(degrees), axis);
-}
-
-/// A horizontal square that faces up.
-glm::mat4 flatAt(const glm::vec3& position) {
-    return rotated(position, -90.0f, {1, 0, 0});
-}
-
-/// The floor y = 0 and the wall x = 0, which ends 5 m to all sides.
-Scene floorAndWall() {
-    Scene scene = sceneOf(makeQuad(5.0f), grey(), flatAt({5, 0, 0}));
-    place(scene, makeQuad(5.0f), grey(), rotated({0, 5, 0}, 90.0f, {0, 1, 0}));
-    return scene;
-}
-
-/// See ambient_occlusion_test.cpp.
-double freeBesideAWall(double d, double distance) {
-    const double a = std::min(d / distance, 1.0);
-    return 1.0 - (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::numbers::pi;
-}
+const Material grey = doubleSided(0.5f);
 
 /// What the filter may change beside a wall at the distance d: its window holds pixels up to three beside
 /// the one in its middle, of the size in which the tests below see the floor and the wall.
@@ -53,32 +26,12 @@ double windowTolerance(double d, double distance) {
     return freeBesideAWall(d + window, distance) - freeBesideAWall(std::max(d - window, 0.0), distance);
 }
 
-Scene closedBox() {
-    Scene scene;
-    for (int i = 0; i < 4; ++i)
-        place(scene, makeQuad(1.0f), grey(),
-              glm::translate(rotated({}, 90.0f * float(i), {0, 1, 0}), {0, 0, 1}));
-    for (const float side : {-1.0f, 1.0f}) place(scene, makeQuad(1.0f), grey(), flatAt({0, side, 0}));
-    return scene;
-}
-
-/// Rectangles that stand and float over a floor, and pass through it and each other.
-Scene cardsOnAFloor() {
-    Scene scene = sceneOf(makeQuad(6.0f), grey(), flatAt({0, 0, 0}));
-    for (std::uint32_t i = 0; i < 30; ++i) {
-        const glm::vec3 position(4.0f * hashed(1, i) - 2.0f, 0.8f * hashed(2, i), 4.0f * hashed(3, i) - 2.0f);
-        place(scene, makeQuad(0.2f + 0.4f * hashed(4, i)), grey(),
-              rotated(position, 360.0f * hashed(5, i), hashedDirection(6, i)));
-    }
-    return scene;
-}
-
 TEST_F(VisibilityTest, OpenSurfacesSeeAllOfIt) {
-    std::vector<Scene> scenes{sceneOf(makeSphere(1.0f, 12, 6), grey()),
-                              sceneOf(makeSphere(1.0f, 64, 32), grey())};
+    std::vector<Scene> scenes{sceneOf(makeSphere(1.0f, 12, 6), grey),
+                              sceneOf(makeSphere(1.0f, 64, 32), grey)};
     for (std::uint32_t i = 0; i < 4; ++i)
         scenes.push_back(
-            sceneOf(makeQuad(50.0f), grey(), rotated({}, 360.0f * hashed(1, i), hashedDirection(2, i))));
+            sceneOf(makeQuad(50.0f), grey, rotated({}, 360.0f * hashed(1, i), hashedDirection(2, i))));
     for (const Scene& scene : scenes) {
         GpuScene uploaded = upload(scene);
         for (const Form form : forms) {
@@ -98,7 +51,7 @@ TEST_F(VisibilityTest, OpenSurfacesSeeAllOfIt) {
 }
 
 TEST_F(VisibilityTest, ACornerOfTwoPlanes) {
-    GpuScene scene = upload(floorAndWall());
+    GpuScene scene = upload(floorAndWall(grey));
     CameraView orthographic = lookAt({3, 3, 1}, {0.4f, 0.3f, 0}, 0.5f);
     orthographic.orthographicHeight = 1.6f;
     orthographic.farPlane = 100.0f;
@@ -131,7 +84,7 @@ TEST_F(VisibilityTest, ACornerOfTwoPlanes) {
 }
 
 TEST_F(VisibilityTest, SamplesAverageToTheClosedForm) {
-    GpuScene scene = upload(floorAndWall());
+    GpuScene scene = upload(floorAndWall(grey));
     const CameraView view = lookAt({3, 3, 1}, {0.4f, 0.3f, 0}, 0.5f);
     constexpr int samples = 64;
     std::vector<double> sums;
@@ -152,7 +105,7 @@ TEST_F(VisibilityTest, SamplesAverageToTheClosedForm) {
 }
 
 TEST_F(VisibilityTest, InsideAClosedBoxNothingIsSeen) {
-    GpuScene scene = upload(closedBox());
+    GpuScene scene = upload(closedRoom(grey));
     const CameraView view = lookAt({0.2f, 0.1f, 0.3f}, {-1, -0.8f, -1}, 1.2f);
     for (const Form form : forms) {
         for (const std::uint8_t value : visibility(scene, view, {4, 0, everything}, form).bytes)
@@ -162,11 +115,11 @@ TEST_F(VisibilityTest, InsideAClosedBoxNothingIsSeen) {
 
 /// Neighbours on another surface do not take part.
 TEST_F(VisibilityTest, NoHaloesAtEdges) {
-    Scene scene = floorAndWall();
+    Scene scene = floorAndWall(grey);
     for (std::uint32_t i = 0; i < 6; ++i) {
         const glm::vec3 center(1.2f + 0.1f * float(i), 0.6f + 0.5f * hashed(9, i), 0.35f * float(i) - 0.9f);
         // Towards the eye.
-        place(scene, makeQuad(0.08f), grey(),
+        place(scene, makeQuad(0.08f), grey,
               glm::inverse(glm::lookAt(center, 2.0f * center - glm::vec3(3, 3, 1), {0, 1, 0})));
     }
     GpuScene uploaded = upload(scene);
@@ -188,7 +141,7 @@ TEST_F(VisibilityTest, NoHaloesAtEdges) {
 }
 
 TEST_F(VisibilityTest, ShadersAgreeWithTheCpu) {
-    GpuScene scene = upload(cardsOnAFloor());
+    GpuScene scene = upload(cardsOnAFloor(grey));
     for (const std::uint32_t rays : {4u, 37u}) {
         const EnvironmentRays settings{rays, 3, 0.9f};
         const CameraView view = lookAt({0, 3, 6}, {0, 0.3f, 0}, 0.7f);
@@ -208,7 +161,7 @@ TEST_F(VisibilityTest, ShadersAgreeWithTheCpu) {
 }
 
 TEST_F(VisibilityTest, ThreadsGiveTheSameBits) {
-    GpuScene scene = upload(cardsOnAFloor());
+    GpuScene scene = upload(cardsOnAFloor(grey));
     const CameraView view = lookAt({0, 3, 6}, {0, 0.3f, 0}, 0.7f);
     const std::vector<std::uint8_t> expected = visibility(scene, view, {5, 1, 0.9f}, Form::cpu).bytes;
     for (const unsigned threads : {1u, 3u, 8u}) {
@@ -219,7 +172,7 @@ TEST_F(VisibilityTest, ThreadsGiveTheSameBits) {
 }
 
 TEST_F(VisibilityTest, MovedNodesHideAsInAFreshScene) {
-    Scene scene = cardsOnAFloor();
+    Scene scene = cardsOnAFloor(grey);
     GpuScene moving = upload(scene);
     const CameraView view = lookAt({0, 3, 6}, {0, 0.3f, 0}, 0.7f);
     for (std::uint32_t step = 0; step < 4; ++step) {
@@ -240,7 +193,7 @@ TEST_F(VisibilityTest, MovedNodesHideAsInAFreshScene) {
 /// glTF 2.0, 3.9.3: mix(1, R, strength), read with its own texture coordinates.
 TEST_F(VisibilityTest, OcclusionTexturesMultiply) {
     for (const float strength : {1.0f, 0.5f, 0.0f}) {
-        Material material = grey();
+        Material material = grey;
         material.occlusionTexture = Texture{};
         material.occlusionTexture->uvSet = 1;
         material.occlusionTexture->magFilter = material.occlusionTexture->minFilter = Filter::nearest;
@@ -249,7 +202,7 @@ TEST_F(VisibilityTest, OcclusionTexturesMultiply) {
         Mesh quad = makeQuad(50.0f);
         quad.uv1 = quad.uv0;
         Scene scene = sceneOf(quad, material);
-        place(scene, makeQuad(1.0f), grey(), glm::translate(glm::mat4(1.0f), {0, 0, 0.5f}));
+        place(scene, makeQuad(1.0f), grey, glm::translate(glm::mat4(1.0f), {0, 0, 0.5f}));
         scene.images.push_back(makeImage(
             2, 2, [](std::uint32_t x, std::uint32_t) { return glm::u8vec4(x == 0 ? 51 : 204, 0, 0, 255); }));
         scene.environment = whiteEnvironment();

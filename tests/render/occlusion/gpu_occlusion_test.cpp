@@ -12,26 +12,15 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <memory>
 #include <vector>
 
 namespace candela::test {
 namespace {
 
-class GpuOcclusionTest : public testing::Test {
+class GpuOcclusionTest : public RayProgramTest {
   protected:
-    static void SetUpTestSuite() {
-        context_ = std::make_unique<Context>(Context::createHeadless());
-        context_->makeCurrent();
-        program_ = std::make_unique<RayProgram>();
-    }
-    static void TearDownTestSuite() {
-        program_.reset();
-        context_.reset();
-    }
-
     static std::vector<bool> trace(const GpuOcclusion& structure, const std::vector<Ray>& rays) {
-        const std::vector<float> passing = program_->transmittances(structure, rays);
+        const std::vector<float> passing = program().transmittances(structure, rays);
         std::vector<bool> occluded(passing.size());
         for (std::size_t i = 0; i < passing.size(); ++i) occluded[i] = passing[i] == 0.0f;
         return occluded;
@@ -57,10 +46,6 @@ class GpuOcclusionTest : public testing::Test {
         }
         return different;
     }
-
-  private:
-    static inline std::unique_ptr<Context> context_;
-    static inline std::unique_ptr<RayProgram> program_;
 };
 
 TEST_F(GpuOcclusionTest, RandomScenesAgreeWithAllTrianglesInDoublePrecision) {

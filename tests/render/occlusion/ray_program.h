@@ -4,9 +4,13 @@
 
 #include "gl/shader_source.h"
 
+#include <candela/context.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -73,6 +77,26 @@ void main() {
     gl::BufferTexture rays_;
     gl::Buffer answers_;
     GLuint program_ = 0;
+};
+
+/// Tests that trace rays in shaders: one headless context and one program for the whole suite.
+class RayProgramTest : public testing::Test {
+  protected:
+    static void SetUpTestSuite() { shared_ = std::make_unique<Shared>(); }
+    static void TearDownTestSuite() { shared_.reset(); }
+
+    static RayProgram& program() { return *shared_->program; }
+
+  private:
+    struct Shared {
+        Shared() {
+            context.makeCurrent();
+            program.emplace();
+        }
+        Context context = Context::createHeadless();
+        std::optional<RayProgram> program;
+    };
+    static inline std::unique_ptr<Shared> shared_;
 };
 
 }  // namespace candela::test

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <vector>
 
 namespace candela::test {
@@ -80,27 +79,13 @@ bool differ(double a, double b) {
     return std::abs(a - b) > 1e-6;
 }
 
-class TransmittanceRaysTest : public testing::Test {
+class TransmittanceRaysTest : public RayProgramTest {
   protected:
-    static void SetUpTestSuite() {
-        context_ = std::make_unique<Context>(Context::createHeadless());
-        context_->makeCurrent();
-        program_ = std::make_unique<RayProgram>();
-    }
-    static void TearDownTestSuite() {
-        program_.reset();
-        context_.reset();
-    }
-
     static std::vector<float> tracedByShader(const TestScene& scene, const std::vector<Ray>& rays) {
         GpuOcclusion structure;
         upload(structure, scene);
-        return program_->transmittances(structure, rays);
+        return program().transmittances(structure, rays);
     }
-
-  private:
-    static inline std::unique_ptr<Context> context_;
-    static inline std::unique_ptr<RayProgram> program_;
 };
 
 TEST_F(TransmittanceRaysTest, TheShaderAgreesWithEmbree) {

@@ -31,16 +31,6 @@ class AccumulatorTest : public DrawingTest {
         settings.sample = i;
         return renderer().render(scene, sampleView(view, {.count = count}, width, height, i), settings);
     }
-
-    static void expectRefused(const std::function<void()>& action, const std::string& part) {
-        try {
-            action();
-            ADD_FAILURE() << "no error, expected: " << part;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::badInput);
-            EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-        }
-    }
 };
 
 TEST_F(AccumulatorTest, meanOfOneFrameIsTheFrame) {

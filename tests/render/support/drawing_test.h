@@ -4,6 +4,7 @@
 #include "support/techniques.h"
 
 #include <candela/context.h>
+#include <candela/error.h>
 #include <candela/gpu_scene.h>
 #include <candela/renderer.h>
 
@@ -13,6 +14,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -88,6 +90,17 @@ class DrawingTest : public testing::Test {
         std::vector<std::string> names = Renderer::aovNames();
         std::erase(names, "ambient_occlusion");
         return {lastFrame().aovs(names), width};
+    }
+
+    /// Expects an error of bad input whose text has `part`.
+    static void expectRefused(const std::function<void()>& action, const std::string& part) {
+        try {
+            action();
+            ADD_FAILURE() << "no error, expected: " << part;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::badInput);
+            EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+        }
     }
 
   private:
