@@ -11,9 +11,6 @@ constexpr const char* description =
 constexpr const char* output =
     "Picture to write. The ending chooses: .png as the display shows it, 8 bits;\n"
     ".exr scene-linear, 32-bit float. Default: candela.png";
-constexpr const char* aov =
-    "More channels for an .exr, separated by commas: Z, P, N, base_color, metallic,\n"
-    "roughness, emission, light_count, shadowed_count, ambient_occlusion";
 constexpr const char* aovFilter =
     "How the samples of an AOV become one value: average, first (the sample in the\n"
     "pixel's middle), or auto: first for Z and P, average for all others. The\n"

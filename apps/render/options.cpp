@@ -65,9 +65,23 @@ candela::AovFilter parseAovFilter(const std::string& text) {
                      [](candela::AovFilter filter) { return candela::toString(filter); });
 }
 
+/// The names that the library has, in lines as wide as those of the other texts.
+std::string aovHelp() {
+    constexpr std::size_t lineWidth = 78;
+    std::string text = "More channels for an .exr, separated by commas:";
+    std::size_t lineStart = 0;
+    const std::vector<std::string> names = candela::Renderer::aovNames();
+    for (const std::string& name : names) {
+        const bool fits = text.size() - lineStart + name.size() + 2 <= lineWidth;
+        if (!fits) lineStart = text.size() + 1;
+        text += (fits ? " " : "\n") + name + (&name == &names.back() ? "" : ",");
+    }
+    return text;
+}
+
 void declarePicture(CLI::App& app, Options& options, std::optional<std::string>& aovs) {
     app.add_option("-o,--output", options.output, help::output)->type_name("FILE")->group("Picture");
-    app.add_option("--aov", aovs, help::aov)->type_name("all|LIST")->group("Picture");
+    app.add_option("--aov", aovs, aovHelp())->type_name("all|LIST")->group("Picture");
     app.add_option_function<std::string>(
            "--aov-filter", [&](const std::string& text) { options.aovFilter = parseAovFilter(text); },
            help::aovFilter)
