@@ -5,6 +5,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <optional>
+
 namespace candela {
 
 /// The reflection models. Both are f = f_d + f_s with f_s = F G D / (4 (n·l)(n·v)), f_d = (1 - E_s)(1 -
@@ -28,11 +30,34 @@ struct SurfaceLobes {
     Real roughness = Real(1);              ///< Perceptual roughness, 0 to 1.
 };
 
+/// What the reflection models read of a material with more lobes (shaders/shared/surface_lobes.h has the same
+/// struct). Colours are linear, in the working space.
+template <typename Real>
+struct ExtendedLobes {
+    glm::vec<3, Real> f0{Real(0.04)};  ///< Reflectance at normal incidence, 0 to 1, in place of F0 above.
+    Real f90 = Real(1);                ///< Reflectance at grazing angles, 0 to 1.
+    Real anisotropy = Real(0);         ///< Strength, 0 to 1.
+    /// The direction of the surface along which the specular lobe is wide: unit length, world space,
+    /// perpendicular to the normal.
+    glm::vec<3, Real> anisotropyDirection{Real(1), Real(0), Real(0)};
+    glm::vec<3, Real> sheenColor{Real(0)};                         ///< 0 to 1.
+    Real sheenRoughness = Real(0);                                 ///< Perceptual roughness, 0 to 1.
+    Real clearcoat = Real(0);                                      ///< 0 to 1.
+    Real clearcoatRoughness = Real(0);                             ///< Perceptual roughness, 0 to 1.
+    glm::vec<3, Real> clearcoatNormal{Real(0), Real(0), Real(1)};  ///< Unit length, world space.
+    /// The share of the light below the specular lobe that is refracted, and lost to diffuse reflection; 0 to
+    /// 1.
+    Real transmission = Real(0);
+    Real diffuseTransmission = Real(0);  ///< The share of the diffuse reflection that passes; 0 to 1.
+    glm::vec<3, Real> diffuseTransmissionColor{Real(1)};  ///< 0 to 1.
+};
+
 /// A point of a surface, in double precision.
 struct SurfacePoint {
     glm::dvec3 position{0.0};          ///< Metres.
     glm::dvec3 normal{0.0, 0.0, 1.0};  ///< Unit length.
     SurfaceLobes<double> lobes = {};
+    std::optional<ExtendedLobes<double>> extended = {};  ///< None: metallic and roughness are all.
 };
 
 // The functions below throw `Error` (badInput) where an argument is not finite or not in its range. Cosines

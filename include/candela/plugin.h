@@ -34,7 +34,7 @@ extern "C" {
 #endif
 
 #define CANDELA_PLUGIN_MAJOR 1u
-#define CANDELA_PLUGIN_MINOR 5u
+#define CANDELA_PLUGIN_MINOR 6u
 
 typedef enum candela_status { CANDELA_OK = 0, CANDELA_FAILED = 1 } candela_status;
 
@@ -88,6 +88,68 @@ typedef enum candela_alpha_mode {
     CANDELA_ALPHA_BLEND = 2 /* since 1.5; drawn as MASK, and lets 1 - alpha of each light through */
 } candela_alpha_mode;
 
+/* Lobes and media that a material may have besides metallic and roughness (since 1.6), as the glTF extensions
+ * of their names define them. Each texture multiplies its factor, and is NULL where there is none; the
+ * letters name the channels that are read. Colours are linear Rec.709, 0 to 1; textures of colours are
+ * sRGB-encoded (linear when 32F), others are linear. */
+typedef struct candela_specular {
+    float factor;                         /* 0 to 1 */
+    float color[3];                       /* 0 or more */
+    const candela_texture* texture;       /* A: the factor */
+    const candela_texture* color_texture; /* RGB */
+} candela_specular;
+
+typedef struct candela_clearcoat {
+    float factor;                             /* 0 to 1 */
+    float roughness;                          /* perceptual roughness, 0 to 1 */
+    float normal_scale;                       /* multiplies x and y of the normal texture */
+    const candela_texture* texture;           /* R: the factor */
+    const candela_texture* roughness_texture; /* G */
+    const candela_texture* normal_texture;    /* tangent space; NULL: the normal of the mesh */
+} candela_clearcoat;
+
+typedef struct candela_sheen {
+    float color[3];
+    float roughness;                          /* perceptual roughness, 0 to 1 */
+    const candela_texture* color_texture;     /* RGB */
+    const candela_texture* roughness_texture; /* A */
+} candela_sheen;
+
+typedef struct candela_anisotropy {
+    float strength;                 /* 0 to 1 */
+    float rotation;                 /* of the wide direction, radians, counter-clockwise from the tangent */
+    const candela_texture* texture; /* RG: direction, -1 to 1; B: the strength */
+} candela_anisotropy;
+
+typedef struct candela_iridescence {
+    float factor;                             /* 0 to 1 */
+    float ior;                                /* of the film, 1 or more */
+    float min_thickness;                      /* nanometres, 0 or more: where the texture is 0 */
+    float max_thickness;                      /* nanometres, 0 or more: where it is 1, or there is none */
+    const candela_texture* texture;           /* R: the factor */
+    const candela_texture* thickness_texture; /* G */
+} candela_iridescence;
+
+typedef struct candela_transmission {
+    float factor;                   /* 0 to 1 */
+    const candela_texture* texture; /* R */
+} candela_transmission;
+
+typedef struct candela_volume {
+    float thickness;                          /* metres in the space of the mesh, 0 or more; 0: a thin wall */
+    float attenuation_distance;               /* metres, over 0; 0: nothing is absorbed */
+    float attenuation_color[3];               /* what is left of white light after that distance */
+    float dispersion;                         /* 20 / Abbe number, 0 or more */
+    const candela_texture* thickness_texture; /* G */
+} candela_volume;
+
+typedef struct candela_diffuse_transmission {
+    float factor; /* 0 to 1 */
+    float color[3];
+    const candela_texture* texture;       /* A: the factor */
+    const candela_texture* color_texture; /* RGB */
+} candela_diffuse_transmission;
+
 /* A metallic-roughness material as in glTF 2.0; each texture multiplies its factor. */
 typedef struct candela_material {
     uint32_t struct_size;
@@ -99,14 +161,24 @@ typedef struct candela_material {
     candela_texture base_color_texture;         /* RGB sRGB-encoded (linear when 32F), A linear */
     candela_texture metallic_roughness_texture; /* G roughness, B metallic, linear */
     candela_texture normal_texture;             /* tangent space, linear */
-    candela_texture occlusion_texture; /* R, linear: dims the light of the environment */
-    candela_texture emission_texture;  /* RGB sRGB-encoded (linear when 32F) */
-    float normal_scale;                /* multiplies x and y of the normal texture */
-    float occlusion_strength;          /* 0 to 1 */
+    candela_texture occlusion_texture;          /* R, linear: dims the light of the environment */
+    candela_texture emission_texture;           /* RGB sRGB-encoded (linear when 32F) */
+    float normal_scale;                         /* multiplies x and y of the normal texture */
+    float occlusion_strength;                   /* 0 to 1 */
     candela_alpha_mode alpha_mode;
     float alpha_cutoff;
     uint32_t double_sided; /* 0 or 1 */
     uint32_t unlit;        /* 1: radiance is the base colour, and no light falls on it */
+    /* since 1.6; NULL: the material has no such lobe */
+    float ior; /* index of refraction, 1 or more, or infinity; 0: 1.5 */
+    const candela_specular* specular;
+    const candela_clearcoat* clearcoat;
+    const candela_sheen* sheen;
+    const candela_anisotropy* anisotropy;
+    const candela_iridescence* iridescence;
+    const candela_transmission* transmission;
+    const candela_volume* volume;
+    const candela_diffuse_transmission* diffuse_transmission;
 } candela_material;
 
 /* A run of a mesh's indices drawn with one material. */

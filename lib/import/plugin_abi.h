@@ -20,6 +20,8 @@ namespace candela {
 template <class T>
 inline constexpr std::array<std::size_t, 0> pastSizesOf{};
 template <>
+inline constexpr std::array pastSizesOf<candela_material>{offsetof(candela_material, ior)};
+template <>
 inline constexpr std::array pastSizesOf<candela_mesh>{offsetof(candela_mesh, face_count),
                                                       offsetof(candela_mesh, influence_count)};
 template <>

@@ -5,3 +5,19 @@ struct SurfaceLobes {
     Real metallic;    // 0 to 1
     Real roughness;   // perceptual, 0 to 1
 };
+
+// What it reads of a material with more lobes: see include/candela/brdf.h.
+struct ExtendedLobes {
+    Real3 f0;
+    Real f90;
+    Real anisotropy;
+    Real3 anisotropyDirection;
+    Real3 sheenColor;
+    Real sheenRoughness;
+    Real clearcoat;
+    Real clearcoatRoughness;
+    Real3 clearcoatNormal;
+    Real transmission;
+    Real diffuseTransmission;
+    Real3 diffuseTransmissionColor;
+};

@@ -62,7 +62,7 @@ TEST_F(PluginStates, WrongVersion) {
 }
 
 TEST_F(PluginStates, Refused) {
-    expectState("refused.so", PluginState::refused, "returned NULL for version 1.5");
+    expectState("refused.so", PluginState::refused, "returned NULL for version 1.6");
 }
 
 TEST_F(PluginStates, QueryThatThrowsIsRefused) {
