@@ -90,6 +90,17 @@ CANDELA_API double geometrySmithCorrelated(double nDotL, double nDotV, double al
 /// Schlick's Fresnel term; `f0` is 0 or more. Source: Schlick, 1994.
 CANDELA_API glm::dvec3 fresnelSchlick(const glm::dvec3& f0, double vDotH);
 
+/// F0 of a dielectric in air whose index of refraction is `ior` (1 or more, or infinity), with the factors of
+/// KHR_materials_specular: `specular`, 0 to 1, which is F90 too, and `specularColor`, 0 or more. 0 to 1.
+CANDELA_API glm::dvec3 dielectricF0(double ior, double specular, const glm::dvec3& specularColor);
+
+/// The F0 with which Schlick's Fresnel term gives, at n·v, the reflectance of a thin film of index `filmIor`
+/// (1 or more) on a base of `f0` (0 to 1, linear Rec.709). Source: Belcour and Barla, "A practical extension
+/// to microfacet theory for the modeling of varying iridescence", 2017, in the form of
+/// KHR_materials_iridescence: two orders of interference. 0 to 1.
+CANDELA_API glm::dvec3 iridescentF0(double nDotV, const glm::dvec3& f0, double filmIor,
+                                    double thicknessNanometres);
+
 /// The directional albedo of the specular lobe for F = 1, without energy compensation: of light that comes
 /// equally from everywhere, the fraction that the lobe reflects towards n·v. `roughness` is 0 to 1.
 /// Interpolated in the same table that the shaders read; up to 0.8 % too high, so that no surface returns

@@ -1,19 +1,19 @@
 #include <candela/brdf.h>
 
+#include "shading/argument_checks.h"
 #include "shading/directional_albedo.h"
-
-#include <candela/error.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 namespace candela {
+
+using namespace arguments;
+
 namespace {
 
 using Scalar = double;
@@ -24,34 +24,6 @@ constexpr double minNDotL = 1.0e-30;
 
 /// Shorter vectors have no direction.
 constexpr double minLength = 1.0e-150;
-
-/// Unit vectors and cosines are off by rounding, also of single precision.
-constexpr double unitTolerance = 1.0e-3;
-
-void require(bool holds, const char* name, const char* expected) {
-    if (holds) return;
-    throw Error(ErrorKind::badInput, "", std::string(name) + " has to be " + expected);
-}
-
-bool isFinite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-bool isUnit(const glm::dvec3& v) {
-    return isFinite(v) && std::abs(glm::length(v) - 1.0) <= unitTolerance;
-}
-
-bool isNonNegative(const glm::dvec3& v) {
-    return isFinite(v) && glm::all(glm::greaterThanEqual(v, glm::dvec3(0.0)));
-}
-
-void requireCosine(double value, const char* name) {
-    require(std::abs(value) <= 1.0 + unitTolerance, name, "a cosine, -1 to 1");
-}
-
-void requireUnitRange(double value, const char* name) {
-    require(value >= 0.0 && value <= 1.0, name, "0 to 1");
-}
 
 void requireSurface(const SurfacePoint& surface) {
     require(isFinite(surface.position), "the surface's position", "finite");
