@@ -12,7 +12,7 @@ layout(location = 3) in vec4 shadowPlane;
 void main() {
     // The octahedral encoding divides by |x| + |y| + |z|: the interpolated normal needs no normalisation.
     vec3 normal = gl_FrontFacing ? worldNormal : -worldNormal;
-    writeWords(GBufferWords(uvec2(packedBaseColor, packNormalRoughness(normal, filteredRoughness(roughness, worldNormal)))));
+    writeWords(plainWords(uvec2(packedBaseColor, packNormalRoughness(normal, filteredRoughness(roughness, worldNormal)))));
     writeOcclusion(1.0, 0.0);
 #ifdef SHADOWS
     writeShadowWord(shadowPlane.xyz, worldNormal, shadowPlane.w);

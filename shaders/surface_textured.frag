@@ -1,4 +1,5 @@
-// Surfaces with textures, vertex colours, a mask or emission into the G-buffer and the radiance target.
+// Surfaces with textures, vertex colours, a mask or emission into the G-buffer and the radiance target. EXTENDED is defined for those with
+// more lobes than metallic-roughness.
 
 #include "lib/frame.glsl"
 #include "lib/gbuffer_output.glsl"
@@ -20,8 +21,15 @@ layout(location = 4) flat in uint material;
 #ifdef SHADOWS
 layout(location = 5) in vec4 shadowPlane;
 #endif
+#ifdef EXTENDED
+layout(location = 6) in vec3 eyePosition;  // relative to the eye
+#endif
 
 layout(location = RADIANCE_OUTPUT) out vec4 radiance;
+
+#ifdef EXTENDED
+#include "lib/extended_material.glsl"
+#endif
 
 vec4 texel(sampler2D image, int slot) {
     return texture(image, textureCoordinate(material, slot, uvs.xy, uvs.zw));
@@ -35,13 +43,30 @@ MaterialLobes texturedLobes() {
     return MaterialLobes(color.rgb, color.a, metallicRoughness.x, metallicRoughness.y, emission);
 }
 
+vec3 bitangentOf(vec4 tangent) {
+    return cross(worldNormal, tangent.xyz) * tangent.w;
+}
+
 vec3 shadingNormal(float normalScale) {
     vec3 mapped = texel(normalTexture, NORMAL_SLOT).xyz * 2.0 - 1.0;
-    vec3 bitangent = cross(worldNormal, worldTangent.xyz) * worldTangent.w;
+    vec3 bitangent = bitangentOf(worldTangent);
     vec3 normal = mapped.x * normalScale * worldTangent.xyz + mapped.y * normalScale * bitangent + mapped.z * worldNormal;
     bool usable = worldTangent.xyz != vec3(0.0) && dot(normal, normal) > 0.0;
     return usable ? normal : worldNormal;
 }
+
+#ifdef EXTENDED
+// `normal` is on the side that is seen, `baseColor` linear Rec.709.
+LobeWords extendedWords(uint normalWord, vec3 normal, vec3 baseColor, float metallic) {
+    float side = gl_FrontFacing ? 1.0 : -1.0;
+    vec3 way = isOrthographic() ? -frame.cameraForward.xyz : -eyePosition;
+    LobeFrame surface = LobeFrame(worldNormal * side, normal * inversesqrt(max(dot(normal, normal), 1.0e-30)), worldTangent.xyz * side,
+                                  bitangentOf(worldTangent) * side, normalize(way));
+    ExtendedLobes lobes = extendedLobes(material, uvs, surface, baseColor, metallic);
+    lobes.clearcoatRoughness = filteredRoughness(lobes.clearcoatRoughness, lobes.clearcoatNormal);
+    return packExtendedLobes(lobes, unpackNormal(normalWord));
+}
+#endif
 
 void main() {
     MaterialLobes lobes = texturedLobes();
@@ -54,11 +79,19 @@ void main() {
 #ifdef SHADOWS
     writeShadowWord(shadowPlane.xyz, worldNormal, shadowPlane.w);
 #endif
+#ifdef EXTENDED
+    vec3 seenNormal = gl_FrontFacing ? normal : -normal;
+    LobeWords extended = extendedWords(packNormalRoughness(seenNormal, roughness), seenNormal, lobes.baseColor, lobes.metallic);
+#endif
     // After all textures have been read: a discarded fragment still gives its neighbours the derivatives.
     if (lobes.alpha < state.alphaCutoff) discard;
 
     vec3 working = workingFromRec709(lobes.baseColor);
     uint normalRoughness = packNormalRoughness(gl_FrontFacing ? normal : -normal, roughness);
-    writeWords(GBufferWords(uvec2(packBaseColor(working, lobes.metallic), state.unlit ? 0u : normalRoughness)));
+    GBufferWords words = plainWords(uvec2(packBaseColor(working, lobes.metallic), state.unlit ? 0u : normalRoughness));
+#ifdef EXTENDED
+    words.lobes = extended;
+#endif
+    writeWords(words);
     radiance = vec4(state.unlit ? working : workingFromRec709(lobes.emission), 0.0);
 }

@@ -22,6 +22,9 @@ layout(location = 4) flat out uint material;
 #ifdef SHADOWS
 layout(location = 5) out vec4 shadowPlane;  // position relative to the eye; its product with the normal
 #endif
+#ifdef EXTENDED
+layout(location = 6) out vec3 eyePosition;  // relative to the eye
+#endif
 
 void main() {
     vec3 world = instancePosition(draw.x, position);
@@ -32,6 +35,9 @@ void main() {
     uvs = vec4(uv0, uv1);
     vertexColor = color;
     material = draw.y;
+#ifdef EXTENDED
+    eyePosition = world - frame.eye.xyz;
+#endif
 #ifdef SHADOWS
     shadowPlane = vec4(world - frame.eye.xyz, dot(world - frame.eye.xyz, worldNormal));
 #endif

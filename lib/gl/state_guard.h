@@ -9,7 +9,7 @@
 namespace candela::gl {
 
 /// How many units and bindings candela's passes use; of these the guard keeps no more.
-constexpr int textureUnits = 16;
+constexpr int textureUnits = 24;
 constexpr int uniformBindings = 2;
 constexpr int storageBindings = 8;
 constexpr int imageUnits = 4;

@@ -113,6 +113,12 @@ LightingInputs Renderer::State::lightingInputs(const GpuScene::State& scene) {
             visibility.texture};
 }
 
+bool Renderer::State::showsLobes(const GpuScene::State& scene) {
+    if (!scene.materials.hasLobes()) return false;
+    scene.cull(frame->frustum, draws);
+    return draws.isExtended();
+}
+
 void Renderer::State::bindFrame() {
     frameBuffer.upload(std::span<const layout::FrameUniforms>(&frame->uniforms, 1));
     glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, frameBuffer.name());
@@ -291,10 +297,8 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
     const bool shadows = drawsShadows(settings) && scene.lights.anyCastsShadow();
     const bool isLit = settings.debugView == DebugView::none;
     const TracedRays traced{shadows, drawsShadows(settings) && isLit && scene.hasEnvironmentLight()};
-    const GBufferParts parts{.shadowWord = traced.shadows || traced.environment,
-                             .occlusion = isLit && scene.usesOcclusionTextures()};
-    selectTargets(settings.width, settings.height, parts);
-    gbufferCopy.reset(*targets);
+    GBufferParts parts{.shadowWord = traced.shadows || traced.environment,
+                       .occlusion = isLit && scene.usesOcclusionTextures()};
     scene.lights.setSample(settings.sample);
     scene.update();
     const Technique technique =
@@ -318,6 +322,9 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
         scene.updateOcclusion();
         if (lighting.tracesInShaders(technique, settings.tileBackend)) scene.occlusion->updateShaderForm();
     }
+    parts.lobes = isLit && showsLobes(scene);
+    selectTargets(settings.width, settings.height, parts);
+    gbufferCopy.reset(*targets);
     if (settings.debugView == DebugView::none) {
         drawLit(scene);
     } else {

@@ -123,6 +123,8 @@ struct Renderer::State {
     void createPasses(const FrameSettings& settings, Technique technique, const TracedRays& traced);
     void describeFrame(const GpuScene::State& scene, const CameraView& requested,
                        const FrameSettings& settings, Technique technique, const TracedRays& traced);
+    /// Whether a material in view has more lobes than metallic and roughness describe.
+    bool showsLobes(const GpuScene::State& scene);
     void startSample(GpuScene::State& scene, const CameraView& view, std::uint32_t sample);
     void drawLit(const GpuScene::State& scene);
     void findVisibility(const GpuScene::State& scene);

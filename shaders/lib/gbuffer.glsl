@@ -26,7 +26,20 @@ GBufferSurface unpackSurface(uvec2 texel) {
 // All words of a pixel: a member for each texture of the G-buffer's layout (lib/render/gbuffer/gbuffer_targets.h).
 struct GBufferWords {
     uvec2 surface;
+#ifdef LOBES
+    LobeWords lobes;
+#endif
 };
+
+// The words of a surface of a metallic-roughness material.
+GBufferWords plainWords(uvec2 surface) {
+    GBufferWords words;
+    words.surface = surface;
+#ifdef LOBES
+    words.lobes = LobeWords(uvec4(0u), 0u);
+#endif
+    return words;
+}
 
 GBufferSurface unpackWords(GBufferWords words) {
     return unpackSurface(words.surface);

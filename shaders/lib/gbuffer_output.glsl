@@ -6,6 +6,10 @@
 #include "shared/shading_constants.h"
 
 layout(location = SURFACE_OUTPUT) out uvec2 surfaceWords;
+#ifdef LOBES
+layout(location = LOBES_OUTPUT) out uvec4 lobeWords;
+layout(location = DIFFUSE_TRANSMISSION_OUTPUT) out uint diffuseTransmissionWord;
+#endif
 #ifdef SHADOWS
 layout(location = SHADOW_OUTPUT) out uint shadowWord;
 
@@ -51,4 +55,8 @@ float filteredRoughness(float roughness, vec3 normal) {
 
 void writeWords(GBufferWords words) {
     surfaceWords = words.surface;
+#ifdef LOBES
+    lobeWords = words.lobes.lobes;
+    diffuseTransmissionWord = words.lobes.diffuseTransmission;
+#endif
 }

@@ -64,6 +64,10 @@ struct PixelSurface {
     bool lit;
     GBufferSurface surface;
     vec3 position;
+#ifdef LOBES
+    bool extended;  // else the members of `surface` are all
+    ExtendedLobes lobes;
+#endif
 };
 
 PixelSurface fetchSurface(ivec2 pixel) {
@@ -72,6 +76,10 @@ PixelSurface fetchSurface(ivec2 pixel) {
     float depth = fetchDepth(pixel);
     result.lit = hasSurface(words);
     result.surface = unpackWords(words);
+#ifdef LOBES
+    result.extended = hasExtendedLobes(words.lobes);
+    result.lobes = unpackExtendedLobes(words.lobes, result.surface.normal);
+#endif
     result.position = worldPosition(pixel, result.lit ? depth : 1.0);
     return result;
 }

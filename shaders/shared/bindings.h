@@ -11,6 +11,9 @@ const int METALLIC_ROUGHNESS_UNIT = 3;
 const int NORMAL_UNIT = 4;
 const int EMISSION_UNIT = 5;
 const int OCCLUSION_TEXTURE_UNIT = 6;
+const int LOBE_RECORDS_UNIT = 7;   // RGBA32F buffer: LOBE_TEXELS a material
+const int LOBE_TEXTURES_UNIT = 8;  // the first of LOBE_TEXTURE_COUNT, in the order of shaders/lib/extended_material.glsl
+const int LOBE_TEXTURE_COUNT = 14;
 
 // Texture units of the lighting passes.
 const int SURFACE_UNIT = 0;  // RG32UI: the G-buffer's two words
@@ -18,6 +21,8 @@ const int DEPTH_UNIT = 1;    // reversed depth
 const int LIGHTS_UNIT = 2;   // RGBA32F buffer: LIGHT_TEXELS a light: points, then spots, then directional lights
 const int CONES_UNIT = 3;    // RGBA32F buffer: one texel a spot
 const int SHADOW_UNIT = 7;   // R32UI: the G-buffer's shadow word
+const int LOBES_UNIT = 13;   // RGBA32UI: the G-buffer's lobe words
+const int DIFFUSE_TRANSMISSION_UNIT = 14;  // R32UI: the word of diffuse transmission
 const int ALBEDO_UNIT = 4;   // RG32F: the model's directional albedo table
 
 // Texture units of the environment's passes.
@@ -98,6 +103,8 @@ const int SURFACE_OUTPUT = 0;
 const int RADIANCE_OUTPUT = 1;  // emissive surfaces only
 const int SHADOW_OUTPUT = 2;    // frames that trace rays only
 const int OCCLUSION_OUTPUT = 3; // with an environment and occlusion textures only
+const int LOBES_OUTPUT = 4;     // with materials of more lobes in view only; the next one too
+const int DIFFUSE_TRANSMISSION_OUTPUT = 5;
 
 // Vertex attributes.
 const int POSITION_ATTRIBUTE = 0;
@@ -149,3 +156,15 @@ const int MATERIAL_EMISSION = 2;    // emission factor; 1 when unlit
 const int MATERIAL_PACKED = 3;      // x: base colour and metallic as the G-buffer packs them (uint); y: strength of the occlusion texture
 const int MATERIAL_UV_ROWS = 4;     // two rows of the coordinate transform a texture: base colour, metallic-roughness, normal,
                                     // emission, occlusion; w of the first is the set of texture coordinates
+
+// Texels of the record of a material's further lobes.
+const int LOBE_TEXELS = 36;
+const int LOBE_SPECULAR = 0;               // index of refraction, specular factor, factor and roughness of the clear coat
+const int LOBE_SPECULAR_COLOR = 1;         // w: normal scale of the clear coat, 0 without a texture
+const int LOBE_SHEEN = 2;                  // colour, roughness
+const int LOBE_ANISOTROPY = 3;             // strength, cosine and sine of the rotation, 1 with a texture
+const int LOBE_IRIDESCENCE = 4;            // factor, index of refraction, minimum and maximum thickness in nanometres
+const int LOBE_DIFFUSE_TRANSMISSION = 5;   // colour, factor
+const int LOBE_ABSORPTION = 6;             // absorption coefficient, 1 / metre; transmission factor
+const int LOBE_VOLUME = 7;                 // thickness in metres, dispersion
+const int LOBE_UV_ROWS = 8;                // two rows of the coordinate transform a texture, as in MATERIAL_UV_ROWS

@@ -3,6 +3,12 @@
 //   word 0: base colour, sRGB-encoded, 8 bits a channel (R lowest); metallic, 8 bits
 //   word 1: octahedral normal, 12 bits an axis (codes 1 to 4095, so that the word is never 0); fourth root of the perceptual roughness, 8 bits
 //   shadow word, of frames with shadows: lift in metres as a half float; octahedral geometric normal, 8 bits an axis
+//   lobe words, of frames with materials of more lobes; all 0 where the two words above are all:
+//     0: roots of F0, 8 bits a channel; F90, 8 bits
+//     1: sheen colour, sRGB-encoded, 8 bits a channel; sheen roughness, 8 bits
+//     2: normal and roughness of the clear coat, as word 1 above
+//     3: clear coat; strength and direction of anisotropy; transmission: 8 bits each
+//     and of diffuse transmission: colour, sRGB-encoded, 8 bits a channel; factor, 8 bits
 
 const float NORMAL_MAX = 2047.0f;     // code of 1, from the centre
 const float NORMAL_CENTER = 2048.0f;  // code of 0
@@ -55,11 +61,15 @@ SHARED_FUNCTION vec3 unpackNormal(uint word1) {
     return normalOfOctahedral((vec2(float(word1 & 0xfffu), float(word1 >> 12 & 0xfffu)) - NORMAL_CENTER) * (1.0f / NORMAL_MAX));
 }
 
+SHARED_FUNCTION vec3 unpackColor(uint word) {
+    vec4 color = unpackUnorm4x8(word);
+    return vec3(srgbDecode(color.x), srgbDecode(color.y), srgbDecode(color.z));
+}
+
 SHARED_FUNCTION GBufferSurface unpackSurfaceWords(uint word0, uint word1) {
     GBufferSurface surface;
-    vec4 color = unpackUnorm4x8(word0);
-    surface.lobes.baseColor = vec3(srgbDecode(color.x), srgbDecode(color.y), srgbDecode(color.z));
-    surface.lobes.metallic = color.w;
+    surface.lobes.baseColor = unpackColor(word0);
+    surface.lobes.metallic = unpackUnorm4x8(word0).w;
     surface.normal = unpackNormal(word1);
     surface.lobes.roughness = unpackRoughness(word1 >> 24);
     return surface;
@@ -85,4 +95,76 @@ SHARED_FUNCTION ShadowSurface unpackShadowWord(uint word) {
     surface.geometricNormal = normalOfOctahedral((code - GEOMETRIC_NORMAL_CENTER) * (1.0f / GEOMETRIC_NORMAL_MAX));
     surface.lift = unpackHalf2x16(word & 0xffffu).x;
     return surface;
+}
+
+// Two unit vectors perpendicular to a unit vector and to each other. Duff et al., "Building an orthonormal basis, revisited", 2017.
+struct TangentFrame {
+    vec3 x;
+    vec3 y;
+};
+
+SHARED_FUNCTION TangentFrame tangentFrame(vec3 normal) {
+    float side = normal.z < 0.0f ? -1.0f : 1.0f;
+    float a = -1.0f / (side + normal.z);
+    float b = normal.x * normal.y * a;
+    TangentFrame axes;
+    axes.x = vec3(1.0f + side * normal.x * normal.x * a, side * b, -side * normal.x);
+    axes.y = vec3(b, side + normal.y * normal.y * a, -normal.y);
+    return axes;
+}
+
+// A direction of a surface, 0 to 255: opposite ones have the same code, or 0 and 255. `normal` is as it is unpacked.
+SHARED_FUNCTION uint packTangent(vec3 normal, vec3 direction) {
+    TangentFrame axes = tangentFrame(normal);
+    vec2 p = vec2(dot(direction, axes.x), dot(direction, axes.y));
+    float along = (p.y < 0.0f ? -p.x : p.x) / max(abs(p.x) + abs(p.y), 1.0e-20f);
+    return uint(floor(clamp(along * 0.5f + 0.5f, 0.0f, 1.0f) * 255.0f + 0.5f));
+}
+
+SHARED_FUNCTION vec3 unpackTangent(vec3 normal, uint code) {
+    TangentFrame axes = tangentFrame(normal);
+    float along = float(code) * (2.0f / 255.0f) - 1.0f;
+    return normalize(axes.x * along + axes.y * (1.0f - abs(along)));
+}
+
+struct LobeWords {
+    uvec4 lobes;
+    uint diffuseTransmission;
+};
+
+// `normal` is that of word 1. Directions and normals have any length over 0.
+SHARED_FUNCTION LobeWords packExtendedLobes(ExtendedLobes lobes, vec3 normal) {
+    LobeWords words;
+    vec3 f0 = clamp(lobes.f0, 0.0f, 1.0f);
+    vec4 strengths = vec4(lobes.clearcoat, lobes.anisotropy, 0.0f, lobes.transmission);
+    words.lobes = uvec4(packUnorm4x8(vec4(sqrt(f0.x), sqrt(f0.y), sqrt(f0.z), lobes.f90)),
+                        (packBaseColor(lobes.sheenColor, 0.0f) & 0xffffffu) | packRoughness(lobes.sheenRoughness) << 24,
+                        packNormalRoughness(lobes.clearcoatNormal, lobes.clearcoatRoughness),
+                        packUnorm4x8(strengths) | packTangent(normal, lobes.anisotropyDirection) << 16);
+    words.diffuseTransmission = packBaseColor(lobes.diffuseTransmissionColor, lobes.diffuseTransmission);
+    return words;
+}
+
+SHARED_FUNCTION bool hasExtendedLobes(LobeWords words) {
+    return words.lobes.z != 0u;
+}
+
+SHARED_FUNCTION ExtendedLobes unpackExtendedLobes(LobeWords words, vec3 normal) {
+    ExtendedLobes lobes;
+    vec4 reflectance = unpackUnorm4x8(words.lobes.x);
+    vec4 strengths = unpackUnorm4x8(words.lobes.w);
+    vec3 root = vec3(reflectance.x, reflectance.y, reflectance.z);
+    lobes.f0 = root * root;
+    lobes.f90 = reflectance.w;
+    lobes.anisotropy = strengths.y;
+    lobes.anisotropyDirection = unpackTangent(normal, words.lobes.w >> 16 & 0xffu);
+    lobes.sheenColor = unpackColor(words.lobes.y);
+    lobes.sheenRoughness = unpackRoughness(words.lobes.y >> 24);
+    lobes.clearcoat = strengths.x;
+    lobes.clearcoatRoughness = unpackRoughness(words.lobes.z >> 24);
+    lobes.clearcoatNormal = unpackNormal(words.lobes.z);
+    lobes.transmission = strengths.w;
+    lobes.diffuseTransmission = unpackUnorm4x8(words.diffuseTransmission).w;
+    lobes.diffuseTransmissionColor = unpackColor(words.diffuseTransmission);
+    return lobes;
 }

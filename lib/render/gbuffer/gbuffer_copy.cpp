@@ -39,4 +39,15 @@ std::span<const std::uint8_t> GBufferCopy::occlusion() {
     return once(occlusion_, 1, 8, [&](std::span<std::uint8_t> into) { readOcclusion(*targets_, into); });
 }
 
+std::span<const std::uint32_t> GBufferCopy::lobeWords() {
+    return once(lobeWords_, 4, 16,
+                [&](std::span<std::uint32_t> into) { readWords(*targets_, layout::LOBES_OUTPUT, into); });
+}
+
+std::span<const std::uint32_t> GBufferCopy::diffuseTransmission() {
+    return once(diffuseTransmission_, 1, 32, [&](std::span<std::uint32_t> into) {
+        readWords(*targets_, layout::DIFFUSE_TRANSMISSION_OUTPUT, into);
+    });
+}
+
 }  // namespace candela

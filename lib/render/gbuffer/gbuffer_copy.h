@@ -19,6 +19,8 @@ class GBufferCopy {
     std::span<const float> depth();             ///< Reversed.
     std::span<const std::uint32_t> shadowWords();
     std::span<const std::uint8_t> occlusion();
+    std::span<const std::uint32_t> lobeWords();            ///< Four words a pixel.
+    std::span<const std::uint32_t> diffuseTransmission();  ///< One word a pixel.
 
   private:
     /// `read` fills `values`, of which a pixel has `perPixel`.
@@ -27,7 +29,7 @@ class GBufferCopy {
 
     const GBufferTargets* targets_ = nullptr;
     unsigned present_ = 0;  ///< A bit for each of the following.
-    std::vector<std::uint32_t> surfaces_, shadowWords_;
+    std::vector<std::uint32_t> surfaces_, shadowWords_, lobeWords_, diffuseTransmission_;
     std::vector<float> depth_;
     std::vector<std::uint8_t> occlusion_;
 };

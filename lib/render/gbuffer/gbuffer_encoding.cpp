@@ -38,6 +38,8 @@ vec2 unpackHalf2x16(uint halves) {
             unpackHalf1x16(static_cast<std::uint16_t>(halves >> 16))};
 }
 
+using ExtendedLobes = candela::ExtendedLobes<float>;
+
 #define SHARED_FUNCTION inline
 #include "shared/gbuffer_encoding.h"
 #undef SHARED_FUNCTION
@@ -58,6 +60,16 @@ ShadowSurface unpackShadowWord(std::uint32_t word) {
 
 glm::vec3 unpackNormal(std::uint32_t word) {
     return encoding::unpackNormal(word);
+}
+
+ExtendedLobes<float> unpackLobeWords(const GBufferLobeWords& words, const glm::vec3& normal) {
+    const auto& [x, y, z, w] = words.lobes;
+    return encoding::unpackExtendedLobes({{x, y, z, w}, words.diffuseTransmission}, normal);
+}
+
+GBufferLobeWords packLobeWords(const ExtendedLobes<float>& lobes, const glm::vec3& normal) {
+    const encoding::LobeWords words = encoding::packExtendedLobes(lobes, normal);
+    return {{words.lobes.x, words.lobes.y, words.lobes.z, words.lobes.w}, words.diffuseTransmission};
 }
 
 GBufferSurface unpackSurface(GBufferTexel texel) {

@@ -36,6 +36,10 @@ std::vector<GBufferWordTexture> layoutOf(const GBufferParts& parts) {
     std::vector<GBufferWordTexture> layout{surfaceTexture};
     if (parts.shadowWord) layout.push_back(shadowTexture);
     if (parts.occlusion) layout.push_back(occlusionTexture);
+    if (parts.lobes) {
+        layout.push_back(lobesTexture);
+        layout.push_back(diffuseTransmissionTexture);
+    }
     return layout;
 }
 
@@ -43,6 +47,7 @@ std::vector<std::string> definitionsOf(const GBufferParts& parts) {
     std::vector<std::string> definitions;
     if (parts.shadowWord) definitions.emplace_back("SHADOWS 1");
     if (parts.occlusion) definitions.emplace_back("OCCLUSION 1");
+    if (parts.lobes) definitions.emplace_back("LOBES 1");
     return definitions;
 }
 

@@ -31,6 +31,17 @@ inline constexpr GBufferWordTexture occlusionTexture{
     "G-buffer occlusion",    GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1, layout::ENVIRONMENT_VISIBILITY_UNIT,
     layout::OCCLUSION_OUTPUT};
 
+inline constexpr GBufferWordTexture lobesTexture{"G-buffer lobes",    GL_RGBA32UI, GL_RGBA_INTEGER,
+                                                 GL_UNSIGNED_INT,     16,          layout::LOBES_UNIT,
+                                                 layout::LOBES_OUTPUT};
+inline constexpr GBufferWordTexture diffuseTransmissionTexture{"G-buffer diffuse transmission",
+                                                               GL_R32UI,
+                                                               GL_RED_INTEGER,
+                                                               GL_UNSIGNED_INT,
+                                                               4,
+                                                               layout::DIFFUSE_TRANSMISSION_UNIT,
+                                                               layout::DIFFUSE_TRANSMISSION_OUTPUT};
+
 /// What a G-buffer has besides the surface texture. Each part is for the frames that need it and costs others
 /// nothing: targets and the programs of the geometry pass exist once for each set of parts in use.
 /// docs/gbuffer.md says how to add one.
@@ -38,6 +49,8 @@ struct GBufferParts {
     bool shadowWord = false;  ///< Where rays start: frames whose pixels trace rays. SHADOWS in shaders.
     /// R of occlusion textures with their strength: scenes with an environment. OCCLUSION in shaders.
     bool occlusion = false;
+    /// What `ExtendedLobes` holds, in two textures: views with materials of more lobes. LOBES in shaders.
+    bool lobes = false;
 
     auto operator<=>(const GBufferParts&) const = default;
 };

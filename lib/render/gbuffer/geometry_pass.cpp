@@ -3,6 +3,8 @@
 #include "render/layout.h"
 
 #include <array>
+#include <string>
+#include <vector>
 
 namespace candela {
 
@@ -10,6 +12,11 @@ namespace {
 
 constexpr std::array textureUnits{layout::BASE_COLOR_UNIT, layout::METALLIC_ROUGHNESS_UNIT,
                                   layout::NORMAL_UNIT, layout::EMISSION_UNIT, layout::OCCLUSION_TEXTURE_UNIT};
+
+void bind(int unit, const SampledTexture& texture) {
+    glBindTextureUnit(static_cast<GLuint>(unit), texture.texture);
+    glBindSampler(static_cast<GLuint>(unit), texture.sampler);
+}
 
 void clear(const GBufferTargets& targets, LoadOp radianceLoad) {
     constexpr std::array<GLuint, 4> nothing{0, 0, 0, 0};
@@ -29,20 +36,26 @@ void clear(const GBufferTargets& targets, LoadOp radianceLoad) {
 
 }  // namespace
 
-GeometryPass::Programs::Programs(const std::vector<std::string>& definitions)
-    : plain({{"surface_plain.vert", definitions, {}}, {"surface_plain.frag", definitions, {}}},
-            "plain surfaces"),
-      textured({{"surface_textured.vert", definitions, {}}, {"surface_textured.frag", definitions, {}}},
-               "textured surfaces") {}
+GeometryPass::Programs::Programs(const GBufferParts& parts) {
+    std::vector<std::string> definitions = definitionsOf(parts);
+    const auto program = [&](const char* vertex, const char* fragment, const char* label) {
+        return gl::Program({{vertex, definitions, {}}, {fragment, definitions, {}}}, label);
+    };
+    plain = program("surface_plain.vert", "surface_plain.frag", "plain surfaces");
+    textured = program("surface_textured.vert", "surface_textured.frag", "textured surfaces");
+    if (!parts.lobes) return;
+    definitions.emplace_back("EXTENDED 1");
+    extended = program("surface_textured.vert", "surface_textured.frag", "surfaces with more lobes");
+}
 
 GeometryPass::GeometryPass() {
-    programs_.try_emplace(GBufferParts{}, definitionsOf({}));
+    programs_.try_emplace(GBufferParts{}, GBufferParts{});
 }
 
 const GeometryPass::Programs& GeometryPass::programsFor(const GBufferTargets& targets) {
     const auto found = programs_.find(targets.parts);
     if (found != programs_.end()) return found->second;
-    return programs_.try_emplace(targets.parts, definitionsOf(targets.parts)).first->second;
+    return programs_.try_emplace(targets.parts, targets.parts).first->second;
 }
 
 void GeometryPass::render(const Inputs& inputs) {
@@ -54,37 +67,49 @@ void GeometryPass::render(const Inputs& inputs) {
     inputs.draws.bind();
     glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instances.records().name());
     glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materials.records().name());
+    if (inputs.targets.parts.lobes)
+        glBindTextureUnit(layout::LOBE_RECORDS_UNIT, inputs.scene.materials.lobeRecords().name());
     // Emissive batches come last: otherwise, surfaces in front of emission would have to write black over it.
     for (const DrawBatch& batch : inputs.draws.batches()) {
         const gl::Framebuffer& target =
             batch.key.emissive ? inputs.targets.surfacesAndEmission : inputs.targets.surfaces;
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.name());
         glBindVertexArray(inputs.scene.vertexArrayOf(batch));
-        draw(batch, programs);
+        draw(inputs.scene, batch, programs);
     }
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
     glBindSamplers(layout::BASE_COLOR_UNIT, textureUnits.size(), nullptr);
+    if (programs.extended) glBindSamplers(layout::LOBE_TEXTURES_UNIT, layout::LOBE_TEXTURE_COUNT, nullptr);
 }
 
-void GeometryPass::draw(const DrawBatch& batch, const Programs& programs) {
-    const bool textured = batch.key.program == PipelineKey::Program::textured;
-    glUseProgram(textured ? programs.textured.name() : programs.plain.name());
-    glFrontFace(batch.key.mirrored ? GL_CW : GL_CCW);
-    if (batch.key.doubleSided) {
+void GeometryPass::bindTextures(const PipelineKey& key) {
+    for (std::size_t i = 0; i < textureUnits.size(); ++i) {
+        // A unit that the program does not read keeps what the host has bound to it.
+        if (key.textures[i].texture != 0) bind(textureUnits[i], key.textures[i]);
+    }
+}
+
+void GeometryPass::bindLobeTextures(const GpuScene::State& scene, const PipelineKey& key) {
+    const LobeTextures& textures = scene.draws.lobeTextures(key);
+    for (std::size_t i = 0; i < textures.size(); ++i)
+        bind(layout::LOBE_TEXTURES_UNIT + static_cast<int>(i), textures[i]);
+}
+
+void GeometryPass::draw(const GpuScene::State& scene, const DrawBatch& batch, const Programs& programs) {
+    const PipelineKey& key = batch.key;
+    const bool textured = key.program != PipelineKey::Program::plain;
+    const bool extended = key.program == PipelineKey::Program::extended && programs.extended;
+    glUseProgram((extended ? *programs.extended : textured ? programs.textured : programs.plain).name());
+    glFrontFace(key.mirrored ? GL_CW : GL_CCW);
+    if (key.doubleSided) {
         glDisable(GL_CULL_FACE);
     } else {
         glEnable(GL_CULL_FACE);
     }
-    if (textured) {
-        for (std::size_t i = 0; i < textureUnits.size(); ++i) {
-            // A unit that the program does not read keeps what the host has bound to it.
-            if (batch.key.textures[i].texture == 0) continue;
-            glBindTextureUnit(static_cast<GLuint>(textureUnits[i]), batch.key.textures[i].texture);
-            glBindSampler(static_cast<GLuint>(textureUnits[i]), batch.key.textures[i].sampler);
-        }
-    }
+    if (textured) bindTextures(key);
+    if (extended) bindLobeTextures(scene, key);
     DrawSelection::draw(batch);
 }
 

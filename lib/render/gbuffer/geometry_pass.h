@@ -5,8 +5,7 @@
 #include "render/gpu_scene/gpu_scene_state.h"
 
 #include <map>
-#include <string>
-#include <vector>
+#include <optional>
 
 namespace candela {
 
@@ -26,12 +25,15 @@ class GeometryPass {
   private:
     /// With the fragment outputs of one set of parts of the G-buffer.
     struct Programs {
-        explicit Programs(const std::vector<std::string>& definitions);
+        explicit Programs(const GBufferParts& parts);
         gl::Program plain, textured;
+        std::optional<gl::Program> extended;  ///< Where the parts have lobes; else these are not written.
     };
 
     const Programs& programsFor(const GBufferTargets& targets);
-    static void draw(const DrawBatch& batch, const Programs& programs);
+    static void bindTextures(const PipelineKey& key);
+    static void bindLobeTextures(const GpuScene::State& scene, const PipelineKey& key);
+    static void draw(const GpuScene::State& scene, const DrawBatch& batch, const Programs& programs);
 
     std::map<GBufferParts, Programs> programs_;  ///< Compiled when they are first needed.
 };

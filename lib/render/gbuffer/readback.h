@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -39,6 +40,16 @@ struct ShadowSurface {
 ShadowSurface unpackShadowWord(std::uint32_t word);
 /// Of the second word of a `GBufferTexel` that is not 0: the shading normal.
 glm::vec3 unpackNormal(std::uint32_t word);
+
+/// The words of a pixel whose material has more lobes; all 0 where its `GBufferTexel` is all.
+struct GBufferLobeWords {
+    std::array<std::uint32_t, 4> lobes{};
+    std::uint32_t diffuseTransmission = 0;
+};
+/// `normal` is that of the pixel's `GBufferTexel`, as it is unpacked. Packing is that of the shaders.
+GBufferLobeWords packLobeWords(const ExtendedLobes<float>& lobes, const glm::vec3& normal);
+/// Of words that are not all 0.
+ExtendedLobes<float> unpackLobeWords(const GBufferLobeWords& words, const glm::vec3& normal);
 
 // One pixel, y from the bottom.
 

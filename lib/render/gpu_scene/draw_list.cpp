@@ -33,25 +33,9 @@ Colors colorsOf(const Mesh& mesh) {
 
 bool isPlain(const Material& material, Colors colors, OcclusionTextures occlusion) {
     if (material.occlusionTexture && occlusion == OcclusionTextures::read) return false;
-    return !isEmissive(material) && material.alphaMode == AlphaMode::opaque && !material.baseColorTexture &&
-           !material.metallicRoughnessTexture && !material.normalTexture && colors == Colors::none;
-}
-
-/// The key of a material's draws, but for winding and geometry.
-PipelineKey materialKey(const Material& material, Colors colors, OcclusionTextures occlusion,
-                        GpuImages& images) {
-    PipelineKey key;
-    key.doubleSided = material.doubleSided;
-    if (isPlain(material, colors, occlusion)) return key;
-    key.program = PipelineKey::Program::textured;
-    key.emissive = isEmissive(material);
-    key.textures = {images.get(material.baseColorTexture, TexelEncoding::color),
-                    images.get(material.metallicRoughnessTexture, TexelEncoding::data),
-                    images.get(material.normalTexture, TexelEncoding::data),
-                    images.get(material.emissionTexture, TexelEncoding::color), SampledTexture{}};
-    if (material.occlusionTexture && occlusion == OcclusionTextures::read)
-        key.textures.back() = images.get(material.occlusionTexture, TexelEncoding::data);
-    return key;
+    return !isEmissive(material) && !isExtended(material) && material.alphaMode == AlphaMode::opaque &&
+           !material.baseColorTexture && !material.metallicRoughnessTexture && !material.normalTexture &&
+           colors == Colors::none;
 }
 
 bool needsDetail(const Scene& scene, const Mesh& mesh) {
@@ -70,6 +54,11 @@ GpuMeshes::Detail detailOf(const Scene& scene) {
     const bool needed =
         std::ranges::any_of(scene.meshes, [&](const Mesh& mesh) { return needsDetail(scene, mesh); });
     return needed ? GpuMeshes::Detail::everything : GpuMeshes::Detail::positionsAndNormals;
+}
+
+bool DrawSelection::isExtended() const {
+    return std::ranges::any_of(
+        batches_, [](const DrawBatch& batch) { return batch.key.program == PipelineKey::Program::extended; });
 }
 
 void DrawSelection::draw(const DrawBatch& batch) {
@@ -110,14 +99,38 @@ void DrawList::add(Draw draw, std::span<const Material> materials, GpuImages& im
     materialKeys_.resize(materials.size() + 1);
     std::optional<PipelineKey>& key = materialKeys_[draw.material][draw.hasColors ? 1 : 0];
     if (!key) {
-        key = materialKey(materialOf(materials, draw.material),
-                          draw.hasColors ? Colors::perVertex : Colors::none, occlusionTextures_, images);
+        key = materialKey(materialOf(materials, draw.material), draw.hasColors, images);
     }
     const auto index = static_cast<std::uint32_t>(draws_.size());
     firstDraw_.resize(draw.instance + 1, index);
     draw.command.baseInstance = index;
     draws_.push_back(draw);
     mark(draws_.back());
+}
+
+PipelineKey DrawList::materialKey(const Material& material, bool hasColors, GpuImages& images) {
+    PipelineKey key;
+    key.doubleSided = material.doubleSided;
+    if (isPlain(material, hasColors ? Colors::perVertex : Colors::none, occlusionTextures_)) return key;
+    key.program = PipelineKey::Program::textured;
+    key.emissive = isEmissive(material);
+    key.textures = {images.get(material.baseColorTexture, TexelEncoding::color),
+                    images.get(material.metallicRoughnessTexture, TexelEncoding::data),
+                    images.get(material.normalTexture, TexelEncoding::data),
+                    images.get(material.emissionTexture, TexelEncoding::color), SampledTexture{}};
+    if (material.occlusionTexture && occlusionTextures_ == OcclusionTextures::read)
+        key.textures.back() = images.get(material.occlusionTexture, TexelEncoding::data);
+    if (!isExtended(material)) return key;
+    key.program = PipelineKey::Program::extended;
+    key.lobeTextures = lobeSet(lobeTexturesOf(material, images));
+    return key;
+}
+
+std::uint32_t DrawList::lobeSet(const LobeTextures& textures) {
+    const auto [entry, isNew] =
+        lobeSetOf_.try_emplace(textures, static_cast<std::uint32_t>(lobeSets_.size()));
+    if (isNew) lobeSets_.push_back(textures);
+    return entry->second;
 }
 
 void DrawList::finish(std::size_t instanceCount) {
@@ -162,7 +175,7 @@ void DrawList::setMaterial(std::uint32_t index, const Material& material, GpuIma
     MaterialKeys keys = materialKeys_[index];
     for (const Colors colors : {Colors::none, Colors::perVertex}) {
         std::optional<PipelineKey>& key = keys[colors == Colors::perVertex ? 1 : 0];
-        if (key) key = materialKey(material, colors, occlusionTextures_, images);
+        if (key) key = materialKey(material, colors == Colors::perVertex, images);
     }
     if (keys == materialKeys_[index]) return;
     materialKeys_[index] = keys;

@@ -3,6 +3,7 @@
 #include "gl/buffer.h"
 #include "render/gpu_scene/gpu_images.h"
 #include "render/gpu_scene/gpu_meshes.h"
+#include "render/gpu_scene/lobe_records.h"
 
 #include <candela/gpu_scene.h>
 
@@ -34,7 +35,11 @@ enum class OcclusionTextures { ignored, read };
 
 /// The OpenGL state that a draw needs. Draws with equal keys are issued together.
 struct PipelineKey {
-    enum class Program { plain, textured };
+    enum class Program {
+        plain,
+        textured,
+        extended,  ///< `textured` with the lobes of `isExtended`.
+    };
 
     bool emissive = false;  ///< Writes radiance; drawn after all that does not (see `GeometryPass`).
     Program program = Program::plain;
@@ -43,6 +48,7 @@ struct PipelineKey {
     /// Base colour, metallic-roughness, normal, emission; unset for plain. Then occlusion, unset where no
     /// material has it or nothing reads it.
     std::array<SampledTexture, 5> textures{};
+    std::uint32_t lobeTextures = 0;  ///< Of `extended`: index for `DrawList::lobeTextures`.
     DrawGeometry geometry;
 
     auto operator<=>(const PipelineKey&) const = default;
@@ -76,6 +82,8 @@ class DrawSelection {
 
     /// Sorted by key, so that batches that emit come last.
     std::span<const DrawBatch> batches() const { return batches_; }
+    /// Does any draw have more lobes than metallic and roughness describe?
+    bool isExtended() const;
     bool emits() const { return !batches_.empty() && batches_.back().key.emissive; }
     /// Instances that show cages.
     std::span<const std::uint32_t> cageInstances() const { return cageInstances_; }
@@ -129,6 +137,9 @@ class DrawList {
     DrawGeometry geometryOf(std::uint32_t instance) const;
     std::vector<DrawnPart> partsOf(std::uint32_t instance) const;
 
+    /// The textures of the further lobes of draws with a key.
+    const LobeTextures& lobeTextures(const PipelineKey& key) const { return lobeSets_[key.lobeTextures]; }
+
     /// Groups the draws whose keys have changed since the last call; to be called before `cull`. Returns how
     /// many those are.
     std::size_t group();
@@ -160,6 +171,8 @@ class DrawList {
     using MaterialKeys = std::array<std::optional<PipelineKey>, 2>;
 
     void add(Draw draw, std::span<const Material> materials, GpuImages& images);
+    PipelineKey materialKey(const Material& material, bool hasColors, GpuImages& images);
+    std::uint32_t lobeSet(const LobeTextures& textures);
     std::span<Draw> drawsOf(std::uint32_t instance);
     void mark(Draw& draw);
     PipelineKey keyOf(const Draw& draw) const;
@@ -169,6 +182,8 @@ class DrawList {
     std::vector<std::uint32_t> firstOfMaterial_, drawsOfMaterial_;
     OcclusionTextures occlusionTextures_ = OcclusionTextures::ignored;
     std::vector<MaterialKeys> materialKeys_;  ///< One a material, and one for draws without.
+    std::vector<LobeTextures> lobeSets_;
+    std::map<LobeTextures, std::uint32_t> lobeSetOf_;
     Groups groups_;
     std::vector<std::uint32_t> pending_;
     gl::Buffer recordBuffer_;

@@ -1,8 +1,10 @@
 #include "render/gpu_scene/gpu_materials.h"
 
 #include "base/error_context.h"
+#include "render/gpu_scene/lobe_records.h"
 #include "render/layout.h"
 
+#include <candela/error.h>
 #include <candela/gbuffer.h>
 
 #include <glm/vec3.hpp>
@@ -19,15 +21,6 @@ namespace {
 glm::uvec4 bits(const glm::vec4& v) {
     return {std::bit_cast<std::uint32_t>(v.x), std::bit_cast<std::uint32_t>(v.y),
             std::bit_cast<std::uint32_t>(v.z), std::bit_cast<std::uint32_t>(v.w)};
-}
-
-/// The rows of a texture's coordinate transform: offset + rotate × scale. The set is in w of the first.
-std::array<glm::vec4, 2> coordinateRows(const std::optional<Texture>& texture) {
-    if (!texture) return {glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0)};
-    const float c = std::cos(texture->rotation), s = std::sin(texture->rotation);
-    const glm::vec2 scale = texture->scale;
-    return {glm::vec4(c * scale.x, s * scale.y, texture->offset.x, static_cast<float>(texture->uvSet)),
-            glm::vec4(-s * scale.x, c * scale.y, texture->offset.y, 0.0f)};
 }
 
 /// An alpha equal to the cutoff is kept, though interpolation and the product of factor, vertex colour and
@@ -60,7 +53,8 @@ void writeRecord(std::span<glm::uvec4> record, const Material& material,
 GpuMaterials::GpuMaterials(const Scene& scene, const glm::dmat3& workingFromRec709)
     : workingFromRec709_(workingFromRec709),
       commonUvs_(scene.materials.size()),
-      records_(GL_RGBA32UI, layout::MATERIAL_TEXELS, "materials") {
+      records_(GL_RGBA32UI, layout::MATERIAL_TEXELS, "materials"),
+      lobeRecords_(GL_RGBA32F, layout::LOBE_TEXELS, "material lobes") {
     const auto restrict = [&](std::uint32_t material, CommonUvs surface) {
         commonUvs_[material].uv0 &= surface.uv0;
         commonUvs_[material].uv1 &= surface.uv1;
@@ -78,6 +72,7 @@ GpuMaterials::GpuMaterials(const Scene& scene, const glm::dmat3& workingFromRec7
     const std::size_t count = scene.materials.size();
     records_.reserve(count + 1);
     records_.resize(count + 1);
+    for (const Material& material : scene.materials) reserve(material);
     for (std::uint32_t i = 0; i < count; ++i) set(i, scene.materials[i]);
     set(static_cast<std::uint32_t>(count), Material{});
 }
@@ -95,8 +90,29 @@ void GpuMaterials::requireUvs(std::uint32_t index, const Material& material) con
     }
 }
 
+void GpuMaterials::reserve(const Material& material) {
+    if (!isExtended(material) || !lobeRecords_.texels().empty()) return;
+    GLint units = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
+    constexpr int needed = layout::LOBE_TEXTURES_UNIT + layout::LOBE_TEXTURE_COUNT;
+    if (units < needed) {
+        throw Error(ErrorKind::limit, "",
+                    "material '" + material.name + "' has lobes whose textures need " +
+                        std::to_string(needed) + " texture units, but the device has " +
+                        std::to_string(units) + " for a fragment shader");
+    }
+    lobeRecords_.reserve(commonUvs_.size());
+    lobeRecords_.resize(commonUvs_.size());
+}
+
 void GpuMaterials::set(std::uint32_t index, const Material& material) {
     writeRecord(records_.edit(index), material, workingFromRec709_);
+    if (isExtended(material)) writeLobeRecord(lobeRecords_.edit(index), material);
+}
+
+std::size_t GpuMaterials::upload() {
+    lobeRecords_.upload();
+    return records_.upload();
 }
 
 }  // namespace candela

@@ -22,11 +22,18 @@ class GpuMaterials {
     /// Throws `Error` (badInput) when a surface of material `index` lacks texture coordinates that a texture
     /// of `material` reads.
     void requireUvs(std::uint32_t index, const Material& material) const;
+    /// Makes room for what `set` writes of a material. Throws `Error` (limit) when the device has none;
+    /// nothing is changed then.
+    void reserve(const Material& material);
     void set(std::uint32_t index, const Material& material);
     /// Uploads the records set since the last call. Returns how many those are.
-    std::size_t upload() { return records_.upload(); }
+    std::size_t upload();
 
     const gl::BufferTexture& records() const { return records_.texture(); }
+    /// Of shaders/lib/extended_material.glsl. Only those of materials with more lobes are written, and there
+    /// are none before the first such material.
+    bool hasLobes() const { return !lobeRecords_.texels().empty(); }
+    const gl::BufferTexture& lobeRecords() const { return lobeRecords_.texture(); }
 
     /// The record of a material as shaders read it.
     std::span<const glm::uvec4> record(std::uint32_t index) const {
@@ -43,6 +50,7 @@ class GpuMaterials {
     glm::dmat3 workingFromRec709_;
     std::vector<CommonUvs> commonUvs_;  ///< One a material.
     RecordBuffer<glm::uvec4> records_;
+    RecordBuffer<glm::vec4> lobeRecords_;  ///< One a material, or none.
 };
 
 }  // namespace candela

@@ -206,6 +206,7 @@ void GpuScene::State::setMaterial(std::uint32_t index, const Material& material)
     materials.requireUvs(index, material);
     std::optional<gl::StateGuard> pixelStorage;
     if (hasTextures(material)) pixelStorage.emplace(*binding, "a GpuScene");
+    materials.reserve(material);
     draws.setMaterial(index, material, images);
     const bool readsAlpha =
         material.alphaMode != AlphaMode::opaque || sceneState.materials[index].alphaMode != AlphaMode::opaque;

@@ -36,11 +36,14 @@ ModelPrograms::ModelPrograms(std::string vertexFile, std::string file, std::vect
 
 const gl::Program& ModelPrograms::get(const LightingInputs& inputs) const {
     const bool withShadows = inputs.occlusion != nullptr;
-    auto& program = programs_[2 * static_cast<std::size_t>(inputs.brdf) + (withShadows ? 1 : 0)];
+    const bool withLobes = inputs.targets.parts.lobes;
+    auto& program =
+        programs_[4 * static_cast<std::size_t>(inputs.brdf) + (withLobes ? 2 : 0) + (withShadows ? 1 : 0)];
     if (!program) {
         std::vector<std::string> definitions = definitions_;
         definitions.emplace_back(brdfDefinition(inputs.brdf));
         if (withShadows) definitions.emplace_back("SHADOWS 1");
+        if (withLobes) definitions.emplace_back("LOBES 1");
         std::vector<gl::Stage> stages;
         if (!vertexFile_.empty()) stages.push_back({vertexFile_, {}, {}});
         stages.push_back({file_, definitions, {}});

@@ -85,8 +85,8 @@ gl::Texture makeAlbedoTexture(BrdfModel model);
 /// Binds the textures that shaders/lib/lighting.glsl reads in frames without shadows.
 void bindForLighting(const GBufferTargets& targets, const GpuLights& lights, const gl::Texture& albedo);
 
-/// A program for each reflection model, without and with shadows, compiled when it is first needed: of a
-/// compute stage, or of a vertex and a fragment stage.
+/// A program for each reflection model, without and with shadows and lobe words, compiled when it is first
+/// needed: of a compute stage, or of a vertex and a fragment stage.
 class ModelPrograms {
   public:
     /// `vertexFile` is empty for a compute stage. `definitions` are for `file`, the stage that shades.
@@ -97,7 +97,7 @@ class ModelPrograms {
   private:
     std::string vertexFile_, file_;
     std::vector<std::string> definitions_;
-    mutable std::array<std::optional<gl::Program>, 4> programs_;
+    mutable std::array<std::optional<gl::Program>, 8> programs_;
 };
 
 }  // namespace candela

@@ -98,6 +98,8 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     frame.environment = inputs.environment == nullptr ? nullptr : &inputs.environment->view();
     frame.environmentVisibility = inputs.environmentVisibility;
     frame.shadowWords = inputs.occlusion == nullptr ? nullptr : copy.shadowWords().data();
+    frame.lobeWords = inputs.targets.parts.lobes ? copy.lobeWords().data() : nullptr;
+    frame.diffuseTransmission = inputs.targets.parts.lobes ? copy.diffuseTransmission().data() : nullptr;
     frame.occlusion = inputs.occlusion == nullptr ? nullptr : &inputs.occlusion->view();
     frame.pixelSide = glm::length(glm::vec3(uniforms.rayStepY));
     radiance_.resize(4 * copy.depth().size());

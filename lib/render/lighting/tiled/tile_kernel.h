@@ -46,6 +46,8 @@ struct TileFrame {
 
     const std::uint32_t* shadowWords;  ///< One a pixel; null in a frame without shadows.
     const OcclusionView* occlusion;    ///< Null in a frame without shadows.
+    /// Four a pixel, and one of diffuse transmission; null in a frame whose G-buffer has none.
+    const std::uint32_t *lobeWords, *diffuseTransmission;
     float* shadowedCounts;  ///< One a pixel: gains the lights that are hidden from it, in place of shading.
                             ///< Null where pixels are shaded.
 

@@ -1,0 +1,91 @@
+#include "render/gpu_scene/lobe_records.h"
+
+#include <cmath>
+
+namespace candela {
+
+namespace {
+
+struct LobeTexture {
+    const std::optional<Texture>& texture;
+    TexelEncoding encoding;
+};
+
+std::array<LobeTexture, layout::LOBE_TEXTURE_COUNT> texturesOf(const Material& material) {
+    using enum TexelEncoding;
+    return {{{material.specular.texture, data},
+             {material.specular.colorTexture, color},
+             {material.clearcoat.texture, data},
+             {material.clearcoat.roughnessTexture, data},
+             {material.clearcoat.normalTexture, data},
+             {material.sheen.colorTexture, color},
+             {material.sheen.roughnessTexture, data},
+             {material.anisotropy.texture, data},
+             {material.iridescence.texture, data},
+             {material.iridescence.thicknessTexture, data},
+             {material.transmission.texture, data},
+             {material.volume.thicknessTexture, data},
+             {material.diffuseTransmission.texture, data},
+             {material.diffuseTransmission.colorTexture, color}}};
+}
+
+/// What a metre absorbs: the coefficient of Beer and Lambert's law.
+glm::vec3 absorption(const Volume& volume) {
+    constexpr float darkest = 1.0e-6f;  // A colour of 0 absorbs all within about one distance.
+    glm::vec3 coefficient(0.0f);
+    if (std::isinf(volume.attenuationDistance)) return coefficient;
+    for (int i = 0; i < 3; ++i)
+        coefficient[i] =
+            -std::log(std::max(volume.attenuationColor[i], darkest)) / volume.attenuationDistance;
+    return coefficient;
+}
+
+}  // namespace
+
+bool isExtended(const Material& material) {
+    constexpr glm::vec3 black(0.0f);
+    if (material.unlit) return false;
+    return material.ior != 1.5f || material.specular != Specular{} || material.clearcoat.factor > 0.0f ||
+           material.sheen.color != black || material.anisotropy.strength > 0.0f ||
+           material.iridescence.factor > 0.0f || material.transmission.factor > 0.0f ||
+           material.diffuseTransmission.factor > 0.0f;
+}
+
+LobeTextures lobeTexturesOf(const Material& material, GpuImages& images) {
+    LobeTextures textures;
+    const auto sources = texturesOf(material);
+    for (std::size_t i = 0; i < sources.size(); ++i)
+        textures[i] = images.get(sources[i].texture, sources[i].encoding);
+    return textures;
+}
+
+void writeLobeRecord(std::span<glm::vec4> record, const Material& material) {
+    const Clearcoat& coat = material.clearcoat;
+    const Anisotropy& anisotropy = material.anisotropy;
+    const Iridescence& film = material.iridescence;
+    record[layout::LOBE_SPECULAR] = {material.ior, material.specular.factor, coat.factor, coat.roughness};
+    record[layout::LOBE_SPECULAR_COLOR] =
+        glm::vec4(material.specular.color, coat.normalTexture ? coat.normalScale : 0.0f);
+    record[layout::LOBE_SHEEN] = glm::vec4(material.sheen.color, material.sheen.roughness);
+    record[layout::LOBE_ANISOTROPY] = {anisotropy.strength, std::cos(anisotropy.rotation),
+                                       std::sin(anisotropy.rotation), anisotropy.texture ? 1.0f : 0.0f};
+    record[layout::LOBE_IRIDESCENCE] = {film.factor, film.ior, film.minThickness, film.maxThickness};
+    record[layout::LOBE_DIFFUSE_TRANSMISSION] =
+        glm::vec4(material.diffuseTransmission.color, material.diffuseTransmission.factor);
+    record[layout::LOBE_ABSORPTION] = glm::vec4(absorption(material.volume), material.transmission.factor);
+    record[layout::LOBE_VOLUME] = {material.volume.thickness, material.volume.dispersion, 0.0f, 0.0f};
+    std::size_t row = layout::LOBE_UV_ROWS;
+    for (const LobeTexture& texture : texturesOf(material)) {
+        for (const glm::vec4& coordinates : coordinateRows(texture.texture)) record[row++] = coordinates;
+    }
+}
+
+std::array<glm::vec4, 2> coordinateRows(const std::optional<Texture>& texture) {
+    if (!texture) return {glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0)};
+    const float c = std::cos(texture->rotation), s = std::sin(texture->rotation);
+    const glm::vec2 scale = texture->scale;
+    return {glm::vec4(c * scale.x, s * scale.y, texture->offset.x, static_cast<float>(texture->uvSet)),
+            glm::vec4(-s * scale.x, c * scale.y, texture->offset.y, 0.0f)};
+}
+
+}  // namespace candela
