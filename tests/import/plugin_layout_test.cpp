@@ -44,7 +44,66 @@ static_assert(offsetof(candela_material, alpha_mode) == 280);
 static_assert(offsetof(candela_material, alpha_cutoff) == 284);
 static_assert(offsetof(candela_material, double_sided) == 288);
 static_assert(offsetof(candela_material, unlit) == 292);
-static_assert(sizeof(candela_material) == 296);
+static_assert(offsetof(candela_material, ior) == 296);
+static_assert(offsetof(candela_material, specular) == 304);
+static_assert(offsetof(candela_material, clearcoat) == 312);
+static_assert(offsetof(candela_material, sheen) == 320);
+static_assert(offsetof(candela_material, anisotropy) == 328);
+static_assert(offsetof(candela_material, iridescence) == 336);
+static_assert(offsetof(candela_material, transmission) == 344);
+static_assert(offsetof(candela_material, volume) == 352);
+static_assert(offsetof(candela_material, diffuse_transmission) == 360);
+static_assert(sizeof(candela_material) == 368);
+
+static_assert(offsetof(candela_specular, factor) == 0);
+static_assert(offsetof(candela_specular, color) == 4);
+static_assert(offsetof(candela_specular, texture) == 16);
+static_assert(offsetof(candela_specular, color_texture) == 24);
+static_assert(sizeof(candela_specular) == 32);
+
+static_assert(offsetof(candela_clearcoat, factor) == 0);
+static_assert(offsetof(candela_clearcoat, roughness) == 4);
+static_assert(offsetof(candela_clearcoat, normal_scale) == 8);
+static_assert(offsetof(candela_clearcoat, texture) == 16);
+static_assert(offsetof(candela_clearcoat, roughness_texture) == 24);
+static_assert(offsetof(candela_clearcoat, normal_texture) == 32);
+static_assert(sizeof(candela_clearcoat) == 40);
+
+static_assert(offsetof(candela_sheen, color) == 0);
+static_assert(offsetof(candela_sheen, roughness) == 12);
+static_assert(offsetof(candela_sheen, color_texture) == 16);
+static_assert(offsetof(candela_sheen, roughness_texture) == 24);
+static_assert(sizeof(candela_sheen) == 32);
+
+static_assert(offsetof(candela_anisotropy, strength) == 0);
+static_assert(offsetof(candela_anisotropy, rotation) == 4);
+static_assert(offsetof(candela_anisotropy, texture) == 8);
+static_assert(sizeof(candela_anisotropy) == 16);
+
+static_assert(offsetof(candela_iridescence, factor) == 0);
+static_assert(offsetof(candela_iridescence, ior) == 4);
+static_assert(offsetof(candela_iridescence, min_thickness) == 8);
+static_assert(offsetof(candela_iridescence, max_thickness) == 12);
+static_assert(offsetof(candela_iridescence, texture) == 16);
+static_assert(offsetof(candela_iridescence, thickness_texture) == 24);
+static_assert(sizeof(candela_iridescence) == 32);
+
+static_assert(offsetof(candela_transmission, factor) == 0);
+static_assert(offsetof(candela_transmission, texture) == 8);
+static_assert(sizeof(candela_transmission) == 16);
+
+static_assert(offsetof(candela_volume, thickness) == 0);
+static_assert(offsetof(candela_volume, attenuation_distance) == 4);
+static_assert(offsetof(candela_volume, attenuation_color) == 8);
+static_assert(offsetof(candela_volume, dispersion) == 20);
+static_assert(offsetof(candela_volume, thickness_texture) == 24);
+static_assert(sizeof(candela_volume) == 32);
+
+static_assert(offsetof(candela_diffuse_transmission, factor) == 0);
+static_assert(offsetof(candela_diffuse_transmission, color) == 4);
+static_assert(offsetof(candela_diffuse_transmission, texture) == 16);
+static_assert(offsetof(candela_diffuse_transmission, color_texture) == 24);
+static_assert(sizeof(candela_diffuse_transmission) == 32);
 
 static_assert(offsetof(candela_submesh, first_index) == 0);
 static_assert(offsetof(candela_submesh, index_count) == 4);
