@@ -33,10 +33,13 @@ function(candela_use_precompiled_headers target kind)
   endif()
 endfunction()
 
-# candela_compile_as_test(TARGET) compiles TARGET with the precompiled headers of tests, and with few optimisations: tests
-# take long to optimise, and what they call is optimised.
+# Tests are compiled with few optimisations, and none where sanitizers instrument them: they take long to optimise, and
+# what they call is optimised.
+set(candela_test_optimisation $<$<CONFIG:Release>:-O1>$<$<CONFIG:Debug>:-O0>)
+
+# candela_compile_as_test(TARGET) compiles TARGET with the precompiled headers of tests.
 function(candela_compile_as_test target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${target} PRIVATE ${candela_test_optimisation})
   candela_use_precompiled_headers(${target} test)
 endfunction()
 
@@ -46,6 +49,6 @@ if(CANDELA_PRECOMPILED_HEADERS)
     candela_precompiled_headers(test
       <gtest/gtest.h> <fstream> <random> ${candela_std_headers} ${candela_glm_headers} <glm/gtc/matrix_transform.hpp>)
     target_link_libraries(candela_pch_test PRIVATE GTest::gtest)
-    target_compile_options(candela_pch_test PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_compile_options(candela_pch_test PRIVATE ${candela_test_optimisation})
   endif()
 endif()
