@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace candela {
 
@@ -38,6 +39,13 @@ bool isPlain(const Material& material, Colors colors, OcclusionTextures occlusio
            colors == Colors::none;
 }
 
+/// Does `next` draw the same vertices as `command`, with the record that follows those of `command`?
+bool continues(const DrawCommand& command, const DrawCommand& next) {
+    return command.firstIndex == next.firstIndex && command.count == next.count &&
+           command.baseVertex == next.baseVertex &&
+           command.baseInstance + command.instanceCount == next.baseInstance;
+}
+
 bool needsDetail(const Scene& scene, const Mesh& mesh) {
     if (!scene.images.empty() && !(mesh.uv0.empty() && mesh.uv1.empty())) return true;
     const auto count = static_cast<std::uint32_t>(scene.materials.size());
@@ -54,6 +62,12 @@ GpuMeshes::Detail detailOf(const Scene& scene) {
     const bool needed =
         std::ranges::any_of(scene.meshes, [&](const Mesh& mesh) { return needsDetail(scene, mesh); });
     return needed ? GpuMeshes::Detail::everything : GpuMeshes::Detail::positionsAndNormals;
+}
+
+std::size_t DrawSelection::drawCount() const {
+    std::size_t count = 0;
+    for (const DrawCommand& command : commands_) count += command.instanceCount;
+    return count;
 }
 
 bool DrawSelection::isExtended() const {
@@ -103,7 +117,6 @@ void DrawList::add(Draw draw, std::span<const Material> materials, GpuImages& im
     }
     const auto index = static_cast<std::uint32_t>(draws_.size());
     firstDraw_.resize(draw.instance + 1, index);
-    draw.command.baseInstance = index;
     draws_.push_back(draw);
     mark(draws_.back());
 }
@@ -136,16 +149,27 @@ std::uint32_t DrawList::lobeSet(const LobeTextures& textures) {
 void DrawList::finish(std::size_t instanceCount) {
     firstDraw_.resize(instanceCount + 1, static_cast<std::uint32_t>(draws_.size()));
     firstOfMaterial_.assign(materialKeys_.size() + 1, 0);
-    std::vector<std::array<std::uint32_t, 2>> records;
-    records.reserve(draws_.size());
-    for (const Draw& draw : draws_) {
-        records.push_back({draw.instance, draw.material});
-        ++firstOfMaterial_[draw.material + 1];
-    }
+    for (const Draw& draw : draws_) ++firstOfMaterial_[draw.material + 1];
     std::partial_sum(firstOfMaterial_.begin(), firstOfMaterial_.end(), firstOfMaterial_.begin());
     drawsOfMaterial_.resize(draws_.size());
     std::vector<std::uint32_t> next(firstOfMaterial_);
     for (std::uint32_t i = 0; i < draws_.size(); ++i) drawsOfMaterial_[next[draws_[i].material]++] = i;
+    placeRecords();
+}
+
+void DrawList::placeRecords() {
+    std::vector<std::uint32_t> order(draws_.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) {
+        const Draw& draw = draws_[i];
+        return std::tuple(draw.geometry, draw.command.firstIndex, draw.command.baseVertex, draw.material);
+    });
+    std::vector<std::array<std::uint32_t, 2>> records;
+    records.reserve(draws_.size());
+    for (const std::uint32_t i : order) {
+        draws_[i].command.baseInstance = static_cast<std::uint32_t>(records.size());
+        records.push_back({draws_[i].instance, draws_[i].material});
+    }
     recordBuffer_ =
         gl::Buffer::immutable("draw records", std::span<const std::array<std::uint32_t, 2>>(records));
 }
@@ -157,7 +181,7 @@ std::span<DrawList::Draw> DrawList::drawsOf(std::uint32_t instance) {
 
 void DrawList::mark(Draw& draw) {
     if (draw.pending) return;
-    pending_.push_back(draw.command.baseInstance);
+    pending_.push_back(static_cast<std::uint32_t>(&draw - draws_.data()));
     draw.pending = true;
 }
 
@@ -246,10 +270,11 @@ std::size_t DrawList::group() {
         group.changed = false;
         std::erase_if(group.draws,
                       [&, current = &group](std::uint32_t i) { return draws_[i].group != current; });
-        std::ranges::sort(group.added);
+        const auto recordOf = [&](std::uint32_t i) { return draws_[i].command.baseInstance; };
+        std::ranges::sort(group.added, {}, recordOf);
         const auto middle = static_cast<std::ptrdiff_t>(group.draws.size());
         group.draws.insert(group.draws.end(), group.added.begin(), group.added.end());
-        std::inplace_merge(group.draws.begin(), group.draws.begin() + middle, group.draws.end());
+        std::ranges::inplace_merge(group.draws, group.draws.begin() + middle, {}, recordOf);
         group.added.clear();
     }
     std::erase_if(groups_, [](const auto& entry) { return entry.second.draws.empty(); });
@@ -265,8 +290,13 @@ void DrawList::cull(DrawSelection& selection) const {
         const auto first = static_cast<std::uint32_t>(selection.commands_.size());
         for (const std::uint32_t index : group.draws) {
             const Draw& draw = draws_[index];
-            if (selection.visible_[draw.instance] != 0 && draw.command.count != 0)
+            if (selection.visible_[draw.instance] == 0 || draw.command.count == 0) continue;
+            const bool isFirst = selection.commands_.size() == first;
+            if (!isFirst && continues(selection.commands_.back(), draw.command)) {
+                ++selection.commands_.back().instanceCount;
+            } else {
                 selection.commands_.push_back(draw.command);
+            }
         }
         const auto count = static_cast<std::uint32_t>(selection.commands_.size()) - first;
         if (count != 0) selection.batches_.push_back({key, first, count});

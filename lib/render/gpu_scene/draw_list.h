@@ -64,7 +64,7 @@ struct DrawBatch {
 struct DrawCommand {
     std::uint32_t count = 0, instanceCount = 1, firstIndex = 0;
     std::int32_t baseVertex = 0;
-    std::uint32_t baseInstance = 0;  ///< The draw, whose record the vertex array feeds to shaders.
+    std::uint32_t baseInstance = 0;  ///< The first draw, whose record the vertex array feeds to shaders.
 };
 
 /// Triangles of an instance that have one material.
@@ -88,6 +88,8 @@ class DrawSelection {
     /// Instances that show cages.
     std::span<const std::uint32_t> cageInstances() const { return cageInstances_; }
     std::size_t commandCount() const { return commands_.size(); }
+    /// Draws of one instance each.
+    std::size_t drawCount() const;
 
     /// Binds the commands for `draw`.
     void bind() const { glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commandBuffer_.name()); }
@@ -144,7 +146,8 @@ class DrawList {
     /// many those are.
     std::size_t group();
 
-    /// Writes and uploads the commands of the visible instances.
+    /// Writes and uploads the commands of the visible instances: one for all consecutive draws of the same
+    /// indices.
     void cull(DrawSelection& selection) const;
 
     /// The records: uvec2 a draw, see DRAW_ATTRIBUTE.
@@ -152,7 +155,7 @@ class DrawList {
 
   private:
     struct Group {
-        std::vector<std::uint32_t> draws;  ///< Ascending.
+        std::vector<std::uint32_t> draws;  ///< By their records.
         std::vector<std::uint32_t> added;  ///< By the `group` in progress.
         bool changed = false;
     };
@@ -170,6 +173,9 @@ class DrawList {
     /// where there is no such draw.
     using MaterialKeys = std::array<std::optional<PipelineKey>, 2>;
 
+    /// Uploads the records: draws of the same indices and material one after the other, so that one command
+    /// draws them.
+    void placeRecords();
     void add(Draw draw, std::span<const Material> materials, GpuImages& images);
     PipelineKey materialKey(const Material& material, bool hasColors, GpuImages& images);
     std::uint32_t lobeSet(const LobeTextures& textures);

@@ -31,16 +31,16 @@ class CullingTest : public DrawingTest {
         scene.state().cull(Frustum(forward(), float(width) / float(height)), selection);
         return selection;
     }
-    static std::size_t commandsOf(auto&& scene) {
+    static std::size_t drawsOf(auto&& scene) {
         render(scene, {width, height, forward(), BrdfModel::course, Technique::fullscreen});
-        return selectionOf(scene).commandCount();
+        return selectionOf(scene).drawCount();
     }
 
     static bool isDrawn(const glm::vec3& center, float radius) {
         const glm::mat4 there = glm::translate(glm::mat4(1.0f), center);
         Material material;
         material.doubleSided = true;  // The near plane may cut off all but the far half of a sphere.
-        return commandsOf(upload(sceneOf(makeSphere(radius), material, there))) == 1;
+        return drawsOf(upload(sceneOf(makeSphere(radius), material, there))) == 1;
     }
 
     static int coveredPixels() {
@@ -92,7 +92,7 @@ TEST_F(CullingTest, visibleObjectsAreNotCulled) {
         transform[0] += 0.5f * transform[1];
         Material material;
         material.doubleSided = true;
-        const bool drawnAtAll = commandsOf(upload(sceneOf(makeSphere(1.0f), material, transform))) == 1;
+        const bool drawnAtAll = drawsOf(upload(sceneOf(makeSphere(1.0f), material, transform))) == 1;
         const int covered = coveredPixels();
         if (!drawnAtAll) {
             EXPECT_EQ(covered, 0);
@@ -114,11 +114,11 @@ TEST_F(CullingTest, visibleObjectsAreNotCulled) {
 TEST_F(CullingTest, movedInstanceIsCulledAtItsNewPosition) {
     GpuScene scene =
         upload(sceneOf(makeSphere(0.5f), Material{}, glm::translate(glm::mat4(1.0f), {0, 0, -5})));
-    EXPECT_EQ(commandsOf(scene), 1u);
+    EXPECT_EQ(drawsOf(scene), 1u);
     scene.setTransform(0, glm::translate(glm::mat4(1.0f), {0, 0, 5}));
-    EXPECT_EQ(commandsOf(scene), 0u);
+    EXPECT_EQ(drawsOf(scene), 0u);
     scene.setTransform(0, glm::translate(glm::mat4(1.0f), {3, 0, -5}));
-    EXPECT_EQ(commandsOf(scene), 1u);
+    EXPECT_EQ(drawsOf(scene), 1u);
 }
 
 TEST_F(CullingTest, drawsOfOneStateAreBatched) {
@@ -131,7 +131,7 @@ TEST_F(CullingTest, drawsOfOneStateAreBatched) {
         place(scene, makeSphere(0.1f), i % 2 == 0 ? plain : doubleSided, i % 3 == 0 ? mirrored : there);
     }
     GpuScene uploaded = upload(scene);
-    EXPECT_EQ(commandsOf(uploaded), 12u);
+    EXPECT_EQ(drawsOf(uploaded), 12u);
     EXPECT_EQ(selectionOf(uploaded).batches().size(), 4u);
 }
 
@@ -141,7 +141,7 @@ TEST_F(CullingTest, selectionsOfSeveralViewsAreIndependent) {
     emissive.emission = glm::vec3(1.0f);
     place(scene, makeSphere(0.5f), emissive, glm::translate(glm::mat4(1.0f), {0, 0, 5}));
     GpuScene uploaded = upload(scene);
-    EXPECT_EQ(commandsOf(uploaded), 1u);
+    EXPECT_EQ(drawsOf(uploaded), 1u);
     const DrawSelection ahead = selectionOf(uploaded);
     DrawSelection behind;
     uploaded.state().cull(Frustum(lookAt({0, 0, 0}, {0, 0, 1}, 0.8f), 2.0f), behind);
@@ -159,7 +159,36 @@ TEST_F(CullingTest, instancesOfOneMeshAreAllDrawn) {
         scene.nodes.push_back(node);
     }
     GpuScene uploaded = upload(scene);
-    EXPECT_EQ(commandsOf(uploaded), 5u);
+    EXPECT_EQ(drawsOf(uploaded), 5u);
+    EXPECT_EQ(selectionOf(uploaded).commandCount(), 1u) << "one command draws neighbouring instances";
+    uploaded.setVisibility(2, GpuScene::Visibility::hidden);
+    EXPECT_EQ(drawsOf(uploaded), 4u);
+    EXPECT_EQ(selectionOf(uploaded).commandCount(), 2u) << "before and after the hidden one";
+    uploaded.setVisibility(2, GpuScene::Visibility::shown);
+    EXPECT_EQ(drawsOf(uploaded), 5u);
+    const AovReader reader = aovs(width);
+    for (int i = 0; i < 5; ++i) {
+        const int x = int((0.5f + 0.5f * (float(i) - 2.0f) / 5.0f) * width);
+        EXPECT_GT(reader.scalar("Z", x, height / 2), 4.0f) << i;
+    }
+}
+
+TEST_F(CullingTest, eachPartOfAMeshIsOneCommandForAllItsInstances) {
+    Scene scene = sceneOf(makeSphere(0.3f), Material{}, glm::translate(glm::mat4(1.0f), {-2, 0, -5}));
+    Material red;
+    red.baseColor = {1, 0, 0, 1};
+    scene.materials.push_back(red);
+    const auto half = static_cast<std::uint32_t>(scene.meshes[0].indices.size() / 6 * 3);
+    const auto rest = static_cast<std::uint32_t>(scene.meshes[0].indices.size()) - half;
+    scene.meshes[0].submeshes = {{0, half, 0u}, {half, rest, 1u}};
+    for (int i = 1; i < 5; ++i) {
+        Node node = scene.nodes[0];
+        node.transform = glm::translate(glm::mat4(1.0f), {float(i) - 2, 0, -5});
+        scene.nodes.push_back(node);
+    }
+    GpuScene uploaded = upload(scene);
+    EXPECT_EQ(drawsOf(uploaded), 10u);
+    EXPECT_EQ(selectionOf(uploaded).commandCount(), 2u);
     const AovReader reader = aovs(width);
     for (int i = 0; i < 5; ++i) {
         const int x = int((0.5f + 0.5f * (float(i) - 2.0f) / 5.0f) * width);
