@@ -188,8 +188,8 @@ typedef struct candela_submesh {
 } candela_submesh;
 
 /* Triangles. Arrays hold vertex_count elements; a NULL array is absent. Where normals are absent the host
- * makes flat ones; where a normal texture needs tangents and none are given, the host makes them the
- * MikkTSpace way. */
+ * makes flat ones; where a normal texture or anisotropy needs tangents and none are given, the host makes
+ * them the MikkTSpace way. */
 typedef struct candela_mesh {
     uint32_t struct_size;
     const char* name;

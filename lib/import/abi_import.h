@@ -30,8 +30,8 @@ void addCageInstance(const candela_cage_instance& source, Scene& scene);
 /// Gives a node that shows a mesh its skin and its morph weights.
 void addDeformation(const candela_deformation& source, Scene& scene);
 
-/// Adds the attributes that a plugin may leave out: flat normals, and tangents for meshes with a normal
-/// texture. Appends a note for each attribute that cannot be generated.
+/// Adds the attributes that a plugin may leave out: flat normals, and tangents where a normal texture or
+/// anisotropy needs them. Appends a note for each attribute that cannot be generated.
 void addMissingAttributes(Scene& scene, NoteList& notes);
 
 /// Sets `Scene::origin` where the scene stands so far from the origin of its file that floats lose what its

@@ -241,13 +241,23 @@ Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene&
 
 namespace {
 
-// The texture coordinates that the normal textures of a mesh use; none without such a texture. Where two
-// materials of a mesh differ, the first one counts: a vertex has only one tangent.
-std::optional<std::uint32_t> normalTextureUvSet(const Scene& scene, const Mesh& mesh) {
+// The texture coordinates along which a material needs tangents; none where it needs no tangents. A normal
+// texture decides, and the coordinates 0 where anisotropy has no texture.
+std::optional<std::uint32_t> tangentUvSet(const Material& material) {
+    for (const std::optional<Texture>* texture :
+         {&material.normalTexture, &material.clearcoat.normalTexture, &material.anisotropy.texture}) {
+        if (*texture) return (*texture)->uvSet;
+    }
+    if (material.anisotropy.strength > 0.0f) return 0;
+    return std::nullopt;
+}
+
+// The texture coordinates along which a mesh needs tangents. Where two materials of a mesh differ, the first
+// one counts: a vertex has only one tangent.
+std::optional<std::uint32_t> tangentUvSet(const Scene& scene, const Mesh& mesh) {
     for (const Submesh& submesh : mesh.submeshes) {
         if (!submesh.material) continue;
-        const auto& texture = scene.materials[*submesh.material].normalTexture;
-        if (texture) return texture->uvSet;
+        if (const auto set = tangentUvSet(scene.materials[*submesh.material])) return set;
     }
     return std::nullopt;
 }
@@ -258,12 +268,12 @@ void fillWithPerpendiculars(Mesh& mesh) {
 }
 
 void addTangents(const Scene& scene, std::size_t index, Mesh& mesh, NoteList& notes) {
-    const auto uvSet = normalTextureUvSet(scene, mesh);
+    const auto uvSet = tangentUvSet(scene, mesh);
     if (!uvSet || !mesh.tangents.empty() || mesh.positions.empty()) return;
     if (!(*uvSet == 0 ? mesh.uv0 : mesh.uv1).empty()) return generateTangents(mesh, *uvSet);
     fillWithPerpendiculars(mesh);
     notes.add(NoteKind::missing, AbiReader("mesh", index, mesh.name.c_str()).label(),
-              "the relief of the normal texture, for want of texture coordinates");
+              "the directions of its normal texture or anisotropy, for want of texture coordinates");
 }
 
 }  // namespace

@@ -112,6 +112,36 @@ void addImage(Fuzzer& fuzz, const candela_host& host) {
     host.add_image(host.self, &image);
 }
 
+struct Lobes {
+    candela_texture texture = samples::texture(-1);
+    candela_specular specular{1.0f, {1, 1, 1}, &texture, nullptr};
+    candela_clearcoat clearcoat{0.5f, 0.5f, 1.0f, nullptr, nullptr, &texture};
+    candela_sheen sheen{{0, 1, 1}, 0.5f, &texture, nullptr};
+    candela_anisotropy anisotropy{0.5f, 1.0f, &texture};
+    candela_iridescence iridescence{0.5f, 1.5f, 100.0f, 400.0f, &texture, nullptr};
+    candela_transmission transmission{0.5f, &texture};
+    candela_volume volume{0.5f, 1.0f, {1, 1, 0}, 0.1f, &texture};
+    candela_diffuse_transmission diffuse{0.5f, {1, 0, 1}, nullptr, &texture};
+
+    void addTo(candela_material& material, Fuzzer& fuzz) {
+        fuzz.modify(texture.image);
+        fuzz.modify(material.ior);
+        fuzz.modify(specular.color);
+        fuzz.modify(clearcoat.normal_scale);
+        fuzz.modify(anisotropy.rotation);
+        fuzz.modify(iridescence.ior);
+        fuzz.modify(volume.attenuation_distance);
+        if (fuzz.oneIn(3)) material.specular = &specular;
+        if (fuzz.oneIn(3)) material.clearcoat = &clearcoat;
+        if (fuzz.oneIn(3)) material.sheen = &sheen;
+        if (fuzz.oneIn(3)) material.anisotropy = &anisotropy;
+        if (fuzz.oneIn(3)) material.iridescence = &iridescence;
+        if (fuzz.oneIn(3)) material.transmission = &transmission;
+        if (fuzz.oneIn(3)) material.volume = &volume;
+        if (fuzz.oneIn(3)) material.diffuse_transmission = &diffuse;
+    }
+};
+
 void addMaterial(Fuzzer& fuzz, const candela_host& host) {
     candela_material material = samples::material();
     material.struct_size = fuzz.structSize(material.struct_size);
@@ -128,6 +158,8 @@ void addMaterial(Fuzzer& fuzz, const candela_host& host) {
     fuzz.modify(material.alpha_cutoff);
     fuzz.modify(material.double_sided);
     fuzz.modify(material.unlit);
+    Lobes lobes;
+    if (fuzz.oneIn(2)) lobes.addTo(material, fuzz);
     host.add_material(host.self, &material);
 }
 

@@ -1,5 +1,7 @@
 #include "render/gpu_scene/draw_list.h"
 
+#include "scene/model/material_textures.h"
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -45,6 +47,9 @@ bool continues(const DrawCommand& command, const DrawCommand& next) {
            command.baseVertex == next.baseVertex &&
            command.baseInstance + command.instanceCount == next.baseInstance;
 }
+
+/// The place of the occlusion texture in `materialTextures`.
+constexpr std::size_t occlusionIndex = 4;
 
 bool needsDetail(const Scene& scene, const Mesh& mesh) {
     if (!scene.images.empty() && !(mesh.uv0.empty() && mesh.uv1.empty())) return true;
@@ -127,12 +132,12 @@ PipelineKey DrawList::materialKey(const Material& material, bool hasColors, GpuI
     if (isPlain(material, hasColors ? Colors::perVertex : Colors::none, occlusionTextures_)) return key;
     key.program = PipelineKey::Program::textured;
     key.emissive = isEmissive(material);
-    key.textures = {images.get(material.baseColorTexture, TexelEncoding::color),
-                    images.get(material.metallicRoughnessTexture, TexelEncoding::data),
-                    images.get(material.normalTexture, TexelEncoding::data),
-                    images.get(material.emissionTexture, TexelEncoding::color), SampledTexture{}};
-    if (material.occlusionTexture && occlusionTextures_ == OcclusionTextures::read)
-        key.textures.back() = images.get(material.occlusionTexture, TexelEncoding::data);
+    const std::span<const MaterialTexture> textures = materialTextures();
+    for (std::size_t i = 0; i < key.textures.size(); ++i) {
+        const std::optional<Texture>& texture = textures[i].of(material);
+        const bool isRead = i != occlusionIndex || (texture && occlusionTextures_ == OcclusionTextures::read);
+        if (isRead) key.textures[i] = images.get(texture, textures[i].content);
+    }
     if (!isExtended(material)) return key;
     key.program = PipelineKey::Program::extended;
     key.lobeTextures = lobeSet(lobeTexturesOf(material, images));

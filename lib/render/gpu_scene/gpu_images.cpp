@@ -25,8 +25,8 @@ struct UploadFormat {
     bool decoded;           ///< Colour is decoded before the transfer.
 };
 
-UploadFormat formatOf(PixelFormat format, TexelEncoding encoding, ColorDecoding decoding) {
-    const bool color = encoding == TexelEncoding::color;
+UploadFormat formatOf(PixelFormat format, TextureContent content, ColorDecoding decoding) {
+    const bool color = content == TextureContent::color;
     switch (format) {
         case PixelFormat::rgba8:
             if (!color) return {GL_RGBA8, GL_UNSIGNED_BYTE, 4, false};
@@ -191,26 +191,26 @@ gl::Texture whiteTexture() {
 GpuImages::GpuImages(std::span<const Image> images, ColorDecoding decoding, std::size_t maxTransferBytes)
     : decoding_(decoding), maxTransferBytes_(maxTransferBytes), images_(images), white_(whiteTexture()) {}
 
-SampledTexture GpuImages::get(const std::optional<Texture>& texture, TexelEncoding encoding) {
+SampledTexture GpuImages::get(const std::optional<Texture>& texture, TextureContent content) {
     if (!texture) return {white_.name(), 0};
-    return {upload(texture->image, encoding), sampler(*texture)};
+    return {upload(texture->image, content), sampler(*texture)};
 }
 
 void GpuImages::releaseSources() {
     for (std::uint32_t i = 0; i < images_.size(); ++i) {
         const Image& image = images_[i];
         const bool uploaded =
-            textures_.contains({i, TexelEncoding::color}) || textures_.contains({i, TexelEncoding::data});
+            textures_.contains({i, TextureContent::color}) || textures_.contains({i, TextureContent::data});
         kept_.push_back({image.name, image.width, image.height, image.format,
                          uploaded ? std::vector<std::byte>{} : image.pixels});
     }
     images_ = kept_;
 }
 
-std::vector<std::byte> GpuImages::readPixels(GLuint texture, TexelEncoding encoding,
+std::vector<std::byte> GpuImages::readPixels(GLuint texture, TextureContent content,
                                              const Image& image) const {
     std::vector<std::byte> pixels(std::size_t{image.width} * image.height * texelSize(image.format));
-    const UploadFormat format = formatOf(image.format, encoding, decoding_);
+    const UploadFormat format = formatOf(image.format, content, decoding_);
     forEachRun(image, maxTransferBytes_, [&](const Rows& rows) {
         const std::span<std::byte> part = std::span(pixels).subspan(rows.offset, rows.size);
         std::vector<std::byte> decoded(
@@ -224,8 +224,8 @@ std::vector<std::byte> GpuImages::readPixels(GLuint texture, TexelEncoding encod
     return pixels;
 }
 
-void GpuImages::writePixels(GLuint texture, TexelEncoding encoding, const Image& image) const {
-    const UploadFormat format = formatOf(image.format, encoding, decoding_);
+void GpuImages::writePixels(GLuint texture, TextureContent content, const Image& image) const {
+    const UploadFormat format = formatOf(image.format, content, decoding_);
     std::vector<std::byte> decoded;
     forEachRun(image, maxTransferBytes_, [&](const Rows& rows) {
         std::span<const std::byte> part = std::span(image.pixels).subspan(rows.offset, rows.size);
@@ -240,9 +240,9 @@ void GpuImages::writePixels(GLuint texture, TexelEncoding encoding, const Image&
 }
 
 std::optional<std::vector<std::byte>> GpuImages::uploadedPixels(std::uint32_t index) const {
-    for (const TexelEncoding encoding : {TexelEncoding::color, TexelEncoding::data}) {
-        const auto texture = textures_.find({index, encoding});
-        if (texture != textures_.end()) return readPixels(texture->second.name(), encoding, images_[index]);
+    for (const TextureContent content : {TextureContent::color, TextureContent::data}) {
+        const auto texture = textures_.find({index, content});
+        if (texture != textures_.end()) return readPixels(texture->second.name(), content, images_[index]);
     }
     return std::nullopt;
 }
@@ -264,16 +264,16 @@ AlphaImage GpuImages::readAlpha(std::uint32_t index) const {
     return alpha;
 }
 
-GLuint GpuImages::upload(std::uint32_t index, TexelEncoding encoding) {
-    const auto known = textures_.find({index, encoding});
+GLuint GpuImages::upload(std::uint32_t index, TextureContent content) {
+    const auto known = textures_.find({index, content});
     if (known != textures_.end()) return known->second.name();
     gl::Texture texture =
-        allocate(images_[index], index, formatOf(images_[index].format, encoding, decoding_).internal);
+        allocate(images_[index], index, formatOf(images_[index].format, content, decoding_).internal);
     if (images_[index].pixels.empty()) restorePixels(index);
-    writePixels(texture.name(), encoding, images_[index]);
+    writePixels(texture.name(), content, images_[index]);
     glGenerateTextureMipmap(texture.name());
     if (!kept_.empty()) kept_[index].pixels.clear();
-    return textures_.emplace(Key(index, encoding), std::move(texture)).first->second.name();
+    return textures_.emplace(Key(index, content), std::move(texture)).first->second.name();
 }
 
 GLuint GpuImages::sampler(const Texture& texture) {

@@ -2,6 +2,7 @@
 
 #include "gl/texture.h"
 #include "render/occlusion/occlusion_mesh.h"
+#include "scene/model/material_textures.h"
 
 #include <candela/image.h>
 #include <candela/material.h>
@@ -22,12 +23,6 @@ struct SampledTexture {
     auto operator<=>(const SampledTexture&) const = default;
 };
 
-/// How texels are encoded, which decides the format an image is uploaded in.
-enum class TexelEncoding {
-    color,  ///< sRGB-encoded colour (linear when the image is rgba32f).
-    data,   ///< Linear numbers.
-};
-
 /// What decodes sRGB-encoded colour of 8 bits.
 enum class ColorDecoding {
     device,  ///< The device's sampler, which is exact on GPUs.
@@ -35,7 +30,7 @@ enum class ColorDecoding {
              ///< one code in six).
 };
 
-/// The images of a scene on the device, each uploaded once for each encoding that materials read it in, with
+/// The images of a scene on the device, each uploaded once for each content that materials read it in, with
 /// mipmaps.
 class GpuImages {
   public:
@@ -45,7 +40,7 @@ class GpuImages {
 
     /// The texture of a material's slot; a white one where the slot is empty. Throws `Error` (limit) naming
     /// an image that does not fit the device.
-    SampledTexture get(const std::optional<Texture>& texture, TexelEncoding encoding);
+    SampledTexture get(const std::optional<Texture>& texture, TextureContent content);
 
     /// The alpha of an image, read back from the device where it has been uploaded.
     AlphaImage readAlpha(std::uint32_t index) const;
@@ -55,13 +50,13 @@ class GpuImages {
     void releaseSources();
 
   private:
-    using Key = std::pair<std::uint32_t, TexelEncoding>;
+    using Key = std::pair<std::uint32_t, TextureContent>;
 
     void restorePixels(std::uint32_t index);
     std::optional<std::vector<std::byte>> uploadedPixels(std::uint32_t index) const;
-    std::vector<std::byte> readPixels(GLuint texture, TexelEncoding encoding, const Image& image) const;
-    void writePixels(GLuint texture, TexelEncoding encoding, const Image& image) const;
-    GLuint upload(std::uint32_t image, TexelEncoding encoding);
+    std::vector<std::byte> readPixels(GLuint texture, TextureContent content, const Image& image) const;
+    void writePixels(GLuint texture, TextureContent content, const Image& image) const;
+    GLuint upload(std::uint32_t image, TextureContent content);
     GLuint sampler(const Texture& texture);
 
     ColorDecoding decoding_;

@@ -3,6 +3,7 @@
 #include "base/error_context.h"
 #include "render/gpu_scene/lobe_records.h"
 #include "render/layout.h"
+#include "scene/model/material_textures.h"
 
 #include <candela/error.h>
 #include <candela/gbuffer.h>
@@ -41,10 +42,9 @@ void writeRecord(std::span<glm::uvec4> record, const Material& material,
     const float occlusionStrength = material.occlusionTexture ? material.occlusionStrength : 0.0f;
     record[layout::MATERIAL_PACKED] = {packed.x, std::bit_cast<std::uint32_t>(occlusionStrength), 0, 0};
     std::size_t row = layout::MATERIAL_UV_ROWS;
-    for (const auto* texture :
-         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-          &material.emissionTexture, &material.occlusionTexture}) {
-        for (const glm::vec4& coordinates : coordinateRows(*texture)) record[row++] = bits(coordinates);
+    for (const MaterialTexture& texture : materialTextures().first(basicTextureCount)) {
+        for (const glm::vec4& coordinates : coordinateRows(texture.of(material)))
+            record[row++] = bits(coordinates);
     }
 }
 
@@ -78,11 +78,10 @@ GpuMaterials::GpuMaterials(const Scene& scene, const glm::dmat3& workingFromRec7
 }
 
 void GpuMaterials::requireUvs(std::uint32_t index, const Material& material) const {
-    for (const auto* texture :
-         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-          &material.occlusionTexture, &material.emissionTexture}) {
-        if (!*texture) continue;
-        const std::uint32_t set = (*texture)->uvSet;
+    for (const MaterialTexture& use : materialTextures()) {
+        const std::optional<Texture>& texture = use.of(material);
+        if (!texture) continue;
+        const std::uint32_t set = texture->uvSet;
         if (set == 0 ? commonUvs_[index].uv0 : commonUvs_[index].uv1) continue;
         ErrorContext("material", index, material.name)
             .refuse("a texture reads texture coordinates " + std::to_string(set) +

@@ -6,6 +6,7 @@
 #include "render/occlusion/occlusion_scene.h"
 #include "scene/geometry/axes.h"
 #include "scene/model/animation.h"
+#include "scene/model/material_textures.h"
 #include "scene/validate/scene_rules.h"
 
 #include <candela/brdf.h>
@@ -41,8 +42,8 @@ Scene editableParts(const Scene& scene) {
 }
 
 bool hasTextures(const Material& material) {
-    return material.baseColorTexture || material.metallicRoughnessTexture || material.normalTexture ||
-           material.emissionTexture || material.occlusionTexture;
+    return std::ranges::any_of(
+        materialTextures(), [&](const MaterialTexture& texture) { return texture.of(material).has_value(); });
 }
 
 void requireIndex(const char* kind, std::uint32_t index, std::size_t count) {

@@ -1,32 +1,15 @@
 #include "render/gpu_scene/lobe_records.h"
 
+#include "scene/model/material_textures.h"
+
 #include <cmath>
 
 namespace candela {
 
 namespace {
 
-struct LobeTexture {
-    const std::optional<Texture>& texture;
-    TexelEncoding encoding;
-};
-
-std::array<LobeTexture, layout::LOBE_TEXTURE_COUNT> texturesOf(const Material& material) {
-    using enum TexelEncoding;
-    return {{{material.specular.texture, data},
-             {material.specular.colorTexture, color},
-             {material.clearcoat.texture, data},
-             {material.clearcoat.roughnessTexture, data},
-             {material.clearcoat.normalTexture, data},
-             {material.sheen.colorTexture, color},
-             {material.sheen.roughnessTexture, data},
-             {material.anisotropy.texture, data},
-             {material.iridescence.texture, data},
-             {material.iridescence.thicknessTexture, data},
-             {material.transmission.texture, data},
-             {material.volume.thicknessTexture, data},
-             {material.diffuseTransmission.texture, data},
-             {material.diffuseTransmission.colorTexture, color}}};
+std::span<const MaterialTexture> lobeTextures() {
+    return materialTextures().subspan(basicTextureCount);
 }
 
 /// What a metre absorbs: the coefficient of Beer and Lambert's law.
@@ -53,9 +36,9 @@ bool isExtended(const Material& material) {
 
 LobeTextures lobeTexturesOf(const Material& material, GpuImages& images) {
     LobeTextures textures;
-    const auto sources = texturesOf(material);
-    for (std::size_t i = 0; i < sources.size(); ++i)
-        textures[i] = images.get(sources[i].texture, sources[i].encoding);
+    const std::span<const MaterialTexture> sources = lobeTextures();
+    for (std::size_t i = 0; i < textures.size(); ++i)
+        textures[i] = images.get(sources[i].of(material), sources[i].content);
     return textures;
 }
 
@@ -75,8 +58,8 @@ void writeLobeRecord(std::span<glm::vec4> record, const Material& material) {
     record[layout::LOBE_ABSORPTION] = glm::vec4(absorption(material.volume), material.transmission.factor);
     record[layout::LOBE_VOLUME] = {material.volume.thickness, material.volume.dispersion, 0.0f, 0.0f};
     std::size_t row = layout::LOBE_UV_ROWS;
-    for (const LobeTexture& texture : texturesOf(material)) {
-        for (const glm::vec4& coordinates : coordinateRows(texture.texture)) record[row++] = coordinates;
+    for (const MaterialTexture& texture : lobeTextures()) {
+        for (const glm::vec4& coordinates : coordinateRows(texture.of(material))) record[row++] = coordinates;
     }
 }
 

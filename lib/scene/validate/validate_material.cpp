@@ -1,9 +1,10 @@
 #include "base/error_context.h"
+#include "scene/model/material_textures.h"
 #include "scene/validate/scene_rules.h"
 
 #include <cmath>
 #include <cstring>
-#include <initializer_list>
+#include <limits>
 
 namespace candela {
 
@@ -62,6 +63,57 @@ void validateImage(const Image& image, const ErrorContext& element) {
                     "its pixels must be finite numbers");
 }
 
+namespace {
+
+void requireColor(const char* what, const glm::vec3& color, const ErrorContext& element) {
+    for (int i = 0; i < 3; ++i) element.requireWithin(what, color[i], 0.0f, 1.0f);
+}
+
+/// Of an index of refraction; `high` is included.
+void requireIor(const char* what, float ior, float high, const ErrorContext& element) {
+    if (!(ior >= 1.0f && ior <= high))
+        element.refuse(what + (" is " + shortNumber(ior)) + ", but 1 or more was expected");
+}
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float maxNumber = std::numeric_limits<float>::max();
+
+/// The lobes that reflect.
+void validateReflection(const Material& material, const ErrorContext& element) {
+    requireIor("its index of refraction", material.ior, infinity, element);
+    element.requireWithin("its specular factor", material.specular.factor, 0.0f, 1.0f);
+    for (int i = 0; i < 3; ++i) element.requireNotNegative("its specular colour", material.specular.color[i]);
+    const Clearcoat& coat = material.clearcoat;
+    element.requireWithin("its clearcoat factor", coat.factor, 0.0f, 1.0f);
+    element.requireWithin("its clearcoat roughness", coat.roughness, 0.0f, 1.0f);
+    element.require(std::isfinite(coat.normalScale), "its clearcoat normal scale must be a finite number");
+    requireColor("its sheen colour", material.sheen.color, element);
+    element.requireWithin("its sheen roughness", material.sheen.roughness, 0.0f, 1.0f);
+    element.requireWithin("its anisotropy strength", material.anisotropy.strength, 0.0f, 1.0f);
+    element.require(std::isfinite(material.anisotropy.rotation),
+                    "its anisotropy rotation must be a finite number");
+    const Iridescence& film = material.iridescence;
+    element.requireWithin("its iridescence factor", film.factor, 0.0f, 1.0f);
+    requireIor("its iridescence index of refraction", film.ior, maxNumber, element);
+    element.requireNotNegative("its least iridescence thickness", film.minThickness);
+    element.requireNotNegative("its largest iridescence thickness", film.maxThickness);
+}
+
+/// The lobes and the medium that transmit.
+void validateTransmission(const Material& material, const ErrorContext& element) {
+    element.requireWithin("its transmission factor", material.transmission.factor, 0.0f, 1.0f);
+    const Volume& volume = material.volume;
+    element.requireNotNegative("its thickness", volume.thickness);
+    element.require(volume.attenuationDistance > 0.0f, "its attenuation distance must be over 0 metres");
+    requireColor("its attenuation colour", volume.attenuationColor, element);
+    element.requireNotNegative("its dispersion", volume.dispersion);
+    const DiffuseTransmission& diffuse = material.diffuseTransmission;
+    element.requireWithin("its diffuse transmission factor", diffuse.factor, 0.0f, 1.0f);
+    requireColor("its diffuse transmission colour", diffuse.color, element);
+}
+
+}  // namespace
+
 void validateMaterial(const Material& material, const Scene& scene, const ErrorContext& element) {
     for (int i = 0; i < 4; ++i) element.requireWithin("its base colour", material.baseColor[i], 0.0f, 1.0f);
     element.requireWithin("its metallic factor", material.metallic, 0.0f, 1.0f);
@@ -76,19 +128,18 @@ void validateMaterial(const Material& material, const Scene& scene, const ErrorC
                     "its alpha mode must be opaque, mask or blend");
     element.require(material.alphaCutoff >= 0.0f && std::isfinite(material.alphaCutoff),
                     "its alpha cutoff must be a finite number, 0 or more");
-    validateTexture(material.baseColorTexture, "base colour", scene, element);
-    validateTexture(material.metallicRoughnessTexture, "metallic-roughness", scene, element);
-    validateTexture(material.normalTexture, "normal", scene, element);
-    validateTexture(material.occlusionTexture, "occlusion", scene, element);
-    validateTexture(material.emissionTexture, "emission", scene, element);
+    validateReflection(material, element);
+    validateTransmission(material, element);
+    for (const MaterialTexture& texture : materialTextures())
+        validateTexture(texture.of(material), texture.name, scene, element);
 }
 
 void requireUvs(const UvSets& sets, std::uint32_t material, const Scene& scene, const ErrorContext& element) {
     const Material& reader = scene.materials[material];
-    for (const auto* texture : {&reader.baseColorTexture, &reader.metallicRoughnessTexture,
-                                &reader.normalTexture, &reader.occlusionTexture, &reader.emissionTexture}) {
-        if (!*texture) continue;
-        const std::uint32_t set = (*texture)->uvSet;
+    for (const MaterialTexture& use : materialTextures()) {
+        const std::optional<Texture>& texture = use.of(reader);
+        if (!texture) continue;
+        const std::uint32_t set = texture->uvSet;
         if (set == 0 ? sets.set0 : sets.set1) continue;
         element.refuse("has no texture coordinates " + std::to_string(set) + ", which a texture of " +
                        ErrorContext("material", material, reader.name).label() + " reads");

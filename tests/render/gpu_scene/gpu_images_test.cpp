@@ -43,18 +43,18 @@ class GpuImagesTest : public DrawingTest {};
 void expectBlocksGiveTheWholeImage(ColorDecoding decoding) {
     for (const PixelFormat format : {PixelFormat::rgba8, PixelFormat::rgba16, PixelFormat::rgba32f}) {
         const std::vector<Image> source{imageOf(format)};
-        for (const TexelEncoding encoding : {TexelEncoding::color, TexelEncoding::data}) {
+        for (const TextureContent content : {TextureContent::color, TextureContent::data}) {
             GpuImages atOnce(source, decoding);
-            const std::vector<float> expected = texelsOf(atOnce.get(Texture{}, encoding).texture);
+            const std::vector<float> expected = texelsOf(atOnce.get(Texture{}, content).texture);
             // Less than a row, two rows, and all but one.
             for (const std::size_t maxBytes : {std::size_t{1}, std::size_t{2} * 5 * texelSize(format),
                                                std::size_t{6} * 5 * texelSize(format)}) {
                 GpuImages inBlocks(source, decoding, maxBytes);
-                EXPECT_EQ(texelsOf(inBlocks.get(Texture{}, encoding).texture), expected);
-                // The other encoding is uploaded from the read-back of this one.
+                EXPECT_EQ(texelsOf(inBlocks.get(Texture{}, content).texture), expected);
+                // The other content is uploaded from the read-back of this one.
                 inBlocks.releaseSources();
                 const auto other =
-                    encoding == TexelEncoding::color ? TexelEncoding::data : TexelEncoding::color;
+                    content == TextureContent::color ? TextureContent::data : TextureContent::color;
                 EXPECT_EQ(texelsOf(inBlocks.get(Texture{}, other).texture),
                           texelsOf(atOnce.get(Texture{}, other).texture));
             }
@@ -72,7 +72,7 @@ TEST_F(GpuImagesTest, exactDecodingIsExactToAFractionOfACode) {
     const gl::StateGuard guard(*context().state().binding, "a test");
     const std::vector<Image> source{imageOf(PixelFormat::rgba8)};
     GpuImages images(source, ColorDecoding::exact);
-    const std::vector<float> texels = texelsOf(images.get(Texture{}, TexelEncoding::color).texture);
+    const std::vector<float> texels = texelsOf(images.get(Texture{}, TextureContent::color).texture);
     for (std::size_t i = 0; i < texels.size(); ++i) {
         const double code = std::to_integer<int>(source[0].pixels[i]) / 255.0;
         const double decoded = code < 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
@@ -91,7 +91,7 @@ TEST_F(GpuImagesTest, imageBeyondTheDeviceMemoryIsNamed) {
     const std::vector<Image> source{{"panorama", size, size, PixelFormat::rgba32f, {}}};
     GpuImages images(source, ColorDecoding::device);
     try {
-        images.get(Texture{}, TexelEncoding::data);
+        images.get(Texture{}, TextureContent::data);
         FAIL() << "no error was thrown";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::limit);

@@ -67,6 +67,61 @@ TEST(Validate, Materials) {
     });
 }
 
+TEST(Validate, Lobes) {
+    expectMessages({
+        {"material 0 'wall': its index of refraction is 0.5, but 1 or more was expected",
+         [](Scene& s) { s.materials[0].ior = 0.5f; }},
+        {"material 0 'wall': its specular factor is 2, but 0 to 1 was expected",
+         [](Scene& s) { s.materials[0].specular.factor = 2.0f; }},
+        {"material 0 'wall': its specular colour is -1, but 0 or more was expected",
+         [](Scene& s) { s.materials[0].specular.color.z = -1.0f; }},
+        {"material 0 'wall': its clearcoat factor is 2, but 0 to 1 was expected",
+         [](Scene& s) { s.materials[0].clearcoat.factor = 2.0f; }},
+        {"material 0 'wall': its clearcoat roughness is nan, but 0 to 1 was expected",
+         [](Scene& s) { s.materials[0].clearcoat.roughness = nan_; }},
+        {"material 0 'wall': its clearcoat normal scale must be a finite number",
+         [](Scene& s) { s.materials[0].clearcoat.normalScale = INFINITY; }},
+        {"material 0 'wall': its sheen colour is 2, but 0 to 1 was expected",
+         [](Scene& s) { s.materials[0].sheen.color.y = 2.0f; }},
+        {"material 0 'wall': its sheen roughness is -1, but 0 to 1 was expected",
+         [](Scene& s) { s.materials[0].sheen.roughness = -1.0f; }},
+        {"material 0 'wall': its anisotropy strength is 2, but 0 to 1 was expected",
+         [](Scene& s) { s.materials[0].anisotropy.strength = 2.0f; }},
+        {"material 0 'wall': its anisotropy rotation must be a finite number",
+         [](Scene& s) { s.materials[0].anisotropy.rotation = nan_; }},
+        {"material 0 'wall': its iridescence factor is 2, but 0 to 1 was expected",
+         [](Scene& s) { s.materials[0].iridescence.factor = 2.0f; }},
+        {"material 0 'wall': its iridescence index of refraction is inf, but 1 or more was expected",
+         [](Scene& s) { s.materials[0].iridescence.ior = INFINITY; }},
+        {"material 0 'wall': its least iridescence thickness is -1, but 0 or more was expected",
+         [](Scene& s) { s.materials[0].iridescence.minThickness = -1.0f; }},
+        {"material 0 'wall': its largest iridescence thickness is inf, but a finite number was expected",
+         [](Scene& s) { s.materials[0].iridescence.maxThickness = INFINITY; }},
+        {"material 0 'wall': its transmission factor is 2, but 0 to 1 was expected",
+         [](Scene& s) { s.materials[0].transmission.factor = 2.0f; }},
+        {"material 0 'wall': its thickness is -1, but 0 or more was expected",
+         [](Scene& s) { s.materials[0].volume.thickness = -1.0f; }},
+        {"material 0 'wall': its attenuation distance must be over 0 metres",
+         [](Scene& s) { s.materials[0].volume.attenuationDistance = 0.0f; }},
+        {"material 0 'wall': its attenuation colour is 2, but 0 to 1 was expected",
+         [](Scene& s) { s.materials[0].volume.attenuationColor.x = 2.0f; }},
+        {"material 0 'wall': its dispersion is -1, but 0 or more was expected",
+         [](Scene& s) { s.materials[0].volume.dispersion = -1.0f; }},
+        {"material 0 'wall': its diffuse transmission factor is 2, but 0 to 1 was expected",
+         [](Scene& s) { s.materials[0].diffuseTransmission.factor = 2.0f; }},
+        {"material 0 'wall': its diffuse transmission colour is 2, but 0 to 1 was expected",
+         [](Scene& s) { s.materials[0].diffuseTransmission.color.z = 2.0f; }},
+        {"material 0 'wall': clearcoat normal texture: the set of texture coordinates must be 0 or 1",
+         [](Scene& s) {
+             s.materials[0].clearcoat.normalTexture = Texture{};
+             s.materials[0].clearcoat.normalTexture->uvSet = 2;
+         }},
+    });
+    Scene scene = sampleScene();
+    scene.materials[0].ior = INFINITY;
+    EXPECT_NO_THROW(validate(scene));
+}
+
 TEST(Validate, Textures) {
     expectMessages({
         {"material 0 'wall': refers to image 1, but the scene has 1 (counted from 0)",
