@@ -19,10 +19,10 @@ vec3 fetchTexel(int index) {
 // The map that texel `header` describes, between its four texels around a point.
 vec3 interpolatedMap(int header, MapPoint point) {
     ivec2 map = ivec2(fetchTexel(header).xy);
-    vec2 position = clamp(vec2(point.u, point.v), 0.0, 1.0) * float(map.y) + 0.5;
-    ivec2 low = ivec2(position);
+    vec2 position = clamp(vec2(point.u, point.v), 0.0, 1.0) * float(map.y - 1);
+    ivec2 low = min(ivec2(position), map.y - 2);
     vec2 weight = position - vec2(low);
-    int stride = map.y + 2, at = map.x + low.y * stride + low.x;
+    int stride = map.y, at = map.x + low.y * stride + low.x;
     return mix(mix(fetchTexel(at), fetchTexel(at + 1), weight.x), mix(fetchTexel(at + stride), fetchTexel(at + stride + 1), weight.x),
                weight.y);
 }

@@ -100,6 +100,10 @@ EnvironmentCells::EnvironmentCells(const EnvironmentPicture& picture) {
     }
 }
 
+const CellGrid& EnvironmentCells::gridOf(int size) const {
+    return *std::ranges::find(grids_, size, &CellGrid::size);
+}
+
 /// Adds the columns of a quarter of the picture. Each has the cells of a quarter of the grid to itself: the
 /// borders of both are where x and z change their signs.
 void EnvironmentCells::addQuadrant(const EnvironmentPicture& picture, int quadrant, float floor) {
@@ -211,7 +215,7 @@ float halfWidthOf(const EnvironmentPeak& peak, const CellGrid& grid) {
 }  // namespace
 
 DiffuseLight::DiffuseLight(const EnvironmentCells& source) {
-    const CellGrid& grid = *std::ranges::find(source.grids(), size, &CellGrid::size);
+    const CellGrid& grid = source.gridOf(size);
     cells.assign(grid.cells, grid.cells + size * size);
     constexpr float leastShare = 0.05f;
     float total = 0.0f;

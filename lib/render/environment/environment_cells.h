@@ -18,6 +18,8 @@ class EnvironmentCells {
 
     /// From coarse to fine.
     const std::vector<CellGrid>& grids() const { return grids_; }
+    /// With `size` cells along a side: a power of two from `coarsestSize` to `finestSize`.
+    const CellGrid& gridOf(int size) const;
 
     static constexpr int coarsestSize = 8, finestSize = 1024;
 
@@ -44,9 +46,7 @@ constexpr std::size_t maxEnvironmentPeaks = 4;
 struct DiffuseLight {
     explicit DiffuseLight(const EnvironmentCells& source);
 
-    CellGrid grid() const { return {cells.data(), size}; }
-
-    static constexpr int size = 64;
+    static constexpr int size = 64;  ///< Of the grid `cells`.
     std::vector<EnvironmentCell> cells;
     std::vector<EnvironmentPeak> peaks;
 };

@@ -31,26 +31,25 @@ struct FilterJob {
     float alpha;      ///< roughness²
     float cellShare;  ///< A cell is read as one point where its size is at most this share of its distance
                       ///< from a texel's direction, the width of the lobe added.
-    int size;         ///< Texels along a side, a multiple of `filterBlockSize`.
-    float* texels;    ///< RGBA, the first of `size` rows of `stride` texels.
-    int stride;
+    int size;         ///< Texels along a side.
+    float* texels;    ///< RGBA, `size` rows.
 };
 
 /// An octahedral map to be filled with irradiance.
 struct IrradianceJob {
-    CellGrid grid;
-    int size;       ///< Texels along a side, a multiple of 16.
-    float* texels;  ///< As above.
-    int stride;
+    CellGrid outlines;  ///< Of 4 × 4 cells each.
+    CellGrid cells;
+    CellGrid parts;  ///< Four of each cell; those of a dark cell do not count.
+    int size;        ///< As above.
+    float* texels;
 };
 
 /// The functions of one instruction set.
 struct EnvironmentKernel {
     const char* name;
-    /// Fills the blocks of row `row` of blocks. `scratch` has room for all cells of the finest grid and one.
+    /// Both fill row `row` of blocks. `scratch` has room for all cells of the finest grid and one.
     void (*filter)(const FilterJob& job, int row, const EnvironmentCell** scratch);
-    /// Fills the row `row` of texels.
-    void (*irradiance)(const IrradianceJob& job, int row);
+    void (*irradiance)(const IrradianceJob& job, int row, const EnvironmentCell** scratch);
 };
 
 /// One for each instruction set that this build has and this processor runs, widest first.

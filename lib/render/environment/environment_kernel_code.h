@@ -21,10 +21,11 @@ inline float scalarAbs(float a) {
     return a < 0.0f ? -a : a;
 }
 
-/// The unit direction of the middle of a texel of an octahedral map with `size` texels along a side.
+/// The unit direction of a texel of an octahedral map with `size` texels along a side. The outer ones lie on
+/// its edges.
 inline void texelDirection(int column, int row, int size, float* direction) {
-    float x = (2.0f * static_cast<float>(column) + 1.0f) / static_cast<float>(size) - 1.0f;
-    float z = (2.0f * static_cast<float>(row) + 1.0f) / static_cast<float>(size) - 1.0f;
+    float x = 2.0f * static_cast<float>(column) / static_cast<float>(size - 1) - 1.0f;
+    float z = 2.0f * static_cast<float>(row) / static_cast<float>(size - 1) - 1.0f;
     const float y = 1.0f - scalarAbs(x) - scalarAbs(z);
     const float below = scalarMax(-y, 0.0f);
     x += x < 0.0f ? below : -below;
@@ -108,6 +109,25 @@ inline Floats lobeWeight(Floats chord2, float alpha2) {
     return max(1.0f - 0.5f * chord2, 0.0f) * reciprocal(q * q);
 }
 
+/// A map to be filled.
+struct TargetMap {
+    float* texels;  ///< RGBA.
+    int size;       ///< Texels along a side.
+
+    /// Writes those texels of a block from `first` on that are in the map.
+    void write(const Vec3& color, int left, int top, int first) const {
+        float red[laneCount], green[laneCount], blue[laneCount];
+        store(red, color.x), store(green, color.y), store(blue, color.z);
+        for (int lane = 0; lane < laneCount; ++lane) {
+            const int column = left + (first + lane) % filterBlockSize,
+                      row = top + (first + lane) / filterBlockSize;
+            if (column >= size || row >= size) continue;
+            float* texel = texels + 4 * (row * size + column);
+            texel[0] = red[lane], texel[1] = green[lane], texel[2] = blue[lane], texel[3] = 0.0f;
+        }
+    }
+};
+
 inline void filterBlock(const FilterJob& job, int left, int top, const EnvironmentCell** scratch) {
     BlockDirections block;
     for (int i = 0; i < texelsPerFilterBlock; ++i)
@@ -126,15 +146,7 @@ inline void filterBlock(const FilterJob& job, int left, int top, const Environme
             whole = whole + weight * cell.solidAngle;
         }
         // Dividing by the weights of the same cells keeps a constant picture constant.
-        const Floats scale = 1.0f / max(whole, 1.0e-30f);
-        float red[laneCount], green[laneCount], blue[laneCount];
-        store(red, sum.x * scale), store(green, sum.y * scale), store(blue, sum.z * scale);
-        for (int lane = 0; lane < laneCount; ++lane) {
-            const int i = first + lane;
-            float* texel =
-                job.texels + 4 * ((top + i / filterBlockSize) * job.stride + left + i % filterBlockSize);
-            texel[0] = red[lane], texel[1] = green[lane], texel[2] = blue[lane], texel[3] = 0.0f;
-        }
+        TargetMap{job.texels, job.size}.write(sum * (1.0f / max(whole, 1.0e-30f)), left, top, first);
     }
 }
 
@@ -150,30 +162,84 @@ inline Floats meanCellCosine(Floats cosine, float half) {
     return above * above * (0.25f / half) + max(cosine - half, 0.0f);
 }
 
-void irradianceRow(const IrradianceJob& job, int row) {
-    constexpr float pi = 3.14159265f;
-    const int cellCount = job.grid.size * job.grid.size;
-    for (int left = 0; left < job.size; left += laneCount) {
-        TexelDirections<laneCount> normals;
-        for (int lane = 0; lane < laneCount; ++lane) normals.set(lane, left + lane, row, job.size);
-        const Vec3 n{load(normals.x), load(normals.y), load(normals.z)};
-        Vec3 sum(0.0f);
-        Floats whole = splat(0.0f);
-        for (int i = 0; i < cellCount; ++i) {
-            const EnvironmentCell& cell = job.grid.cells[i];
-            const Floats cosine = meanCellCosine(dot(n, splat3(cell.direction)), 0.5f * cell.side);
-            sum = sum + splat3(cell.energy) * cosine;
-            whole = whole + cosine * cell.solidAngle;
-        }
-        // `whole` is pi up to the error of the sum, which the quotient cancels.
-        const Floats scale = pi / max(whole, 1.0e-30f);
-        float red[laneCount], green[laneCount], blue[laneCount];
-        store(red, sum.x * scale), store(green, sum.y * scale), store(blue, sum.z * scale);
-        for (int lane = 0; lane < laneCount; ++lane) {
-            float* texel = job.texels + 4 * (row * job.stride + left + lane);
-            texel[0] = red[lane], texel[1] = green[lane], texel[2] = blue[lane], texel[3] = 0.0f;
+struct CellSums {
+    Vec3 energy;
+    Floats whole;  ///< pi up to the error of the sum.
+};
+
+inline void addCell(const EnvironmentCell& cell, const Vec3& normal, CellSums& sums) {
+    // The mean of unit vectors over a square is shorter than 1.
+    const float length = 1.0f - cell.side * cell.side * (1.0f / 12.0f);
+    const Floats cosine = meanCellCosine(dot(normal, splat3(cell.direction)), 0.5f * cell.side) * length;
+    sums.energy = sums.energy + splat3(cell.energy) * cosine;
+    sums.whole = sums.whole + cosine * cell.solidAngle;
+}
+
+/// Where a cell lies for all normals of a block.
+enum class HorizonSide { below, crossed, above };
+
+inline HorizonSide horizonSide(const EnvironmentCell& cell, const Cone& cone) {
+    const float* d = cell.direction;
+    const float cosine = d[0] * cone.x + d[1] * cone.y + d[2] * cone.z, reach = cone.radius + cell.side;
+    if (cosine < -reach) return HorizonSide::below;
+    return cosine > reach ? HorizonSide::above : HorizonSide::crossed;
+}
+
+inline bool isDark(const EnvironmentCell& cell) {
+    return cell.energy[0] + cell.energy[1] + cell.energy[2] <= 0.0f;
+}
+
+inline int listParts(const CellGrid& parts, int column, int row, const EnvironmentCell** list) {
+    int count = 0;
+    for (int part = 0; part < 4; ++part) {
+        const EnvironmentCell& cell = parts.cells[(2 * row + part / 2) * parts.size + 2 * column + part % 2];
+        if (cell.solidAngle > 0.0f) list[count++] = &cell;
+    }
+    return count;
+}
+
+/// Lists the cells that light a block of normals, and returns their number. Above the horizon of all normals
+/// irradiance is linear in the direction, so that a cell is as exact as its parts are. Where the horizon may
+/// cross it, its parts stand for it.
+inline int listLights(const IrradianceJob& job, const Cone& cone, const EnvironmentCell** list) {
+    constexpr int side = 4;  // Cells along a side of an outline.
+    int count = 0;
+    for (int outline = 0; outline < job.outlines.size * job.outlines.size; ++outline) {
+        const HorizonSide around = horizonSide(job.outlines.cells[outline], cone);
+        if (around == HorizonSide::below) continue;
+        for (int i = 0; i < side * side; ++i) {
+            const int column = outline % job.outlines.size * side + i % side,
+                      row = outline / job.outlines.size * side + i / side;
+            const EnvironmentCell& cell = job.cells.cells[row * job.cells.size + column];
+            const HorizonSide where = around == HorizonSide::above ? around : horizonSide(cell, cone);
+            if (where == HorizonSide::crossed && !isDark(cell))
+                count += listParts(job.parts, column, row, list + count);
+            else if (where != HorizonSide::below && cell.solidAngle > 0.0f)
+                list[count++] = &cell;
         }
     }
+    return count;
+}
+
+inline void irradianceBlock(const IrradianceJob& job, int left, int top, const EnvironmentCell** scratch) {
+    constexpr float pi = 3.14159265f;
+    BlockDirections block;
+    for (int i = 0; i < texelsPerFilterBlock; ++i)
+        block.set(i, left + i % filterBlockSize, top + i / filterBlockSize, job.size);
+    const int count = listLights(job, coneOf(block), scratch);
+    for (int first = 0; first < texelsPerFilterBlock; first += laneCount) {
+        const Vec3 normal{load(block.x + first), load(block.y + first), load(block.z + first)};
+        CellSums sums{Vec3(0.0f), splat(0.0f)};
+        for (int i = 0; i < count; ++i) addCell(*scratch[i], normal, sums);
+        // The quotient cancels the error that both sums have.
+        TargetMap{job.texels, job.size}.write(sums.energy * (pi / max(sums.whole, 1.0e-30f)), left, top,
+                                              first);
+    }
+}
+
+void irradianceRow(const IrradianceJob& job, int row, const EnvironmentCell** scratch) {
+    for (int left = 0; left < job.size; left += filterBlockSize)
+        irradianceBlock(job, left, row * filterBlockSize, scratch);
 }
 
 }  // namespace

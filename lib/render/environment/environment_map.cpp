@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 
 namespace candela {
 
@@ -37,21 +38,34 @@ namespace {
 
 /// Texels along a side of the levels that are filtered. The lobe's full width at half maximum, 2.6 alpha, is
 /// that of at least two texels; of one for the last level, whose texels take most of the time.
-constexpr std::array<int, EnvironmentMap::levelCount - 1> filteredSizes{64, 64,  64,  64, 64,
-                                                                        96, 160, 256, 320};
-constexpr int irradianceSize = 160;
+constexpr std::array<int, EnvironmentMap::levelCount - 1> filteredSizes{63, 63,  63,  63, 63,
+                                                                        95, 159, 255, 319};
+constexpr int irradianceSize = 159;
 constexpr int peakTexels = 2;
 
 /// Texels along a side of the level that is not filtered: about those of the picture.
 int sharpSize(std::uint32_t pictureHeight) {
     constexpr std::uint32_t least = 256, most = 2048;
-    return static_cast<int>(std::clamp(std::bit_ceil(pictureHeight), least, most));
+    return static_cast<int>(std::clamp(std::bit_ceil(pictureHeight), least, most)) - 1;
 }
 
 glm::vec3 directionOf(int column, int row, int size) {
-    const glm::vec2 at = (2.0f * glm::vec2(column, row) + 1.0f) / static_cast<float>(size) - 1.0f;
+    const glm::vec2 at = 2.0f * glm::vec2(column, row) / static_cast<float>(size - 1) - 1.0f;
     const float y = 1.0f - std::abs(at.x) - std::abs(at.y), below = std::max(-y, 0.0f);
     return {at.x - std::copysign(below, at.x), y, at.y - std::copysign(below, at.y)};
+}
+
+/// Calls `fill` for each row of blocks of a map with `size` texels along a side, with room for the cells of a
+/// grid of `finestSize` cells along a side.
+void runBlocks(int size, int finestSize, const std::function<void(int, const EnvironmentCell**)>& fill) {
+    const std::size_t room = static_cast<std::size_t>(finestSize) * static_cast<std::size_t>(finestSize) + 1;
+    ThreadPool& pool = *ThreadPool::shared();
+    std::vector<std::vector<const EnvironmentCell*>> scratch(pool.size());
+    pool.run(static_cast<std::size_t>((size + filterBlockSize - 1) / filterBlockSize),
+             [&](std::size_t row, unsigned worker) {
+                 scratch[worker].resize(room);
+                 fill(static_cast<int>(row), scratch[worker].data());
+             });
 }
 
 }  // namespace
@@ -71,53 +85,45 @@ EnvironmentMap::EnvironmentMap(const Image& picture, const glm::dmat3& workingFr
     for (int i = 0; i < levelCount - 1; ++i) filterLevel(i, cells, kernel);
     const DiffuseLight light(cells);
     peaks_ = light.peaks;
-    fillIrradiance(light.grid(), kernel);
-    for (const OctahedralMap& map : levels_) fillBorder(map);
-    fillBorder(irradiance_);
+    fillIrradiance(light, cells, kernel);
     writeHeader();
 }
 
 OctahedralMap EnvironmentMap::append(int size) {
     const OctahedralMap map{texels_.size() / 4, size};
-    const std::size_t stride = static_cast<std::size_t>(size) + 2;
-    texels_.resize(texels_.size() + 4 * stride * stride);
+    texels_.resize(texels_.size() + 4 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
     return map;
 }
 
-/// The first texel that is not border.
-float* EnvironmentMap::inner(const OctahedralMap& map) {
-    return texels_.data() + 4 * (map.first + static_cast<std::size_t>(map.size) + 3);
+float* EnvironmentMap::texelsOf(const OctahedralMap& map) {
+    return texels_.data() + 4 * map.first;
 }
 
 void EnvironmentMap::filterLevel(int index, const EnvironmentCells& cells, const EnvironmentKernel& kernel) {
     const OctahedralMap& map = level(index);
     const float alpha = std::exp2(-static_cast<float>(index));
     // Narrow lobes gather most of their light from the finest cells.
-    const float cellShare = map.size <= 64 ? 0.2f : map.size <= 160 ? 0.35f : 0.7f;
+    const float cellShare = map.size <= 63 ? 0.2f : map.size <= 159 ? 0.35f : 0.7f;
     const FilterJob job{
-        cells.grids().data(), static_cast<int>(cells.grids().size()), alpha, cellShare, map.size, inner(map),
-        map.size + 2};
-    ThreadPool& pool = *ThreadPool::shared();
-    std::vector<std::vector<const EnvironmentCell*>> scratch(pool.size());
-    pool.run(static_cast<std::size_t>(map.size / filterBlockSize), [&](std::size_t row, unsigned worker) {
-        scratch[worker].resize(std::size_t{EnvironmentCells::finestSize} * EnvironmentCells::finestSize + 1);
-        kernel.filter(job, static_cast<int>(row), scratch[worker].data());
-    });
+        cells.grids().data(), static_cast<int>(cells.grids().size()), alpha, cellShare, map.size,
+        texelsOf(map)};
+    runBlocks(map.size, EnvironmentCells::finestSize,
+              [&](int row, const EnvironmentCell** scratch) { kernel.filter(job, row, scratch); });
 }
 
 /// Texels that mirror each other about the middle of the map have the same angles but for signs.
 void EnvironmentMap::resample(const EnvironmentPicture& picture) {
     const OctahedralMap& map = levels_.back();
-    const int last = map.size - 1, stride = map.size + 2;
-    float* first = inner(map);
-    ThreadPool::shared()->run(static_cast<std::size_t>(map.size / 2), [&](std::size_t line, unsigned) {
+    const int last = map.size - 1;
+    float* first = texelsOf(map);
+    ThreadPool::shared()->run(static_cast<std::size_t>(last / 2 + 1), [&](std::size_t line, unsigned) {
         const int row = static_cast<int>(line);
         const auto write = [&](int toColumn, int toRow, const glm::vec3& radiance) {
-            float* texel = first + 4 * (toRow * stride + toColumn);
+            float* texel = first + 4 * (toRow * map.size + toColumn);
             for (int i = 0; i < 3; ++i) texel[i] = radiance[i];
         };
         for (int column = 0; column <= last / 2; ++column) {
-            // x and z are negative here.
+            // x and z are 0 or negative here.
             const PicturePoint point = picture.pointOf(directionOf(column, row, map.size));
             write(column, row, picture.interpolated(point));
             write(last - column, row, picture.interpolated({1.0f - point.x, point.y}));
@@ -128,25 +134,16 @@ void EnvironmentMap::resample(const EnvironmentPicture& picture) {
     });
 }
 
-void EnvironmentMap::fillIrradiance(const CellGrid& grid, const EnvironmentKernel& kernel) {
-    const IrradianceJob job{grid, irradianceSize, inner(irradiance_), irradianceSize + 2};
-    ThreadPool::shared()->run(
-        irradianceSize, [&](std::size_t row, unsigned) { kernel.irradiance(job, static_cast<int>(row)); });
-}
-
-/// Beyond an edge, the map goes on with the texels of the same edge, mirrored about its middle.
-void EnvironmentMap::fillBorder(const OctahedralMap& map) {
-    const int last = map.size - 1, stride = map.size + 2;
-    float* first = inner(map);
-    const auto copy = [&](int column, int row, int fromColumn, int fromRow) {
-        std::copy_n(first + 4 * (fromRow * stride + fromColumn), 4, first + 4 * (row * stride + column));
-    };
-    for (int i = 0; i <= last; ++i) {
-        copy(-1, i, 0, last - i), copy(last + 1, i, last, last - i);
-        copy(i, -1, last - i, 0), copy(i, last + 1, last - i, last);
-    }
-    copy(-1, -1, last, last), copy(last + 1, last + 1, 0, 0);
-    copy(last + 1, -1, 0, last), copy(-1, last + 1, last, 0);
+void EnvironmentMap::fillIrradiance(const DiffuseLight& light, const EnvironmentCells& cells,
+                                    const EnvironmentKernel& kernel) {
+    constexpr int size = DiffuseLight::size;
+    const IrradianceJob job{cells.gridOf(size / 4),
+                            {light.cells.data(), size},
+                            cells.gridOf(2 * size),
+                            irradianceSize,
+                            texelsOf(irradiance_)};
+    runBlocks(irradianceSize, 2 * size,
+              [&](int row, const EnvironmentCell** scratch) { kernel.irradiance(job, row, scratch); });
 }
 
 void EnvironmentMap::writeHeader() {

@@ -16,12 +16,13 @@ namespace candela {
 /// The kernel for the widest instruction set that this processor has.
 const EnvironmentKernel& environmentKernel();
 
-/// An octahedral map among the texels of an `EnvironmentMap`: (size + 2)² texels, row by row. The border
-/// repeats the texels beyond the edges, so that the interpolation between four texels crosses them. The
+/// An octahedral map among the texels of an `EnvironmentMap`: size² texels, row by row. The outer ones lie
+/// on the edges of the square, and those of an odd size on its axes: where the interpolation between four
+/// texels has a fold. The
 /// middle of the square is +Y, its corners are -Y, columns follow x and rows follow z.
 struct OctahedralMap {
     std::size_t first = 0;  ///< Texel.
-    int size = 0;           ///< Without the border.
+    int size = 0;           ///< Texels along a side, odd.
 };
 
 /// An environment as surfaces read it, in the frame of its picture and in the working space; neither rotation
@@ -47,11 +48,11 @@ class EnvironmentMap {
 
   private:
     OctahedralMap append(int size);
-    float* inner(const OctahedralMap& map);
+    float* texelsOf(const OctahedralMap& map);
     void filterLevel(int index, const EnvironmentCells& cells, const EnvironmentKernel& kernel);
     void resample(const EnvironmentPicture& picture);
-    void fillIrradiance(const CellGrid& grid, const EnvironmentKernel& kernel);
-    void fillBorder(const OctahedralMap& map);
+    void fillIrradiance(const DiffuseLight& light, const EnvironmentCells& cells,
+                        const EnvironmentKernel& kernel);
     void writeHeader();
 
     std::array<OctahedralMap, levelCount> levels_;

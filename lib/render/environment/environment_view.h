@@ -9,7 +9,7 @@ struct EnvironmentView {
     static constexpr int levelCount = 10;
 
     const float* texels;  ///< RGBA: see `EnvironmentMap`.
-    /// The first texel of each level, and its texels along a side without the border.
+    /// The first texel of each level, and its texels along a side.
     float firstTexels[levelCount], sizes[levelCount];
     float irradianceFirst, irradianceSize;  ///< The same of the irradiance.
     const float* peaks;  ///< Eight floats each: direction and half width, irradiance and 0.

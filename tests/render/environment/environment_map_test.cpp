@@ -26,11 +26,12 @@ glm::dvec3 lookUp(const EnvironmentMap& environment, const OctahedralMap& map, c
     const glm::dvec3 d = direction / (std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z));
     const double below = std::max(-d.y, 0.0);
     const glm::dvec2 at(d.x + std::copysign(below, d.x), d.z + std::copysign(below, d.z));
-    const glm::dvec2 texel = (at * 0.5 + 0.5) * static_cast<double>(map.size) + 0.5;
-    const glm::dvec2 low = glm::floor(texel), weight = texel - low;
+    const glm::dvec2 texel = (at * 0.5 + 0.5) * static_cast<double>(map.size - 1);
+    const glm::dvec2 low = glm::min(glm::floor(texel), static_cast<double>(map.size - 2)),
+                     weight = texel - low;
     const auto fetch = [&](double column, double row) {
         const std::size_t i =
-            4 * (map.first + static_cast<std::size_t>(row) * static_cast<std::size_t>(map.size + 2) +
+            4 * (map.first + static_cast<std::size_t>(row) * static_cast<std::size_t>(map.size) +
                  static_cast<std::size_t>(column));
         const auto texels = environment.texels();
         return glm::dvec3(texels[i], texels[i + 1], texels[i + 2]);
@@ -78,18 +79,24 @@ double largest(const glm::dvec3& v) {
 TEST(EnvironmentMapTest, irradianceIsThatOfIntegration) {
     std::vector<NamedSky> all = skies(1024);
     all.push_back(hardSun(1024));
+    std::vector<glm::dvec3> normals = sphereDirections(400);
+    // On the edges of the octahedron, where the map has folds.
+    for (const glm::dvec3& edge : {glm::dvec3(0, -1, 1), glm::dvec3(1, -2, 0), glm::dvec3(0, 1, -3),
+                                   glm::dvec3(-2, 0, 1), glm::dvec3(0, -1, 0)})
+        normals.push_back(glm::normalize(edge));
     for (const NamedSky& sky : all) {
         const EnvironmentMap environment(sky.picture, glm::dmat3(1.0));
         const std::vector<SkyTexel> texels = texelsOf(sky.picture);
         double worst = 0.0;
-        for (const glm::dvec3& normal : sphereDirections(400)) {
+        for (const glm::dvec3& normal : normals) {
             const glm::dvec3 expected = integratedIrradiance(texels, normal);
             worst = std::max(worst, largest((irradiance(environment, normal) - expected) / expected));
         }
         std::printf("%-12s %zu peaks, largest error of irradiance %.4f\n", sky.name.c_str(),
                     environment.peaks().size(), worst);
-        // The texels of the sum are points: next to a dark floor, edges of bright boxes count more than 1 %.
-        EXPECT_LT(worst, sky.name == "soft boxes" ? 0.015 : 0.01) << sky.name;
+        // The interpolation between texels, and cells on the horizon of a normal, of which a part counts.
+        // Soft boxes of 400 times the floor's radiance that are about to rise count most.
+        EXPECT_LT(worst, sky.name == "soft boxes" ? 0.01 : 0.003) << sky.name;
     }
 }
 

@@ -15,10 +15,11 @@ struct MapCells {
 
     /// The point's numbers that are none become 0. `firstTexel` and `size` are whole numbers.
     MapCells(MapPoint point, Floats firstTexel, Floats size) {
-        const Floats x = min(max(point.u, 0.0f), 1.0f) * size + 0.5f,
-                     y = min(max(point.v, 0.0f), 1.0f) * size + 0.5f;
-        const Ints column = __builtin_convertvector(x, Ints), row = __builtin_convertvector(y, Ints);
-        const Ints stride = __builtin_convertvector(size, Ints) + 2;
+        const Floats x = min(max(point.u, 0.0f), 1.0f) * (size - 1.0f),
+                     y = min(max(point.v, 0.0f), 1.0f) * (size - 1.0f);
+        const Ints column = __builtin_convertvector(min(x, size - 2.0f), Ints),
+                   row = __builtin_convertvector(min(y, size - 2.0f), Ints);
+        const Ints stride = __builtin_convertvector(size, Ints);
         const Ints first = (__builtin_convertvector(firstTexel, Ints) + row * stride + column) * 4;
         const Ints second = first + stride * 4;
         __builtin_memcpy(above, &first, sizeof first);
