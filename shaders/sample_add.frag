@@ -1,4 +1,4 @@
-// What a frame adds to the sum of samples: its radiance, and in alpha 1 where a surface covers the pixel.
+// What a frame adds to the sum of samples: its radiance, and in alpha how much of the pixel surfaces cover.
 
 #include "shared/bindings.h"
 
@@ -9,6 +9,7 @@ layout(location = 0) out vec4 sum;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float coverage = texelFetch(depthTexture, pixel, 0).x > 0.0 ? 1.0 : 0.0;
-    sum = vec4(texelFetch(radianceTexture, pixel, 0).rgb, coverage);
+    vec4 radiance = texelFetch(radianceTexture, pixel, 0);
+    // Alpha of the radiance is the coverage of the layers.
+    sum = vec4(radiance.rgb, texelFetch(depthTexture, pixel, 0).x > 0.0 ? 1.0 : radiance.a);
 }

@@ -4,6 +4,9 @@
 #include "lib/frame.glsl"
 #include "lib/gbuffer_output.glsl"
 #include "lib/material.glsl"
+#ifdef LAYER
+#include "lib/layer_output.glsl"
+#endif
 
 layout(binding = BASE_COLOR_UNIT) uniform sampler2D baseColorTexture;
 layout(binding = METALLIC_ROUGHNESS_UNIT) uniform sampler2D metallicRoughnessTexture;
@@ -84,7 +87,13 @@ void main() {
     LobeWords extended = extendedWords(packNormalRoughness(seenNormal, roughness), seenNormal, lobes.baseColor, lobes.metallic);
 #endif
     // After all textures have been read: a discarded fragment still gives its neighbours the derivatives.
+#ifdef LAYER
+    float coverage = layerCoverage(lobes.alpha, state);
+    if (!isInLayer(coverage)) discard;
+    writeLayer(coverage);
+#else
     if (lobes.alpha < state.alphaCutoff) discard;
+#endif
 
     vec3 working = workingFromRec709(lobes.baseColor);
     uint normalRoughness = packNormalRoughness(gl_FrontFacing ? normal : -normal, roughness);

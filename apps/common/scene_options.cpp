@@ -83,6 +83,8 @@ constexpr const char* specularAntialiasing =
     "Whether roughness is widened where normals vary from pixel to pixel, so that\n"
     "highlights of small bumps do not sparkle: on or off. Default: on";
 
+constexpr const char* layers = "Layers of transparent surfaces that are drawn, 0 to 64. Default: 8";
+
 constexpr const char* rangeLoss =
     "What lights without a range may lose together at any point, as a share of\n"
     "their light there, between 0 and 1. Default: 0.01";
@@ -119,6 +121,10 @@ constexpr double maxOrthographicHeight = 1.0e9;
 
 std::uint32_t parseLevel(const std::string& option, const std::string& text) {
     return static_cast<std::uint32_t>(parseInteger(option, text, 1, candela::maxSubdivisionLevel));
+}
+
+std::uint32_t parseLayers(const std::string& text) {
+    return static_cast<std::uint32_t>(parseInteger("--layers", text, 0, candela::maxLayers));
 }
 
 /// Applies one word of --show that names an overlay. Returns false for other words.
@@ -307,6 +313,10 @@ void SceneOptionReader::declareLighting(CLI::App& app) {
            },
            help::specularAntialiasing)
         ->type_name("WORD")
+        ->group("Lighting");
+    app.add_option_function<std::string>(
+           "--layers", [this](const std::string& text) { options_.layers = parseLayers(text); }, help::layers)
+        ->type_name("N")
         ->group("Lighting");
     app.add_option_function<std::string>(
            "--range-loss",

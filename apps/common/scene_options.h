@@ -80,6 +80,7 @@ struct SceneOptions {
     candela::TileBackend tileBackend = candela::TileBackend::automatic;
     candela::Shadows shadows = candela::FrameSettings{}.shadows;
     bool specularAntialiasing = candela::FrameSettings{}.specularAntialiasing;
+    std::uint32_t layers = candela::FrameSettings{}.layers;
     float rangeLoss = candela::GpuSceneOptions{}.rangeLoss;
     candela::SubdivisionSettings subdivision;
     candela::VertexEvaluator vertexEvaluator = candela::VertexEvaluator::automatic;

@@ -15,6 +15,7 @@ candela::FrameSettings frameSettings(const Options& options) {
     settings.tileBackend = options.tileBackend;
     settings.shadows = options.shadows;
     settings.specularAntialiasing = options.specularAntialiasing;
+    settings.layers = options.layers;
     settings.debugView = options.debug.view;
     settings.overlays = options.debug.overlays;
     settings.ambientOcclusion = options.ambientOcclusion;

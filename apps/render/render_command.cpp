@@ -136,6 +136,30 @@ class PictureNotes {
     std::map<std::string, int> counts_;
 };
 
+/// What the layers of transparent surfaces leave out, told once for a run.
+class LayerNotes {
+  public:
+    void add(const candela::LayerCounts& counts) {
+        ++pictures_;
+        incomplete_ += counts.fragmentsBeyond > 0;
+        most_ = std::max(most_, counts.fragmentsBeyond);
+    }
+    void tell(Session& session) const {
+        if (incomplete_ == 0) return;
+        const std::string share = pictures_ == 1 ? ""
+                                                 : "in " + std::to_string(incomplete_) + " of " +
+                                                       std::to_string(pictures_) + " pictures up to ";
+        session.note(share + std::to_string(most_) +
+                     " pixels of transparent surfaces are left out: they lie beyond the " +
+                     std::to_string(session.options.layers) +
+                     " layers that are drawn (--layers), or in the plane of another one");
+    }
+
+  private:
+    int pictures_ = 0, incomplete_ = 0;
+    std::uint64_t most_ = 0;
+};
+
 /// What lights the pictures of a run.
 class Lighting {
   public:
@@ -235,7 +259,8 @@ double measureExposure(Session& session, candela::Renderer& renderer, candela::G
 
 /// Draws frame after frame and writes each. Returns what the drawings took.
 std::vector<FrameTiming> drawFrames(Session& session, const candela::Scene& scene, FrameWriter& frameWriter,
-                                    Lighting& lighting, const CameraSelection& views, PictureNotes& notes) {
+                                    Lighting& lighting, const CameraSelection& views, PictureNotes& notes,
+                                    LayerNotes& layerNotes) {
     const std::uint64_t count = session.frameCount();
     std::vector<FrameTiming> timings;
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -252,6 +277,7 @@ std::vector<FrameTiming> drawFrames(Session& session, const candela::Scene& scen
         if (session.options.stats && i == 0) frameWriter.draw(source);  // compiles and allocates
         const int drawings = session.options.stats && !session.options.frames ? statsDrawings : 1;
         for (int drawn = 0; drawn < drawings; ++drawn) timings.push_back(frameWriter.draw(source));
+        layerNotes.add(frameWriter.frame().layerCounts());
         session.progress.show("writing " + name);
         frameWriter.write(session.pathOf(frame));
         if (!session.options.quiet && session.options.debug.view == candela::DebugView::none)
@@ -319,8 +345,10 @@ void renderFrames(const Options& options) {
 
     Stats stats;
     PictureNotes pictureNotes;
-    stats.timings = drawFrames(session, scene, frameWriter, lighting, views, pictureNotes);
+    LayerNotes layerNotes;
+    stats.timings = drawFrames(session, scene, frameWriter, lighting, views, pictureNotes, layerNotes);
     pictureNotes.tell(session);
+    layerNotes.tell(session);
     noteLodClamped(session, gpuScene.cageReport());
     stats.renderer = context.renderer();
     stats.width = options.width;

@@ -370,6 +370,7 @@ void Application::drawPicture(Motion motion) {
         if (model_.frames.size() > keptFrames) model_.frames.pop_front();
         model_.technique = viewport_.frame()->technique();
         model_.maxLightCount = viewport_.frame()->maxLightCount();
+        model_.layerCounts = viewport_.frame()->layerCounts();
         model_.samples = viewport_.samples();
         model_.pairs.reset();
         ++drawnFrames_;

@@ -146,6 +146,7 @@ std::string renderCommandLine(const SceneOptions& options) {
         command.option("--shadows", candela::toString(options.shadows));
     if (options.specularAntialiasing != SceneOptions{}.specularAntialiasing)
         command.option("--specular-aa", options.specularAntialiasing ? "on" : "off");
+    if (options.layers != SceneOptions{}.layers) command.option("--layers", std::to_string(options.layers));
     if (options.rangeLoss != candela::GpuSceneOptions{}.rangeLoss)
         command.option("--range-loss", numberText(options.rangeLoss));
     if (!options.debug.isDefault()) command.option("--show", debugViewText(options.debug));

@@ -68,6 +68,7 @@ struct ViewModel {
 
     std::deque<FrameRecord> frames;            ///< The latest last; at most 240.
     std::optional<candela::PairCounts> pairs;  ///< Of the resting picture, when the statistics are open.
+    candela::LayerCounts layerCounts;          ///< Of the last frame.
     std::uint32_t maxLightCount = 0;           ///< End of the heat map.
     std::uint32_t samples = 0;                 ///< Of the picture that is shown.
     int divisor = 1;       ///< The last picture's width and height were divided by it while the camera moves.

@@ -73,6 +73,7 @@ candela::Frame Viewport::render(candela::Renderer& renderer, const Inputs& input
     settings.tileBackend = inputs.options.tileBackend;
     settings.shadows = inputs.options.shadows;
     settings.specularAntialiasing = inputs.options.specularAntialiasing;
+    settings.layers = inputs.options.layers;
     settings.debugView = inputs.options.debug.view;
     settings.overlays = inputs.options.debug.overlays;
     settings.sample = sample;

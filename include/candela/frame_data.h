@@ -30,7 +30,16 @@ struct ShadowCounts {
     std::uint64_t raysSaved = 0;   ///< Rays answered together, for a block of pixels: asked - traced.
 };
 
-/// Radiance in the working space: RGBA, rows from the top. A is 1 where a surface is and 0 on the background.
+/// The layers of transparent surfaces of a frame; see `Frame::layerCounts`.
+struct LayerCounts {
+    std::uint32_t layers = 0;  ///< Drawn; at most `FrameSettings::layers`.
+    /// Fragments of transparent surfaces in front of the opaque ones that no layer holds: those beyond the
+    /// layers drawn, and of surfaces at exactly the same depth all but one.
+    std::uint64_t fragmentsBeyond = 0;
+};
+
+/// Radiance in the working space: RGBA, rows from the top. A is the share of the pixel that surfaces cover: 1
+/// where an opaque one is, 0 on the background, 1 - the product of 1 - alpha of transparent ones.
 struct HdrImage {
     int width = 0, height = 0;
     std::vector<float> rgba;  ///< 4 × width × height.

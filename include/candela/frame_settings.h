@@ -100,6 +100,8 @@ struct EnvironmentOcclusionSettings {
     std::uint32_t rays = 4;
 };
 
+inline constexpr std::uint32_t maxLayers = 64;
+
 /// How a frame is drawn.
 struct FrameSettings {
     int width = 1280, height = 720;  ///< Pixels, 1 or more each.
@@ -118,6 +120,9 @@ struct FrameSettings {
     /// Widens roughness where the shading normal varies from pixel to pixel, so that highlights of small
     /// bumps do not sparkle; see docs/lighting.md. Surfaces with one normal stay as they are.
     bool specularAntialiasing = true;
+    /// The maximum number of layers of transparent surfaces, 0 to `maxLayers`. What lies beyond is left out
+    /// and counted (`Frame::layerCounts`).
+    std::uint32_t layers = 8;
 };
 
 }  // namespace candela

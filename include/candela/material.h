@@ -40,8 +40,8 @@ struct Texture {
 enum class AlphaMode {
     opaque,
     mask,  ///< A fragment whose alpha is below `alphaCutoff` is not drawn.
-    /// Lets 1 - alpha of each light through to what it shadows. It is drawn as `mask`: pictures have one
-    /// layer.
+    /// Covers the share alpha of what is behind (docs/layers.md), and lets 1 - alpha of each light through to
+    /// what it shadows.
     blend,
 };
 
@@ -148,7 +148,7 @@ struct Material {
     float normalScale = 1.0f;                 ///< Multiplies x and y of the normal texture.
     float occlusionStrength = 1.0f;           ///< 0 to 1.
     AlphaMode alphaMode = AlphaMode::opaque;
-    float alphaCutoff = 0.5f;  ///< Of `mask` and `blend`; 0 or more.
+    float alphaCutoff = 0.5f;  ///< Of `mask`; 0 or more.
     bool doubleSided = false;
     bool unlit = false;  ///< Radiance is the base colour, and no light falls on it (KHR_materials_unlit).
     /// Index of refraction, 1 or more (KHR_materials_ior); infinity: all light is reflected, but for what

@@ -85,7 +85,8 @@ typedef struct candela_texture {
 typedef enum candela_alpha_mode {
     CANDELA_ALPHA_OPAQUE = 0,
     CANDELA_ALPHA_MASK = 1, /* a fragment whose alpha is below alpha_cutoff is not drawn */
-    CANDELA_ALPHA_BLEND = 2 /* since 1.5; drawn as MASK, and lets 1 - alpha of each light through */
+    CANDELA_ALPHA_BLEND = 2 /* since 1.5; covers the share alpha of what is behind, and lets 1 - alpha
+                                of each light through */
 } candela_alpha_mode;
 
 /* Lobes and media that a material may have besides metallic and roughness (since 1.6), as the glTF extensions

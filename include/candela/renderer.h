@@ -70,24 +70,30 @@ class CANDELA_API Frame {
     /// Shows the frame and reads it back: 8-bit RGBA, rows from the top.
     std::vector<std::uint8_t> displayPicture(const DisplayTransform& transform) const;
 
+    /// How many layers of transparent surfaces the frame has, and what they leave out. All 0 of a debug view.
+    LayerCounts layerCounts() const;
+
     /// Reads the radiance back, without overlays; of a debug view its code values.
     HdrImage radiance() const;
-    /// Reads AOVs back. Emission, counts of lights and the light of the environment are drawn again, ambient
-    /// occlusion is traced. Throws `Error` (badInput) when a name is unknown or given twice, and
-    /// (environment) when `ambient_occlusion` is asked of a library without shadows (`hasShadows`).
+    /// Reads AOVs back. Of transparent surfaces they show those with an alpha over a half, as masks; a frame
+    /// that has some is drawn again for it. Emission, counts of lights and the light of the environment are
+    /// drawn again, ambient occlusion is traced. Throws `Error` (badInput) when a name is unknown or given
+    /// twice, and (environment) when `ambient_occlusion` is asked of a library without shadows
+    /// (`hasShadows`).
     std::vector<Aov> aovs(const std::vector<std::string>& names) const;
 
-    /// What the pixel of column `x` and row `y` (from the top) shows; none on the background. Draws the pixel
-    /// again. Throws `Error` (badInput) when there is no such pixel.
+    /// What the pixel of column `x` and row `y` (from the top) shows: the same surface as of the AOVs; none
+    /// on the background. Draws the pixel again. Throws `Error` (badInput) when there is no such pixel.
     std::optional<PixelProbe> probe(int x, int y) const;
     /// The largest number of lights at any pixel, where the frame shows `DebugView::lightCount` or
     /// `DebugView::shadowedCount`, as the end of the heat map; 0 otherwise.
     std::uint32_t maxLightCount() const;
 
-    /// Counts light-pixel pairs by drawing again. Of a debug view none was evaluated.
+    /// Counts light-pixel pairs of the opaque surfaces by drawing again. Of a debug view none was evaluated.
     PairCounts countPairs() const;
-    /// Occlusion rays of the frame; all 0 without shadows and of a debug view. Where shaders have traced
-    /// them, they are counted by drawing again, and `raysTraced` is `raysAsked`: shaders test no blocks.
+    /// Occlusion rays of the frame's opaque surfaces; all 0 without shadows and of a debug view. Where
+    /// shaders have traced them, they are counted by drawing again, and `raysTraced` is `raysAsked`: shaders
+    /// test no blocks.
     ShadowCounts shadowCounts() const;
     /// What each pass took, in the order they ran. Waits for the frame to end. Of samples that were drawn
     /// together on a software device (`Accumulator::addSamples`) it is the sum over these, where what runs

@@ -83,6 +83,10 @@ std::vector<std::uint8_t> Frame::displayPicture(const DisplayTransform& transfor
     return state.displayTarget->read();
 }
 
+LayerCounts Frame::layerCounts() const {
+    return state().layerCounts;
+}
+
 HdrImage Frame::radiance() const {
     const Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
@@ -90,7 +94,9 @@ HdrImage Frame::radiance() const {
     HdrImage image{targets.width, targets.height,
                    readColor(targets.litRadiance(), targets.width, targets.height)};
     const std::vector<float> depth = readDepth(targets);
-    for (std::size_t i = 0; i < depth.size(); ++i) image.rgba[4 * i + 3] = depth[i] > 0.0f ? 1.0f : 0.0f;
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (depth[i] > 0.0f) image.rgba[4 * i + 3] = 1.0f;
+    }
     flipRows(image.rgba, targets.width, targets.height);
     return image;
 }
@@ -108,15 +114,17 @@ std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
     const std::vector<const ChannelRow*> rows = findAovs(names);
     Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
-    const GBufferTargets& targets = *state.targets;
     state.bindFrame();
+    ShadedSurfaces& shown = state.frame->hasTransparent ? state.drawMasked(*scene()) : state.frameSurfaces;
+    const GBufferTargets& targets = *shown.targets;
     std::vector<float> emission, lightCount, shadowedCount, ambientOcclusion;
     if (usesSource(rows, ChannelSource::emission)) {
         emission = readColor(state.drawEmission(*scene()).radiance, targets.width, targets.height);
     }
     const auto environmentOf = [&](ChannelSource source, EnvironmentPass::Parts parts) {
         if (!usesSource(rows, source)) return std::vector<float>{};
-        return readColor(state.drawEnvironment(*scene(), parts).radiance, targets.width, targets.height);
+        return readColor(state.drawEnvironment(*scene(), shown, parts).radiance, targets.width,
+                         targets.height);
     };
     const std::vector<float> environment = environmentOf(ChannelSource::environment, {});
     const std::vector<float> environmentDiffuse =
@@ -125,13 +133,14 @@ std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
         environmentOf(ChannelSource::environmentSpecular, {.diffuse = 0.0f, .specular = 1.0f});
     if (usesSource(rows, ChannelSource::lightCount)) {
         const std::shared_ptr<GpuScene::State> scene = this->scene();
-        const LightingInputs inputs = state.lightingInputs(*scene);
+        const LightingInputs inputs = state.lightingInputs(*scene, shown);
         state.lighting.bind(inputs);
         lightCount = state.lighting.counter().litPerPixel(inputs);
     }
-    if (usesSource(rows, ChannelSource::shadowedCount)) shadowedCount = state.countShadowed(*scene());
+    if (usesSource(rows, ChannelSource::shadowedCount))
+        shadowedCount = state.countShadowed(*scene(), targets);
     if (usesSource(rows, ChannelSource::ambientOcclusion))
-        ambientOcclusion = state.traceAmbientOcclusion(*scene());
+        ambientOcclusion = state.traceAmbientOcclusion(*scene(), targets);
     const std::vector<GBufferTexel> surfaces = readSurfaces(targets);
     const std::vector<float> depth = readDepth(targets);
     const AovSources sources{
@@ -150,10 +159,12 @@ std::optional<PixelProbe> Frame::probe(int x, int y) const {
     const gl::StateGuard guard(*state.binding, user);
     const std::shared_ptr<GpuScene::State> scene = this->scene();
     const int width = frame.settings.width, height = frame.settings.height, fromBottom = height - 1 - y;
-    std::optional<PixelProbe> probe =
-        probeSurface({*state.targets, frame.uniforms, scene->lights, x, fromBottom});
-    if (!probe) return std::nullopt;
     state.bindFrame();
+    const ShadedSurfaces& shown = frame.hasTransparent ? state.drawMasked(*scene) : state.frameSurfaces;
+    std::optional<PixelProbe> probe =
+        probeSurface({*shown.targets, frame.uniforms, scene->lights, x, fromBottom});
+    if (!probe) return std::nullopt;
+    probe->radiance = readColorAt(state.targets->litRadiance(), x, fromBottom);
     scene->cull(frame.frustum, state.draws);
     const std::optional<std::uint32_t> instance =
         state.instances.at({*scene, state.draws, width, height}, x, fromBottom);
@@ -176,7 +187,7 @@ PairCounts Frame::countPairs() const {
     const gl::StateGuard guard(*state.binding, user);
     const std::shared_ptr<GpuScene::State> scene = this->scene();
     state.bindFrame();
-    const LightingInputs inputs = state.lightingInputs(*scene);
+    const LightingInputs inputs = state.lightingInputs(*scene, state.frameSurfaces);
     state.lighting.bind(inputs);
     PairCounter& counter = state.lighting.counter();
     const auto directionals = static_cast<std::uint64_t>(inputs.lights.counts().directionals);
@@ -202,7 +213,7 @@ ShadowCounts Frame::shadowCounts() const {
     const gl::StateGuard guard(*state.binding, user);
     const std::shared_ptr<GpuScene::State> scene = this->scene();
     state.bindFrame();
-    const LightingInputs inputs = state.lightingInputs(*scene);
+    const LightingInputs inputs = state.lightingInputs(*scene, state.frameSurfaces);
     state.lighting.bind(inputs);
     const std::uint64_t rays = state.lighting.counter().countRays(inputs);
     return {.raysAsked = rays, .raysTraced = rays, .raysSaved = 0};

@@ -20,6 +20,10 @@ void checkSettings(const FrameSettings& settings) {
         refuse("a picture of " + std::to_string(settings.width) + "x" + std::to_string(settings.height) +
                " pixels is asked for; width and height have to be 1 or more");
     }
+    if (settings.layers > maxLayers) {
+        refuse(std::to_string(settings.layers) +
+               " layers of transparent surfaces are asked for; expected 0 to " + std::to_string(maxLayers));
+    }
     constexpr std::uint32_t maxRays = 4096;
     const auto& [distance, rays] = settings.ambientOcclusion;
     if (!(distance > 0.0f && std::isfinite(distance))) {

@@ -35,9 +35,9 @@ bool Renderer::State::canOverlapSamples(const GpuScene::State& scene) const {
     const FrameSettings& settings = frame->settings;
     const bool onCpu = frame->technique == Technique::tiles &&
                        lighting.tileBackend(settings.tileBackend) == TileBackend::cpu;
-    // Light of an environment takes passes of its own.
-    const bool viewAlone =
-        !scene.hasCages() && !scene.hasDeformations() && !scene.lights.hasSpheres() && !scene.environment;
+    // Light of an environment takes passes of its own, and so do layers.
+    const bool viewAlone = !scene.hasCages() && !scene.hasDeformations() && !scene.lights.hasSpheres() &&
+                           !scene.environment && !scene.draws.hasTransparent();
     const bool hasLines = settings.overlays.wireframe || settings.overlays.cage;
     return onCpu && viewAlone && settings.debugView == DebugView::none && !hasLines;
 }
@@ -53,7 +53,7 @@ void Renderer::State::drawSamples(GpuScene::State& scene, const SampleSpan& samp
         CpuTiles& tiles = (samples.end - 1 - i) % 2 == 0 ? lighting.cpuTiles() : lighting.otherCpuTiles();
         {
             const gl::PassTimer::Scope pass(timer, "lighting");
-            tiles.capture(lightingInputs(scene));
+            tiles.capture(lightingInputs(scene, frameSurfaces));
             if (lit.valid()) lit.get();
             const bool isLast = i + 1 == samples.end;
             lit =

@@ -24,6 +24,10 @@ const GpuEnvironment* lightOf(const GpuScene::State& scene) {
     return scene.environment && scene.environment->lights() ? scene.environment.get() : nullptr;
 }
 
+gl::PassTimer::Clock clockOf(const Context& context) {
+    return context.isSoftware() ? gl::PassTimer::Clock::wallAroundFinish : gl::PassTimer::Clock::gpuQueries;
+}
+
 /// Of orthographic views: twice the size of the largest scene that `validate` takes.
 constexpr float maxFarPlane = 4.0e9f;
 
@@ -63,15 +67,17 @@ CameraView withFarPlane(const CameraView& view, const GpuScene::State& scene, fl
 
 Renderer::State::State(const Context& context)
     : binding(context.state().binding),
-      timer(context.isSoftware() ? gl::PassTimer::Clock::wallAroundFinish : gl::PassTimer::Clock::gpuQueries),
+      timer(clockOf(context)),
       lighting(context),
       display(context.isSoftware() ? DisplayPass::Baking::always : DisplayPass::Baking::never),
-      frameBuffer("frame uniforms", gl::BufferUsage::dynamic) {}
+      frameBuffer("frame uniforms", gl::BufferUsage::dynamic),
+      layerTimer(clockOf(context)) {}
 
 void Renderer::State::selectTargets(int width, int height, const GBufferParts& parts) {
     if (targets != nullptr && (targets->width != width || targets->height != height)) {
         displayTarget.reset();
         emissionTargets.reset();
+        maskedTargets.reset();
         targets = nullptr;
         targetSets.clear();
     }
@@ -99,18 +105,18 @@ void Renderer::State::createPasses(const FrameSettings& settings, Technique tech
         environmentOcclusionPass.emplace(lighting.raysPerInvocation());
 }
 
-LightingInputs Renderer::State::lightingInputs(const GpuScene::State& scene) {
-    return {*targets,
+LightingInputs Renderer::State::lightingInputs(const GpuScene::State& scene, ShadedSurfaces& shaded) {
+    return {*shaded.targets,
             scene.lights,
             frame->frustum,
             frame->uniforms,
             frame->settings.brdf,
             frame->traced.shadows ? scene.occlusion.get() : nullptr,
             lightOf(scene),
-            visibility.bytes,
-            draws.emits(),
-            frame->traced.environment || targets->parts.occlusion ? &gbufferCopy : nullptr,
-            visibility.texture};
+            shaded.visibility.bytes,
+            shaded.emits,
+            frame->traced.environment || shaded.targets->parts.occlusion ? &shaded.copy : nullptr,
+            shaded.visibility.texture};
 }
 
 bool Renderer::State::showsLobes(const GpuScene::State& scene) {
@@ -124,28 +130,39 @@ void Renderer::State::bindFrame() {
     glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, frameBuffer.name());
 }
 
-void Renderer::State::drawGeometry(const GpuScene::State& scene, const GBufferTargets& into,
+void Renderer::State::drawGeometry(const GpuScene::State& scene, const GBufferTargets& into, SurfaceSet set,
                                    LoadOp radianceLoad) {
     scene.cull(frame->frustum, draws);
-    geometry.render({scene, draws, into, radianceLoad});
+    geometry.render({scene, draws, into, radianceLoad, set});
 }
 
 void Renderer::State::drawLit(const GpuScene::State& scene) {
     LightingTechnique& technique = lighting.technique(frame->technique, frame->settings.tileBackend);
     {
         const gl::PassTimer::Scope pass(timer, "geometry");
-        drawGeometry(scene, *targets, technique.radianceLoadOp());
+        drawGeometry(scene, *targets, SurfaceSet::opaque, technique.radianceLoadOp());
     }
-    findVisibility(scene);
-    const LightingInputs inputs = lightingInputs(scene);
-    lighting.bind(inputs);
-    technique.render(inputs, timer);
+    frameSurfaces.emits = draws.emits();
+    frame->hasTransparent = draws.hasTransparent();
+    // First, so that all that is asked of the technique and of its passes later is of the opaque surfaces.
+    if (frame->hasTransparent) drawLayers(scene);
+    light(scene, frameSurfaces, timer);
     shadowCounts = technique.shadowCounts();
-    if (inputs.environment != nullptr && !technique.drawsEnvironment()) {
-        const gl::PassTimer::Scope pass(timer, "environment");
-        environment.addLight(inputs, targets->lit, {});
-    }
     if (scene.environment && scene.environment->isBackground()) drawBackground(scene);
+    if (layerCounts.layers == 0) return;
+    const gl::PassTimer::Scope pass(timer, "composite");
+    layers->composite(layerCounts.layers, *targets);
+}
+
+void Renderer::State::light(const GpuScene::State& scene, ShadedSurfaces& shaded, gl::PassTimer& passes) {
+    LightingTechnique& technique = lighting.technique(frame->technique, frame->settings.tileBackend);
+    findVisibility(scene, shaded, passes);
+    const LightingInputs inputs = lightingInputs(scene, shaded);
+    lighting.bind(inputs);
+    technique.render(inputs, passes);
+    if (inputs.environment == nullptr || technique.drawsEnvironment()) return;
+    const gl::PassTimer::Scope pass(passes, "environment");
+    environment.addLight(inputs, shaded.targets->lit, {});
 }
 
 void Renderer::State::drawBackground(const GpuScene::State& scene) {
@@ -155,38 +172,43 @@ void Renderer::State::drawBackground(const GpuScene::State& scene) {
 }
 
 /// Of the environment: what occlusion textures leave of what rays find.
-void Renderer::State::findVisibility(const GpuScene::State& scene) {
+void Renderer::State::findVisibility(const GpuScene::State& scene, ShadedSurfaces& shaded,
+                                     gl::PassTimer& passes) {
+    const GBufferTargets& from = *shaded.targets;
     if (frame->traced.environment) {
-        const gl::PassTimer::Scope pass(timer, "ambient occlusion");
-        visibility = traceVisibility(scene);
-    } else if (targets->parts.occlusion &&
+        const gl::PassTimer::Scope pass(passes, "ambient occlusion");
+        shaded.visibility = traceVisibility(scene, shaded);
+    } else if (from.parts.occlusion &&
                lighting.tracesInShaders(frame->technique, frame->settings.tileBackend)) {
-        visibility.texture = &targets->words[targets->indexOf(layout::OCCLUSION_OUTPUT)];
-    } else if (targets->parts.occlusion) {
-        visibility.bytes = gbufferCopy.occlusion().data();
+        shaded.visibility.texture = &from.words[from.indexOf(layout::OCCLUSION_OUTPUT)];
+    } else if (from.parts.occlusion) {
+        shaded.visibility.bytes = shaded.copy.occlusion().data();
     }
 }
 
-EnvironmentVisibility Renderer::State::traceVisibility(const GpuScene::State& scene) {
+EnvironmentVisibility Renderer::State::traceVisibility(const GpuScene::State& scene, ShadedSurfaces& shaded) {
+    GBufferCopy& copy = shaded.copy;
     constexpr float farthest = 1.0e30f;
     const EnvironmentRays rays{frame->settings.environmentOcclusion.rays, frame->settings.sample,
                                scene.environment->settings().occlusionDistance.value_or(farthest)};
     if (environmentOcclusionPass && lighting.tracesInShaders(frame->technique, frame->settings.tileBackend))
-        return {&environmentOcclusionPass->render(*targets, *scene.occlusion->shaderForm(), rays), nullptr};
+        return {&environmentOcclusionPass->render(*shaded.targets, *scene.occlusion->shaderForm(), rays),
+                nullptr};
     const std::span<const std::uint8_t> textures =
-        targets->parts.occlusion ? gbufferCopy.occlusion() : std::span<const std::uint8_t>{};
+        shaded.targets->parts.occlusion ? copy.occlusion() : std::span<const std::uint8_t>{};
     return {nullptr, environmentOcclusion
-                         .compute({frame->uniforms, gbufferCopy.depth(), gbufferCopy.surfaces(),
-                                   gbufferCopy.shadowWords(), textures, scene.occlusion->view(), rays})
+                         .compute({frame->uniforms, copy.depth(), copy.surfaces(), copy.shadowWords(),
+                                   textures, scene.occlusion->view(), rays})
                          .data()};
 }
 
 void Renderer::State::drawDebugView(const GpuScene::State& scene) {
     {
         const gl::PassTimer::Scope pass(timer, "geometry");
-        drawGeometry(scene, *targets, LoadOp::clear);
+        drawGeometry(scene, *targets, SurfaceSet::all, LoadOp::clear);
     }
-    const LightingInputs inputs = lightingInputs(scene);
+    frameSurfaces.emits = draws.emits(SurfaceSet::all);
+    const LightingInputs inputs = lightingInputs(scene, frameSurfaces);
     lighting.bind(inputs);
     const gl::PassTimer::Scope pass(timer, "debug view");
     debugView->render({frame->settings.debugView, scene, draws, inputs, lighting, instances});
@@ -199,43 +221,54 @@ void Renderer::State::drawOverlays(GpuScene::State& scene) {
 
 const GBufferTargets& Renderer::State::drawEmission(const GpuScene::State& scene) {
     if (!emissionTargets) emissionTargets.emplace(targets->width, targets->height);
-    drawGeometry(scene, *emissionTargets, LoadOp::clear);
+    drawGeometry(scene, *emissionTargets, SurfaceSet::all, LoadOp::clear);
     return *emissionTargets;
 }
 
-const GBufferTargets& Renderer::State::drawEnvironment(const GpuScene::State& scene,
+ShadedSurfaces& Renderer::State::drawMasked(const GpuScene::State& scene) {
+    if (masked.targets != nullptr) return masked;
+    if (!maskedTargets || maskedTargets->parts != targets->parts)
+        maskedTargets.emplace(targets->width, targets->height, targets->parts);
+    drawGeometry(scene, *maskedTargets, SurfaceSet::all, LoadOp::dontCare);
+    masked.reset(*maskedTargets);
+    findVisibility(scene, masked, layerTimer);
+    return masked;
+}
+
+const GBufferTargets& Renderer::State::drawEnvironment(const GpuScene::State& scene, ShadedSurfaces& shaded,
                                                        EnvironmentPass::Parts parts) {
     if (!emissionTargets) emissionTargets.emplace(targets->width, targets->height);
     constexpr std::array<GLfloat, 4> black{0.0f, 0.0f, 0.0f, 0.0f};
     glClearNamedFramebufferfv(emissionTargets->lit.name(), GL_COLOR, 0, black.data());
-    const LightingInputs inputs = lightingInputs(scene);
+    const LightingInputs inputs = lightingInputs(scene, shaded);
     if (inputs.environment == nullptr) return *emissionTargets;
     lighting.bind(inputs);
     environment.addLight(inputs, emissionTargets->lit, parts);
     return *emissionTargets;
 }
 
-const GBufferTargets& Renderer::State::prepareRays(GpuScene::State& scene) {
-    if (targets->parts.shadowWord) return *targets;
+const GBufferTargets& Renderer::State::prepareRays(GpuScene::State& scene, const GBufferTargets& shown) {
+    if (shown.parts.shadowWord) return shown;
     scene.updateCages(frame->view, targets->width, targets->height, VertexScope::everywhere);
     scene.updateDeformations(frame->frustum, VertexScope::everywhere);
     scene.updateOcclusion();
     const GBufferParts parts{.shadowWord = true};
     const GBufferTargets& set = targetsWith(parts, targets->width, targets->height);
-    drawGeometry(scene, set, LoadOp::dontCare);
+    drawGeometry(scene, set, SurfaceSet::all, LoadOp::dontCare);
     return set;
 }
 
-std::vector<float> Renderer::State::countShadowed(GpuScene::State& scene) {
+std::vector<float> Renderer::State::countShadowed(GpuScene::State& scene, const GBufferTargets& shown) {
     const bool shadows = castsShadows(frame->settings);
-    const GBufferTargets& from = shadows ? prepareRays(scene) : *targets;
+    const GBufferTargets& from = shadows ? prepareRays(scene, shown) : shown;
     return lighting.shadowedPerPixel({from, scene.lights, frame->frustum, frame->uniforms,
                                       frame->settings.brdf, shadows ? scene.occlusion.get() : nullptr,
                                       nullptr, nullptr, false});
 }
 
-std::vector<float> Renderer::State::traceAmbientOcclusion(GpuScene::State& scene) {
-    const GBufferTargets& from = prepareRays(scene);
+std::vector<float> Renderer::State::traceAmbientOcclusion(GpuScene::State& scene,
+                                                          const GBufferTargets& shown) {
+    const GBufferTargets& from = prepareRays(scene, shown);
     const std::vector<float> depth = readDepth(from);
     std::vector<std::uint32_t> shadowWords(depth.size());
     readWords(from, layout::SHADOW_OUTPUT, shadowWords);
@@ -245,8 +278,8 @@ std::vector<float> Renderer::State::traceAmbientOcclusion(GpuScene::State& scene
 }
 
 glm::vec3 Renderer::State::emissionAt(const GpuScene::State& scene, int x, int y) {
-    if (!draws.emits()) return glm::vec3(0.0f);
-    const Scissor pixel({x, y, 1, 1});
+    if (!draws.emits(SurfaceSet::all)) return glm::vec3(0.0f);
+    const gl::Scissor pixel({x, y, 1, 1});
     return readColorAt(drawEmission(scene).radiance, x, y);
 }
 
@@ -283,7 +316,9 @@ void Renderer::State::startSample(GpuScene::State& scene, const CameraView& view
     timer.beginFrame();
     bindFrame();
     const gl::PassTimer::Scope pass(timer, "geometry");
-    drawGeometry(scene, *targets, lighting.cpuTiles().radianceLoadOp());
+    drawGeometry(scene, *targets, SurfaceSet::opaque, lighting.cpuTiles().radianceLoadOp());
+    frameSurfaces.reset(*targets);
+    frameSurfaces.emits = draws.emits();
 }
 
 void Renderer::State::render(GpuScene::State& scene, const CameraView& requested,
@@ -292,7 +327,8 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
     frame.reset();
     shadowCounts = {};
     samplePasses.clear();
-    visibility = {};
+    masked.targets = nullptr;
+    layerCounts = {};
     // Without such a light, as in a scene that only default lights light, the structure is not built.
     const bool shadows = drawsShadows(settings) && scene.lights.anyCastsShadow();
     const bool isLit = settings.debugView == DebugView::none;
@@ -324,7 +360,7 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
     }
     parts.lobes = isLit && showsLobes(scene);
     selectTargets(settings.width, settings.height, parts);
-    gbufferCopy.reset(*targets);
+    frameSurfaces.reset(*targets);
     if (settings.debugView == DebugView::none) {
         drawLit(scene);
     } else {

@@ -13,6 +13,7 @@
 #include "render/gbuffer/gbuffer_copy.h"
 #include "render/gbuffer/geometry_pass.h"
 #include "render/gpu_scene/gpu_scene_state.h"
+#include "render/layers/layer_pass.h"
 #include "render/layout.h"
 #include "render/lighting/lighting.h"
 #include "render/occlusion/environment_occlusion.h"
@@ -34,6 +35,27 @@ struct TracedRays {
     bool environment;  ///< How much of the environment pixels see.
 };
 
+/// How much of the environment each pixel sees, as `LightingInputs` has it. All of it where neither is there.
+struct EnvironmentVisibility {
+    const gl::Texture* texture = nullptr;
+    const std::uint8_t* bytes = nullptr;
+};
+
+/// A G-buffer that has been drawn, with what lighting reads besides.
+struct ShadedSurfaces {
+    const GBufferTargets* targets = nullptr;
+    GBufferCopy copy;  ///< Of `targets`.
+    EnvironmentVisibility visibility;
+    bool emits = false;  ///< The radiance target holds emission.
+
+    void reset(const GBufferTargets& drawn) {
+        targets = &drawn;
+        copy.reset(drawn);
+        visibility = {};
+        emits = false;
+    }
+};
+
 /// The frame that a renderer's targets hold.
 struct DrawnFrame {
     FrameSettings settings;
@@ -42,13 +64,8 @@ struct DrawnFrame {
     TracedRays traced;
     layout::FrameUniforms uniforms;
     Frustum frustum;
-    glm::dvec3 origin;  ///< `Scene::origin`.
-};
-
-/// How much of the environment each pixel sees, as `LightingInputs` has it. All of it where neither is there.
-struct EnvironmentVisibility {
-    const gl::Texture* texture = nullptr;
-    const std::uint8_t* bytes = nullptr;
+    glm::dvec3 origin;            ///< `Scene::origin`.
+    bool hasTransparent = false;  ///< Its targets lack transparent surfaces, which are in layers.
 };
 
 /// Consecutive samples of a picture.
@@ -74,18 +91,23 @@ struct Renderer::State {
                      SampleSums& sums);
 
     // What frames ask for, after a check that `frame` is theirs.
-    LightingInputs lightingInputs(const GpuScene::State& scene);
+    LightingInputs lightingInputs(const GpuScene::State& scene, ShadedSurfaces& shaded);
     void bindFrame();
-    void drawGeometry(const GpuScene::State& scene, const GBufferTargets& into, LoadOp radianceLoad);
+    void drawGeometry(const GpuScene::State& scene, const GBufferTargets& into, SurfaceSet set,
+                      LoadOp radianceLoad);
+    /// The frame's surfaces with the transparent ones as masks, drawn again: what AOVs show of a frame that
+    /// has transparent surfaces.
+    ShadedSurfaces& drawMasked(const GpuScene::State& scene);
     /// Draws the geometry again into targets whose radiance is the emission alone: that of the frame's own
     /// targets is lit by now.
     const GBufferTargets& drawEmission(const GpuScene::State& scene);
     /// Draws parts of the environment's light alone into targets of its own.
-    const GBufferTargets& drawEnvironment(const GpuScene::State& scene, EnvironmentPass::Parts parts);
+    const GBufferTargets& drawEnvironment(const GpuScene::State& scene, ShadedSurfaces& shaded,
+                                          EnvironmentPass::Parts parts);
     /// The AOV `shadowed_count`, rows from the bottom.
-    std::vector<float> countShadowed(GpuScene::State& scene);
+    std::vector<float> countShadowed(GpuScene::State& scene, const GBufferTargets& shown);
     /// The AOV `ambient_occlusion`, rows from the bottom. The library has shadows.
-    std::vector<float> traceAmbientOcclusion(GpuScene::State& scene);
+    std::vector<float> traceAmbientOcclusion(GpuScene::State& scene, const GBufferTargets& shown);
     /// Emission at a pixel, y from the bottom.
     glm::vec3 emissionAt(const GpuScene::State& scene, int x, int y);
     /// Shows the frame and its overlays in a complete framebuffer.
@@ -105,16 +127,21 @@ struct Renderer::State {
     ShadowCounts shadowCounts;  ///< Of the last frame.
     /// Of all samples that were drawn together with the last frame; empty where it was drawn alone.
     std::vector<PassTime> samplePasses;
-    GBufferCopy gbufferCopy;           ///< Of the frame's targets.
-    EnvironmentVisibility visibility;  ///< Of the frame.
+    ShadedSurfaces frameSurfaces;  ///< Of the frame's targets.
+    ShadedSurfaces layerSurfaces;  ///< Of the layer drawn last.
+    ShadedSurfaces masked;         ///< Of `drawMasked`; without targets until the frame needs it.
+    LayerCounts layerCounts;       ///< Of the frame.
+    gl::PassTimer layerTimer;      ///< Of the passes that light a layer; `timer` has the sum.
     EnvironmentOcclusion environmentOcclusion;
     // Created when they are first needed.
     std::optional<DebugViewPass> debugView;
     std::optional<EnvironmentOcclusionPass> environmentOcclusionPass;
     std::optional<OverlayPass> overlays;
+    std::optional<LayerPass> layers;
     GBufferTargets* targets = nullptr;                  ///< Of the frame: one of `targetSets`.
     std::map<GBufferParts, GBufferTargets> targetSets;  ///< Of the frame's size.
     std::optional<GBufferTargets> emissionTargets;      ///< Where `drawEmission` and `drawEnvironment` draw.
+    std::optional<GBufferTargets> maskedTargets;        ///< Of `drawMasked`.
     std::optional<DisplayTarget> displayTarget;
 
   private:
@@ -127,14 +154,17 @@ struct Renderer::State {
     bool showsLobes(const GpuScene::State& scene);
     void startSample(GpuScene::State& scene, const CameraView& view, std::uint32_t sample);
     void drawLit(const GpuScene::State& scene);
-    void findVisibility(const GpuScene::State& scene);
-    EnvironmentVisibility traceVisibility(const GpuScene::State& scene);
+    void drawLayers(const GpuScene::State& scene);
+    /// Adds all light to the targets of `shaded`, whose geometry has been drawn.
+    void light(const GpuScene::State& scene, ShadedSurfaces& shaded, gl::PassTimer& passes);
+    void findVisibility(const GpuScene::State& scene, ShadedSurfaces& shaded, gl::PassTimer& passes);
+    EnvironmentVisibility traceVisibility(const GpuScene::State& scene, ShadedSurfaces& shaded);
     void drawBackground(const GpuScene::State& scene);
     void drawDebugView(const GpuScene::State& scene);
     void drawOverlays(GpuScene::State& scene);
     /// Targets with the shadow word, from which occlusion rays start, with `scene.occlusion` in step: those
-    /// of the frame, or drawn again for a frame without shadows.
-    const GBufferTargets& prepareRays(GpuScene::State& scene);
+    /// `shown`, or drawn again for a frame without shadows.
+    const GBufferTargets& prepareRays(GpuScene::State& scene, const GBufferTargets& shown);
 };
 
 }  // namespace candela

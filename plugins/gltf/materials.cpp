@@ -193,12 +193,6 @@ class MaterialReader {
             return;
         }
         material.alpha_mode = CANDELA_ALPHA_BLEND;
-        // A pane with an alpha of 0.4 is drawn, and so is the opaque half of a leaf whose texture has an
-        // alpha.
-        const float alpha = material.base_color[3];
-        if (alpha > 0.0f) material.alpha_cutoff = 0.5f * alpha;
-        host_.note(CANDELA_NOTE_MISSING, element_,
-                   "alphaMode BLEND: drawn opaque where alpha is at least half of its factor");
     }
 
   private:

@@ -114,8 +114,6 @@ class MaterialImporter {
         material.base_color_texture = textureOf(images_.indexOf(images.base), samplingOf(color, mask));
         if (!images_.hasHoles(images.base) && material.base_color[3] == 1.0f) return;
         material.alpha_mode = CANDELA_ALPHA_BLEND;
-        host_.note(CANDELA_NOTE_MISSING, source.element,
-                   "its opacity is drawn as a mask with a cutoff of 0.5");
     }
 
     /// Programs that give a diffuse colour a map write a Kd of 0 beside it.

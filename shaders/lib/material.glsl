@@ -24,9 +24,10 @@ struct MaterialLobes {
 // What is not a factor of a texture.
 struct MaterialState {
     float normalScale;  // 0 without a normal texture
-    float alphaCutoff;  // negative without a mask
+    float alphaCutoff;  // negative without a mask; of what blends a half
     bool unlit;
     float occlusionStrength;  // 0 without an occlusion texture
+    bool blends;
 };
 
 // The factors, which textures and vertex colours multiply.
@@ -38,8 +39,8 @@ MaterialLobes materialFactors(uint material) {
 
 MaterialState materialState(uint material) {
     vec4 factors = materialTexel(material, MATERIAL_FACTORS);
-    return MaterialState(factors.z, factors.w, materialTexel(material, MATERIAL_EMISSION).w > 0.5,
-                         uintBitsToFloat(materialWords(material, MATERIAL_PACKED).y));
+    uvec4 words = materialWords(material, MATERIAL_PACKED);
+    return MaterialState(factors.z, factors.w, materialTexel(material, MATERIAL_EMISSION).w > 0.5, uintBitsToFloat(words.y), words.z != 0u);
 }
 
 // The transformed texture coordinate of texture `slot` of the material.

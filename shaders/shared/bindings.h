@@ -15,6 +15,9 @@ const int LOBE_RECORDS_UNIT = 7;   // RGBA32F buffer: LOBE_TEXELS a material
 const int LOBE_TEXTURES_UNIT = 8;  // the first of LOBE_TEXTURE_COUNT, in the order of shaders/lib/extended_material.glsl
 const int LOBE_TEXTURE_COUNT = 14;
 
+const int LAYER_BEFORE_UNIT = 22;  // depth of the layer in front of the one that is drawn
+const int OPAQUE_DEPTH_UNIT = 23;  // depth of the opaque surfaces
+
 // Texture units of the lighting passes.
 const int SURFACE_UNIT = 0;  // RG32UI: the G-buffer's two words
 const int DEPTH_UNIT = 1;    // reversed depth
@@ -23,6 +26,7 @@ const int CONES_UNIT = 3;    // RGBA32F buffer: one texel a spot
 const int SHADOW_UNIT = 7;   // R32UI: the G-buffer's shadow word
 const int LOBES_UNIT = 13;   // RGBA32UI: the G-buffer's lobe words
 const int DIFFUSE_TRANSMISSION_UNIT = 14;  // R32UI: the word of diffuse transmission
+const int LAYER_UNIT = 15;   // R32UI: the G-buffer's word of a layer
 const int ALBEDO_UNIT = 4;   // RG32F: the model's directional albedo table
 
 // Texture units of the environment's passes.
@@ -44,6 +48,9 @@ const int LOOKUP_UNIT = 1;
 // Texture units of the mean of samples.
 const int SUM_UNIT = 0;
 const int LARGE_SUM_UNIT = 1;
+
+// Texture unit of the compositing of layers.
+const int LAYER_COLOR_UNIT = 0;  // RGBA32F: radiance and coverage of a layer
 
 // Texture units of the debug views, after those of the G-buffer.
 const int VIEW_UNIT = 2;             // what the view shows besides the G-buffer: emission, light counts or instances
@@ -85,6 +92,7 @@ const int LIGHT_SPAN_LOCATION = 2;        // tile_fill, tile_prefix, tile_shade:
 const int LIGHT_SPANS_LOCATION = 0;       // fullscreen: first and end of points and spots
 const int DIRECTIONAL_SPAN_LOCATION = 1;  // fullscreen: first and end of directional lights
 const int ENVIRONMENT_PARTS_LOCATION = 0; // environment: factors on diffuse and specular reflection
+const int LAYER_LOCATION = 0;             // surfaces of a layer: 0 for the first layer, which no other one is in front of
 const int EXPOSURE_LOCATION = 0;          // display: factor before the transform
 const int ORIGIN_LOCATION = 1;            // display: lower left corner of the picture in the target
 const int SAMPLE_COUNT_LOCATION = 0;      // sample_mean: what the sum is divided by
@@ -105,6 +113,7 @@ const int SHADOW_OUTPUT = 2;    // frames that trace rays only
 const int OCCLUSION_OUTPUT = 3; // with an environment and occlusion textures only
 const int LOBES_OUTPUT = 4;     // with materials of more lobes in view only; the next one too
 const int DIFFUSE_TRANSMISSION_OUTPUT = 5;
+const int LAYER_OUTPUT = 6;     // layers of transparent surfaces only
 
 // Vertex attributes.
 const int POSITION_ATTRIBUTE = 0;
@@ -151,9 +160,10 @@ const uint OCCLUSION_BLENDS = 32u;
 
 // Texels of a material's record.
 const int MATERIAL_BASE_COLOR = 0;  // base colour factor and alpha
-const int MATERIAL_FACTORS = 1;     // metallic, roughness, normal scale, alpha cutoff (negative: no mask)
+const int MATERIAL_FACTORS = 1;     // metallic, roughness, normal scale, alpha cutoff (negative: no mask; of a material that blends over a half)
 const int MATERIAL_EMISSION = 2;    // emission factor; 1 when unlit
-const int MATERIAL_PACKED = 3;      // x: base colour and metallic as the G-buffer packs them (uint); y: strength of the occlusion texture
+const int MATERIAL_PACKED = 3;      // x: base colour and metallic as the G-buffer packs them (uint); y: strength of the occlusion texture;
+                                    // z: 1 where the material blends (uint)
 const int MATERIAL_UV_ROWS = 4;     // two rows of the coordinate transform a texture: base colour, metallic-roughness, normal,
                                     // emission, occlusion; w of the first is the set of texture coordinates
 

@@ -2,6 +2,7 @@
 // of pixels (lib/render/lighting/tiled/tile_shading.h). The includer has GLSL's vectors, GBufferSurface and the sRGB curve.
 //   word 0: base colour, sRGB-encoded, 8 bits a channel (R lowest); metallic, 8 bits
 //   word 1: octahedral normal, 12 bits an axis (codes 1 to 4095, so that the word is never 0); fourth root of the perceptual roughness, 8 bits
+//   layer word, of layers of transparent surfaces: coverage in the low 16 bits
 //   shadow word, of frames with shadows: lift in metres as a half float; octahedral geometric normal, 8 bits an axis
 //   lobe words, of frames with materials of more lobes; all 0 where the two words above are all:
 //     0: roots of F0, 8 bits a channel; F90, 8 bits
@@ -167,4 +168,13 @@ SHARED_FUNCTION ExtendedLobes unpackExtendedLobes(LobeWords words, vec3 normal) 
     lobes.diffuseTransmission = unpackUnorm4x8(words.diffuseTransmission).w;
     lobes.diffuseTransmissionColor = unpackColor(words.diffuseTransmission);
     return lobes;
+}
+
+// 0 where there is no surface.
+SHARED_FUNCTION uint packCoverage(float coverage) {
+    return uint(floor(clamp(coverage, 0.0f, 1.0f) * 65535.0f + 0.5f));
+}
+
+SHARED_FUNCTION float unpackCoverage(uint layerWord) {
+    return float(layerWord & 0xffffu) * (1.0f / 65535.0f);
 }

@@ -99,6 +99,7 @@ TEST(Usage, EveryErrorIsNamed) {
         BadUsage{{"plaza:1", "--shadows", "soft"}, "on, off"},
         BadUsage{{"plaza:1", "--shadows", "auto"}, "on, off"},
         BadUsage{{"plaza:1", "--specular-aa", "maybe"}, "on, off"},
+        BadUsage{{"plaza:1", "--layers", "65"}, "whole number from 0 to 64"},
         BadUsage{{"plaza:1", "--threads", "--tiles", "many"}, "whole number from 0 to 1024"},
         BadUsage{{"plaza:1", "--threads", "1025"}, "whole number from 0 to 1024"},
         BadUsage{{"plaza:1", "--subdivision-evaluator", "gpu"}, "auto, cpu, compute"},

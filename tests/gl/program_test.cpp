@@ -41,6 +41,8 @@ std::vector<Definitions> combinations() {
         all.push_back({"BRDF BRDF_GLTF", kind, "SHADOWS 1", "VISIBILITY 1", "SOURCE 0",
                        "VIEW_CODE vec3(depth)", "HEAT_STOPS 5", "TEXTURED 0", "CORNERS 2", "FILL 0",
                        "LOAD_RADIANCE 0"});
+    all.push_back({"BRDF BRDF_GLTF", "SPOT 0", "LAYER 1", "SOURCE 0", "VIEW_CODE vec3(depth)", "HEAT_STOPS 5",
+                   "TEXTURED 1", "CORNERS 2", "FILL 0", "LOAD_RADIANCE 0"});
     for (const DebugView debugView : debugViews()) {
         Definitions definitions = debugViewDefinitions(debugViewRow(debugView));
         definitions.insert(definitions.end(), {"BRDF BRDF_COURSE", "SPOT 0", "TEXTURED 1", "CORNERS 3",
@@ -72,6 +74,8 @@ const std::vector<Linked> table{
     {"fullscreen_triangle.vert", "debug_view.frag"},
     {"fullscreen_triangle.vert", "debug_view_display.frag"},
     {"fullscreen_triangle.vert", "overlay_display.frag"},
+    {"fullscreen_triangle.vert", "layer_composite.frag"},
+    {"fullscreen_triangle.vert", "layer_store.frag"},
     {"fullscreen_triangle.vert", "sample_add.frag"},
     {"fullscreen_triangle.vert", "sample_mean.frag"},
     {"overlay_mesh.vert", "overlay_lines.frag", {}, "overlay_edges.geom"},

@@ -241,6 +241,13 @@ TEST(RenderCommandLine, NamesSpecularAntialiasingWhereItIsOff) {
     EXPECT_FALSE(readBack(options).specularAntialiasing);
 }
 
+TEST(RenderCommandLine, NamesLayersWhereTheyAreNotTheDefault) {
+    SceneOptions options = someScene();
+    EXPECT_EQ(renderCommandLine(options).find("--layers"), std::string::npos);
+    options.layers = 12;
+    EXPECT_EQ(readBack(options).layers, 12u);
+}
+
 TEST(RenderCommandLine, KeepsTheLensAndTheAnimation) {
     SceneOptions options = someScene();
     options.orthographicHeight = 1.0f / 3.0f;

@@ -38,7 +38,7 @@ const gl::Texture& InstancePass::render(const Inputs& inputs) {
 
 std::optional<std::uint32_t> InstancePass::at(const Inputs& inputs, int x, int y) {
     {
-        const Scissor pixel({x, y, 1, 1});
+        const gl::Scissor pixel({x, y, 1, 1});
         drawBatches(inputs);
     }
     std::uint32_t number = 0;

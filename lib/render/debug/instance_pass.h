@@ -10,22 +10,6 @@
 
 namespace candela {
 
-/// Restricts draws and clears to a rectangle of the target for its lifetime.
-class Scissor {
-  public:
-    struct Rectangle {
-        GLint x, y;
-        GLsizei width, height;
-    };
-    explicit Scissor(const Rectangle& rectangle) {
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(rectangle.x, rectangle.y, rectangle.width, rectangle.height);
-    }
-    Scissor(const Scissor&) = delete;
-    Scissor& operator=(const Scissor&) = delete;
-    ~Scissor() { glDisable(GL_SCISSOR_TEST); }
-};
-
 /// Draws the instance at each pixel of a frame, with the same draws as the geometry pass.
 class InstancePass {
   public:

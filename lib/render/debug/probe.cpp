@@ -30,7 +30,6 @@ std::optional<PixelProbe> probeSurface(const ProbedPixel& pixel) {
     PixelProbe probe;
     probe.z = viewDistance(pixel.frame, depth);
     probe.position = worldPosition(pixel.frame, pixel.x, pixel.y, depth);
-    probe.radiance = readColorAt(pixel.targets.litRadiance(), pixel.x, pixel.y);
     const GBufferTexel texel = readSurfaceAt(pixel.targets, pixel.x, pixel.y);
     if (texel.y == 0) return probe;
     const GBufferSurface surface = unpackSurface(texel);

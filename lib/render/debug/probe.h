@@ -18,7 +18,8 @@ struct ProbedPixel {
     int x, y;
 };
 
-/// Reads back what the targets hold of a pixel and counts its lights: all but its node and its emission. None
+/// Reads back what the targets hold of a pixel and counts its lights: all but its node, its emission
+/// and its radiance. None
 /// on the background.
 std::optional<PixelProbe> probeSurface(const ProbedPixel& pixel);
 

@@ -1,6 +1,7 @@
 #include "render/gbuffer/gbuffer_targets.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 namespace candela {
@@ -40,6 +41,7 @@ std::vector<GBufferWordTexture> layoutOf(const GBufferParts& parts) {
         layout.push_back(lobesTexture);
         layout.push_back(diffuseTransmissionTexture);
     }
+    if (parts.layer) layout.push_back(layerTexture);
     return layout;
 }
 
@@ -48,6 +50,7 @@ std::vector<std::string> definitionsOf(const GBufferParts& parts) {
     if (parts.shadowWord) definitions.emplace_back("SHADOWS 1");
     if (parts.occlusion) definitions.emplace_back("OCCLUSION 1");
     if (parts.lobes) definitions.emplace_back("LOBES 1");
+    if (parts.layer) definitions.emplace_back("LAYER 1");
     return definitions;
 }
 
@@ -68,6 +71,25 @@ std::size_t GBufferTargets::indexOf(int output) const {
     const auto found = std::ranges::find(layout, output, &GBufferWordTexture::output);
     assert(found != layout.end());
     return static_cast<std::size_t>(found - layout.begin());
+}
+
+void GBufferTargets::clearSurfaces() const {
+    constexpr std::array<GLuint, 4> nothing{0, 0, 0, 0};
+    constexpr std::array<GLfloat, 4> none{0.0f, 0.0f, 0.0f, 0.0f};
+    constexpr GLfloat farthest = 0.0f;
+    for (const GBufferWordTexture& texture : layout) {
+        if (texture.readType == GL_UNSIGNED_INT) {
+            glClearNamedFramebufferuiv(surfaces.name(), GL_COLOR, texture.output, nothing.data());
+        } else {
+            glClearNamedFramebufferfv(surfaces.name(), GL_COLOR, texture.output, none.data());
+        }
+    }
+    glClearNamedFramebufferfv(surfaces.name(), GL_DEPTH, 0, &farthest);
+}
+
+void GBufferTargets::clearRadiance() const {
+    constexpr std::array<GLfloat, 4> black{0.0f, 0.0f, 0.0f, 0.0f};
+    glClearNamedFramebufferfv(lit.name(), GL_COLOR, 0, black.data());
 }
 
 void GBufferTargets::bind() const {

@@ -41,6 +41,8 @@ inline constexpr GBufferWordTexture diffuseTransmissionTexture{"G-buffer diffuse
                                                                4,
                                                                layout::DIFFUSE_TRANSMISSION_UNIT,
                                                                layout::DIFFUSE_TRANSMISSION_OUTPUT};
+inline constexpr GBufferWordTexture layerTexture{
+    "G-buffer layer", GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4, layout::LAYER_UNIT, layout::LAYER_OUTPUT};
 
 /// What a G-buffer has besides the surface texture. Each part is for the frames that need it and costs others
 /// nothing: targets and the programs of the geometry pass exist once for each set of parts in use.
@@ -51,6 +53,7 @@ struct GBufferParts {
     bool occlusion = false;
     /// What `ExtendedLobes` holds, in two textures: views with materials of more lobes. LOBES in shaders.
     bool lobes = false;
+    bool layer = false;  ///< Coverage: layers of transparent surfaces. LAYER in shaders.
 
     auto operator<=>(const GBufferParts&) const = default;
 };
@@ -74,6 +77,8 @@ struct GBufferTargets {
 
     /// The index in `layout` and `words` of the texture that `output` writes. It is there.
     std::size_t indexOf(int output) const;
+    void clearSurfaces() const;  ///< Words and depth: to the background.
+    void clearRadiance() const;  ///< To black.
     /// Binds the word textures and the depth for reading by shaders.
     void bind() const;
     /// The radiance of the frame, after its lighting: writes it first where it is still in memory.
@@ -82,9 +87,10 @@ struct GBufferTargets {
     int width, height;
     GBufferParts parts;
     std::vector<GBufferWordTexture> layout;
-    std::vector<gl::Texture> words;       ///< One for each of `layout`.
-    gl::Texture depth;                    ///< 32-bit float, reversed.
-    gl::Texture radiance;                 ///< RGBA32F: emission, then the sum of all light.
+    std::vector<gl::Texture> words;  ///< One for each of `layout`.
+    gl::Texture depth;               ///< 32-bit float, reversed.
+    /// RGBA32F: emission, then the sum of all light. A is the coverage of the layers.
+    gl::Texture radiance;
     gl::Framebuffer surfaces;             ///< Words and depth.
     gl::Framebuffer surfacesAndEmission;  ///< Words, radiance and depth.
     gl::Framebuffer lit;                  ///< Radiance alone.

@@ -18,20 +18,13 @@ void bind(int unit, const SampledTexture& texture) {
     glBindSampler(static_cast<GLuint>(unit), texture.sampler);
 }
 
-void clear(const GBufferTargets& targets, LoadOp radianceLoad) {
-    constexpr std::array<GLuint, 4> nothing{0, 0, 0, 0};
-    constexpr std::array<GLfloat, 4> black{0.0f, 0.0f, 0.0f, 0.0f};
-    constexpr GLfloat farthest = 0.0f;
-    for (const GBufferWordTexture& words : targets.layout) {
-        if (words.readType == GL_UNSIGNED_INT) {
-            glClearNamedFramebufferuiv(targets.surfaces.name(), GL_COLOR, words.output, nothing.data());
-        } else {
-            glClearNamedFramebufferfv(targets.surfaces.name(), GL_COLOR, words.output, black.data());
-        }
-    }
-    glClearNamedFramebufferfv(targets.surfaces.name(), GL_DEPTH, 0, &farthest);
-    if (radianceLoad == LoadOp::clear)
-        glClearNamedFramebufferfv(targets.lit.name(), GL_COLOR, 0, black.data());
+void setLayer(const gl::Program& program, const LayerDepths& layer) {
+    glProgramUniform1i(program.name(), layout::LAYER_LOCATION, layer.before == nullptr ? 0 : 1);
+}
+
+void bindDepths(const LayerDepths& layer) {
+    glBindTextureUnit(layout::OPAQUE_DEPTH_UNIT, layer.opaque.name());
+    if (layer.before != nullptr) glBindTextureUnit(layout::LAYER_BEFORE_UNIT, layer.before->name());
 }
 
 }  // namespace
@@ -59,11 +52,30 @@ const GeometryPass::Programs& GeometryPass::programsFor(const GBufferTargets& ta
 }
 
 void GeometryPass::render(const Inputs& inputs) {
-    const Programs& programs = programsFor(inputs.targets);
-    clear(inputs.targets, inputs.draws.emits() ? LoadOp::clear : inputs.radianceLoad);
-    glViewport(0, 0, inputs.targets.width, inputs.targets.height);
+    inputs.targets.clearSurfaces();
+    if (inputs.radianceLoad == LoadOp::clear || inputs.draws.emits(inputs.surfaces))
+        inputs.targets.clearRadiance();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
+    drawBatches(inputs);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void GeometryPass::drawFragments(const Inputs& inputs) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    drawBatches(inputs);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void GeometryPass::drawBatches(const Inputs& inputs) {
+    const Programs& programs = programsFor(inputs.targets);
+    if (inputs.layer != nullptr) {
+        // Transparent surfaces are never drawn by the program of plain ones.
+        setLayer(programs.textured, *inputs.layer);
+        if (programs.extended) setLayer(*programs.extended, *inputs.layer);
+        bindDepths(*inputs.layer);
+    }
+    glViewport(0, 0, inputs.targets.width, inputs.targets.height);
     inputs.draws.bind();
     glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instances.records().name());
     glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materials.records().name());
@@ -71,13 +83,13 @@ void GeometryPass::render(const Inputs& inputs) {
         glBindTextureUnit(layout::LOBE_RECORDS_UNIT, inputs.scene.materials.lobeRecords().name());
     // Emissive batches come last: otherwise, surfaces in front of emission would have to write black over it.
     for (const DrawBatch& batch : inputs.draws.batches()) {
+        if (!batch.key.isIn(inputs.surfaces)) continue;
         const gl::Framebuffer& target =
             batch.key.emissive ? inputs.targets.surfacesAndEmission : inputs.targets.surfaces;
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.name());
         glBindVertexArray(inputs.scene.vertexArrayOf(batch));
         draw(inputs.scene, batch, programs);
     }
-    glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
     glBindSamplers(layout::BASE_COLOR_UNIT, textureUnits.size(), nullptr);

@@ -9,6 +9,12 @@
 
 namespace candela {
 
+/// Between which depths the fragments of a layer lie.
+struct LayerDepths {
+    const gl::Texture& opaque;  ///< Of the opaque surfaces.
+    const gl::Texture* before;  ///< Of the layer in front; null for the first layer.
+};
+
 /// Draws the surfaces in view into the G-buffer and their emission into the radiance target.
 class GeometryPass {
   public:
@@ -19,8 +25,14 @@ class GeometryPass {
         const DrawSelection& draws;  ///< Of the view.
         const GBufferTargets& targets;
         LoadOp radianceLoad;  ///< Where a draw emits, the target is cleared in any case.
+        SurfaceSet surfaces = SurfaceSet::opaque;
+        /// Of transparent surfaces; null: targets without the part `layer`.
+        const LayerDepths* layer = nullptr;
     };
     void render(const Inputs& inputs);
+    /// Draws the fragments that layers may hold, all of them, and writes nothing: for a query that counts
+    /// them. The inputs are those of the first layer.
+    void drawFragments(const Inputs& inputs);
 
   private:
     /// With the fragment outputs of one set of parts of the G-buffer.
@@ -31,6 +43,7 @@ class GeometryPass {
     };
 
     const Programs& programsFor(const GBufferTargets& targets);
+    void drawBatches(const Inputs& inputs);
     static void bindTextures(const PipelineKey& key);
     static void bindLobeTextures(const GpuScene::State& scene, const PipelineKey& key);
     static void draw(const GpuScene::State& scene, const DrawBatch& batch, const Programs& programs);

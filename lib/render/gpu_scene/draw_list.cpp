@@ -19,6 +19,18 @@ bool isEmissive(const Material& material) {
     return material.unlit || material.emission != glm::vec3(0.0f);
 }
 
+enum class Colors { none, perVertex };
+
+Colors colorsOf(const Mesh& mesh) {
+    return mesh.colors.empty() ? Colors::none : Colors::perVertex;
+}
+
+/// Whether the surface lets anything through. An alpha of 1 everywhere blends nothing.
+bool isTransparent(const Material& material, Colors colors) {
+    return material.alphaMode == AlphaMode::blend &&
+           (material.baseColor.a < 1.0f || material.baseColorTexture || colors == Colors::perVertex);
+}
+
 /// A mesh without submeshes is one submesh with the default material.
 std::span<const Submesh> submeshesOf(const Mesh& mesh, const Submesh& whole) {
     return mesh.submeshes.empty() ? std::span(&whole, 1) : std::span(mesh.submeshes);
@@ -26,12 +38,6 @@ std::span<const Submesh> submeshesOf(const Mesh& mesh, const Submesh& whole) {
 
 Submesh wholeOf(const Mesh& mesh) {
     return {0, static_cast<std::uint32_t>(mesh.indices.size()), std::nullopt};
-}
-
-enum class Colors { none, perVertex };
-
-Colors colorsOf(const Mesh& mesh) {
-    return mesh.colors.empty() ? Colors::none : Colors::perVertex;
 }
 
 bool isPlain(const Material& material, Colors colors, OcclusionTextures occlusion) {
@@ -78,6 +84,11 @@ std::size_t DrawSelection::drawCount() const {
 bool DrawSelection::isExtended() const {
     return std::ranges::any_of(
         batches_, [](const DrawBatch& batch) { return batch.key.program == PipelineKey::Program::extended; });
+}
+
+bool DrawSelection::emits(SurfaceSet set) const {
+    return std::ranges::any_of(
+        batches_, [&](const DrawBatch& batch) { return batch.key.emissive && batch.key.isIn(set); });
 }
 
 void DrawSelection::draw(const DrawBatch& batch) {
@@ -132,6 +143,7 @@ PipelineKey DrawList::materialKey(const Material& material, bool hasColors, GpuI
     if (isPlain(material, hasColors ? Colors::perVertex : Colors::none, occlusionTextures_)) return key;
     key.program = PipelineKey::Program::textured;
     key.emissive = isEmissive(material);
+    key.transparent = isTransparent(material, hasColors ? Colors::perVertex : Colors::none);
     const std::span<const MaterialTexture> textures = materialTextures();
     for (std::size_t i = 0; i < key.textures.size(); ++i) {
         const std::optional<Texture>& texture = textures[i].of(material);
@@ -288,14 +300,20 @@ std::size_t DrawList::group() {
     return count;
 }
 
+bool DrawList::hasTransparent() const {
+    return std::ranges::any_of(groups_, [](const auto& entry) { return entry.first.transparent; });
+}
+
 void DrawList::cull(DrawSelection& selection) const {
     selection.commands_.clear();
+    selection.transparentInstances_.clear();
     selection.batches_.clear();
     for (const auto& [key, group] : groups_) {
         const auto first = static_cast<std::uint32_t>(selection.commands_.size());
         for (const std::uint32_t index : group.draws) {
             const Draw& draw = draws_[index];
             if (selection.visible_[draw.instance] == 0 || draw.command.count == 0) continue;
+            if (key.transparent) selection.transparentInstances_.push_back(draw.instance);
             const bool isFirst = selection.commands_.size() == first;
             if (!isFirst && continues(selection.commands_.back(), draw.command)) {
                 ++selection.commands_.back().instanceCount;

@@ -33,6 +33,13 @@ struct DrawGeometry {
 /// Whether draws read the occlusion textures of their materials: where there is an environment.
 enum class OcclusionTextures { ignored, read };
 
+/// Which surfaces a pass draws.
+enum class SurfaceSet {
+    opaque,       ///< Those that hide what is behind them.
+    transparent,  ///< Those that are drawn in layers (docs/layers.md).
+    all,          ///< Both.
+};
+
 /// The OpenGL state that a draw needs. Draws with equal keys are issued together.
 struct PipelineKey {
     enum class Program {
@@ -42,6 +49,7 @@ struct PipelineKey {
     };
 
     bool emissive = false;  ///< Writes radiance; drawn after all that does not (see `GeometryPass`).
+    bool transparent = false;
     Program program = Program::plain;
     bool doubleSided = false;
     bool mirrored = false;  ///< The instance's matrix reverses the winding.
@@ -52,6 +60,10 @@ struct PipelineKey {
     DrawGeometry geometry;
 
     auto operator<=>(const PipelineKey&) const = default;
+
+    bool isIn(SurfaceSet set) const {
+        return set == SurfaceSet::all || transparent == (set == SurfaceSet::transparent);
+    }
 };
 
 /// The commands of a selection that share a pipeline key.
@@ -84,7 +96,10 @@ class DrawSelection {
     std::span<const DrawBatch> batches() const { return batches_; }
     /// Does any draw have more lobes than metallic and roughness describe?
     bool isExtended() const;
-    bool emits() const { return !batches_.empty() && batches_.back().key.emissive; }
+    bool emits(SurfaceSet set = SurfaceSet::opaque) const;
+    /// Instances with transparent surfaces. An instance may be listed more than once.
+    std::span<const std::uint32_t> transparentInstances() const { return transparentInstances_; }
+    bool hasTransparent() const { return !transparentInstances_.empty(); }
     /// Instances that show cages.
     std::span<const std::uint32_t> cageInstances() const { return cageInstances_; }
     std::size_t commandCount() const { return commands_.size(); }
@@ -103,7 +118,7 @@ class DrawSelection {
     std::vector<std::uint8_t> visible_;  ///< One an instance; scratch of the culling.
     std::vector<DrawCommand> commands_;
     std::vector<DrawBatch> batches_;
-    std::vector<std::uint32_t> cageInstances_;
+    std::vector<std::uint32_t> cageInstances_, transparentInstances_;
     gl::Buffer commandBuffer_{"draw commands", gl::BufferUsage::dynamic};
 };
 
@@ -145,6 +160,9 @@ class DrawList {
     /// Groups the draws whose keys have changed since the last call; to be called before `cull`. Returns how
     /// many those are.
     std::size_t group();
+
+    /// Whether any draw is transparent, in view or not; as of the last `group`.
+    bool hasTransparent() const;
 
     /// Writes and uploads the commands of the visible instances: one for all consecutive draws of the same
     /// indices.

@@ -84,6 +84,9 @@ class GpuInstances {
         return !hidden_[index] && frustum.meets(sphere.center, sphere.radius);
     }
 
+    /// World space.
+    const BoundingSphere& sphere(std::uint32_t index) const { return spheres_[index]; }
+
     const gl::BufferTexture& records() const { return records_.texture(); }
 
   private:

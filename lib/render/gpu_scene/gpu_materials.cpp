@@ -28,19 +28,27 @@ glm::uvec4 bits(const glm::vec4& v) {
 /// texel round it. More than these roundings, less than a step of a 16-bit texel.
 constexpr float alphaRounding = 1e-5f;
 
+/// Below which alpha a fragment is not drawn where surfaces are masks. Of a surface that blends only the part
+/// whose alpha is over a half counts.
+float cutoffOf(const Material& material) {
+    if (material.alphaMode == AlphaMode::opaque) return -1.0f;
+    return material.alphaMode == AlphaMode::mask ? material.alphaCutoff - alphaRounding
+                                                 : 0.5f + alphaRounding;
+}
+
 void writeRecord(std::span<glm::uvec4> record, const Material& material,
                  const glm::dmat3& workingFromRec709) {
     const glm::vec3 working(workingFromRec709 * glm::dvec3(material.baseColor));
     const GBufferTexel packed = packSurface({.lobes = {working, material.metallic, material.roughness}});
-    const float cutoff =
-        material.alphaMode == AlphaMode::opaque ? -1.0f : material.alphaCutoff - alphaRounding;
     // Without a normal texture the scale is 0: the default texel can not hold (0, 0, 1) exactly.
     const float normalScale = material.normalTexture ? material.normalScale : 0.0f;
     record[layout::MATERIAL_BASE_COLOR] = bits(material.baseColor);
-    record[layout::MATERIAL_FACTORS] = bits({material.metallic, material.roughness, normalScale, cutoff});
+    record[layout::MATERIAL_FACTORS] =
+        bits({material.metallic, material.roughness, normalScale, cutoffOf(material)});
     record[layout::MATERIAL_EMISSION] = bits(glm::vec4(material.emission, material.unlit ? 1.0f : 0.0f));
     const float occlusionStrength = material.occlusionTexture ? material.occlusionStrength : 0.0f;
-    record[layout::MATERIAL_PACKED] = {packed.x, std::bit_cast<std::uint32_t>(occlusionStrength), 0, 0};
+    record[layout::MATERIAL_PACKED] = {packed.x, std::bit_cast<std::uint32_t>(occlusionStrength),
+                                       material.alphaMode == AlphaMode::blend ? 1u : 0u, 0};
     std::size_t row = layout::MATERIAL_UV_ROWS;
     for (const MaterialTexture& texture : materialTextures().first(basicTextureCount)) {
         for (const glm::vec4& coordinates : coordinateRows(texture.of(material)))

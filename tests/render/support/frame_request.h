@@ -2,6 +2,8 @@
 
 #include <candela/renderer.h>
 
+#include <cstdint>
+
 namespace candela::test {
 
 /// The view and the settings of a frame.
@@ -16,11 +18,13 @@ struct FrameRequest {
     Shadows shadows = Shadows::off;
     AmbientOcclusionSettings ambientOcclusion = {};
     bool specularAntialiasing = true;
+    std::uint32_t layers = FrameSettings{}.layers;
 
     FrameSettings settings() const {
         FrameSettings settings{width,    height,      brdf,    technique,       debugView,
                                overlays, tileBackend, shadows, ambientOcclusion};
         settings.specularAntialiasing = specularAntialiasing;
+        settings.layers = layers;
         return settings;
     }
 };
