@@ -62,16 +62,31 @@ void Buffer::readBytes(std::size_t offset, std::span<std::byte> into) const {
                             into.data());
 }
 
+void Buffer::allocate(const char* label, std::span<const std::byte> bytes, GLbitfield access) {
+    object_ = Object<deleteBuffer>(createBuffer(label));
+    // OpenGL has no empty storage.
+    capacity_ = bytes.empty() ? 4 : bytes.size();
+    requireMemory(capacity_, [&] {
+        glNamedBufferStorage(name(), static_cast<GLsizeiptr>(capacity_),
+                             bytes.empty() ? nullptr : bytes.data(), access);
+    });
+}
+
 Buffer Buffer::immutable(const char* label, std::span<const std::byte> bytes) {
     Buffer buffer;
-    buffer.object_ = Object<deleteBuffer>(createBuffer(label));
-    // OpenGL has no empty storage.
-    buffer.capacity_ = bytes.empty() ? 4 : bytes.size();
-    requireMemory(buffer.capacity_, [&] {
-        glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(buffer.capacity_),
-                             bytes.empty() ? nullptr : bytes.data(), 0);
-    });
+    buffer.allocate(label, bytes, 0);
     return buffer;
+}
+
+Buffer Buffer::immutableMapped(const char* label, std::span<const std::byte> bytes) {
+    constexpr GLbitfield access = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+    Buffer buffer;
+    buffer.allocate(label, bytes, access);
+    buffer.memory_ =
+        glMapNamedBufferRange(buffer.name(), 0, static_cast<GLsizeiptr>(buffer.capacity_), access);
+    if (buffer.memory_ != nullptr) return buffer;
+    throw Error(ErrorKind::limit, "",
+                "the device can not map a buffer of " + std::to_string(bytes.size()) + " bytes");
 }
 
 void Buffer::reserve(std::size_t size) {

@@ -32,6 +32,14 @@ class Buffer {
         return immutable(label, std::as_bytes(values));
     }
 
+    /// The same, and the CPU reads it through `mapped`. For devices that keep buffers in its memory.
+    static Buffer immutableMapped(const char* label, std::span<const std::byte> bytes);
+    /// The content of a buffer of `immutableMapped`.
+    template <typename T>
+    std::span<const T> mapped() const {
+        return {static_cast<const T*>(memory_), capacity_ / sizeof(T)};
+    }
+
     /// Replaces the content. Throws `Error` (limit) when the device has no memory for it. Not for an
     /// immutable buffer.
     void upload(std::span<const std::byte> bytes);
@@ -54,11 +62,13 @@ class Buffer {
     std::size_t capacity() const { return capacity_; }
 
   private:
+    void allocate(const char* label, std::span<const std::byte> bytes, GLbitfield access);
     void readBytes(std::size_t offset, std::span<std::byte> into) const;
 
     Object<deleteBuffer> object_;
     GLenum usage_ = GL_DYNAMIC_DRAW;
     std::size_t capacity_ = 0;
+    const void* memory_ = nullptr;
 };
 
 /// The vertex layout of a draw.

@@ -1,7 +1,9 @@
 #define CANDELA_TILE_KERNEL tileKernelBaseline
 #define CANDELA_DEFORM_KERNEL deformKernelBaseline
 #define CANDELA_ENVIRONMENT_KERNEL environmentKernelBaseline
+#define CANDELA_TRIANGLE_KERNEL triangleKernelBaseline
 #define CANDELA_KERNEL_NAME "baseline"
+#include "render/culling/triangle_filter_kernel_code.h"
 #include "render/deformation/deform_kernel_code.h"
 #include "render/environment/environment_kernel_code.h"
 #include "render/lighting/tiled/tile_kernel_code.h"

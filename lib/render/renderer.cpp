@@ -1,6 +1,7 @@
 #include <candela/renderer.h>
 
 #include "gl/state_guard.h"
+#include "render/culling/triangle_filter.h"
 #include "render/environment/gpu_environment.h"
 #include "render/frame_request.h"
 #include "render/frame_uniforms.h"
@@ -133,7 +134,8 @@ void Renderer::State::bindFrame() {
 void Renderer::State::drawGeometry(const GpuScene::State& scene, const GBufferTargets& into, SurfaceSet set,
                                    LoadOp radianceLoad) {
     scene.cull(frame->frustum, draws);
-    geometry.render({scene, draws, into, radianceLoad, set});
+    if (scene.triangleFilter) scene.triangleFilter->filter(draws, frame->uniforms);
+    geometry.render({scene, draws, into, radianceLoad, set, nullptr, scene.triangleFilter.get()});
 }
 
 void Renderer::State::drawLit(const GpuScene::State& scene) {

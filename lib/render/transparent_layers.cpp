@@ -39,8 +39,13 @@ void Renderer::State::drawLayers(const GpuScene::State& scene) {
     const LoadOp radianceLoad =
         lighting.technique(frame->technique, frame->settings.tileBackend).radianceLoadOp();
     const auto inputsOf = [&](std::uint32_t layer, const LayerDepths& depths) {
-        return GeometryPass::Inputs{
-            scene, draws, layers->targets(layer), radianceLoad, SurfaceSet::transparent, &depths};
+        return GeometryPass::Inputs{scene,
+                                    draws,
+                                    layers->targets(layer),
+                                    radianceLoad,
+                                    SurfaceSet::transparent,
+                                    &depths,
+                                    scene.triangleFilter.get()};
     };
     const LayerDepths all{targets->depth, nullptr};
     std::uint64_t fragments = layers->countFragments([&] {

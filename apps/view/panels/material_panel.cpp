@@ -1,4 +1,5 @@
 #include "panels/color_values.h"
+#include "panels/lobe_editor.h"
 #include "panels/panel_values.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
@@ -124,6 +125,7 @@ void drawEditor(ViewModel& model, Kept& kept, std::uint32_t index) {
     ImGui::PushID(static_cast<int>(index));
     bool changed = editNumbers(material);
     changed = editEmission(material, kept, index) || changed;
+    if (!material.unlit) changed = editLobes(material) || changed;
     showTextures(material);
     ImGui::PopID();
     if (changed) tryTo(model, [&] { model.document->setMaterial(index, material); });

@@ -72,7 +72,7 @@ void InstancePass::drawBatches(const Inputs& inputs) {
 void InstancePass::draw(const GpuScene::State& scene, const DrawBatch& batch) const {
     const bool textured = batch.key.program != PipelineKey::Program::plain;
     glUseProgram(textured ? programs_->textured.name() : programs_->plain.name());
-    glBindVertexArray(scene.vertexArrayOf(batch));
+    glBindVertexArray(scene.vertexArrayOf(batch.key.geometry));
     glFrontFace(batch.key.mirrored ? GL_CW : GL_CCW);
     if (batch.key.doubleSided) {
         glDisable(GL_CULL_FACE);

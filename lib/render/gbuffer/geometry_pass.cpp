@@ -1,5 +1,6 @@
 #include "render/gbuffer/geometry_pass.h"
 
+#include "render/culling/triangle_filter.h"
 #include "render/layout.h"
 
 #include <array>
@@ -76,19 +77,28 @@ void GeometryPass::drawBatches(const Inputs& inputs) {
         bindDepths(*inputs.layer);
     }
     glViewport(0, 0, inputs.targets.width, inputs.targets.height);
-    inputs.draws.bind();
     glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instances.records().name());
     glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materials.records().name());
     if (inputs.targets.parts.lobes)
         glBindTextureUnit(layout::LOBE_RECORDS_UNIT, inputs.scene.materials.lobeRecords().name());
     // Emissive batches come last: otherwise, surfaces in front of emission would have to write black over it.
-    for (const DrawBatch& batch : inputs.draws.batches()) {
-        if (!batch.key.isIn(inputs.surfaces)) continue;
-        const gl::Framebuffer& target =
-            batch.key.emissive ? inputs.targets.surfacesAndEmission : inputs.targets.surfaces;
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.name());
-        glBindVertexArray(inputs.scene.vertexArrayOf(batch));
-        draw(inputs.scene, batch, programs);
+    if (inputs.filter != nullptr) {
+        inputs.filter->bind();
+        for (const TriangleFilter::Run& run : inputs.filter->runs()) {
+            if (!run.key.isIn(inputs.surfaces)) continue;
+            select(inputs, run.key, programs);
+            glBindVertexArray(run.filtered ? inputs.filter->vertexArray()
+                                           : inputs.scene.vertexArrayOf(run.key.geometry));
+            TriangleFilter::draw(run);
+        }
+    } else {
+        inputs.draws.bind();
+        for (const DrawBatch& batch : inputs.draws.batches()) {
+            if (!batch.key.isIn(inputs.surfaces)) continue;
+            select(inputs, batch.key, programs);
+            glBindVertexArray(inputs.scene.vertexArrayOf(batch.key.geometry));
+            DrawSelection::draw(batch);
+        }
     }
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
@@ -109,8 +119,10 @@ void GeometryPass::bindLobeTextures(const GpuScene::State& scene, const Pipeline
         bind(layout::LOBE_TEXTURES_UNIT + static_cast<int>(i), textures[i]);
 }
 
-void GeometryPass::draw(const GpuScene::State& scene, const DrawBatch& batch, const Programs& programs) {
-    const PipelineKey& key = batch.key;
+void GeometryPass::select(const Inputs& inputs, const PipelineKey& key, const Programs& programs) {
+    const gl::Framebuffer& target =
+        key.emissive ? inputs.targets.surfacesAndEmission : inputs.targets.surfaces;
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.name());
     const bool textured = key.program != PipelineKey::Program::plain;
     const bool extended = key.program == PipelineKey::Program::extended && programs.extended;
     glUseProgram((extended ? *programs.extended : textured ? programs.textured : programs.plain).name());
@@ -121,8 +133,7 @@ void GeometryPass::draw(const GpuScene::State& scene, const DrawBatch& batch, co
         glEnable(GL_CULL_FACE);
     }
     if (textured) bindTextures(key);
-    if (extended) bindLobeTextures(scene, key);
-    DrawSelection::draw(batch);
+    if (extended) bindLobeTextures(inputs.scene, key);
 }
 
 }  // namespace candela

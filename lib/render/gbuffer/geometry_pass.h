@@ -28,6 +28,8 @@ class GeometryPass {
         SurfaceSet surfaces = SurfaceSet::opaque;
         /// Of transparent surfaces; null: targets without the part `layer`.
         const LayerDepths* layer = nullptr;
+        /// The draws without triangles that leave no trace in the picture; null: all are drawn.
+        const TriangleFilter* filter = nullptr;
     };
     void render(const Inputs& inputs);
     /// Draws the fragments that layers may hold, all of them, and writes nothing: for a query that counts
@@ -46,7 +48,7 @@ class GeometryPass {
     void drawBatches(const Inputs& inputs);
     static void bindTextures(const PipelineKey& key);
     static void bindLobeTextures(const GpuScene::State& scene, const PipelineKey& key);
-    static void draw(const GpuScene::State& scene, const DrawBatch& batch, const Programs& programs);
+    static void select(const Inputs& inputs, const PipelineKey& key, const Programs& programs);
 
     std::map<GBufferParts, Programs> programs_;  ///< Compiled when they are first needed.
 };

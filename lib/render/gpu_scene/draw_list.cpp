@@ -186,6 +186,7 @@ void DrawList::placeRecords() {
     for (const std::uint32_t i : order) {
         draws_[i].command.baseInstance = static_cast<std::uint32_t>(records.size());
         records.push_back({draws_[i].instance, draws_[i].material});
+        instanceOfRecord_.push_back(draws_[i].instance);
     }
     recordBuffer_ =
         gl::Buffer::immutable("draw records", std::span<const std::array<std::uint32_t, 2>>(records));

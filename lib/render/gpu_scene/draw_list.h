@@ -94,6 +94,9 @@ class DrawSelection {
 
     /// Sorted by key, so that batches that emit come last.
     std::span<const DrawBatch> batches() const { return batches_; }
+    std::span<const DrawCommand> commands(const DrawBatch& batch) const {
+        return std::span(commands_).subspan(batch.firstCommand, batch.commandCount);
+    }
     /// Does any draw have more lobes than metallic and roughness describe?
     bool isExtended() const;
     bool emits(SurfaceSet set = SurfaceSet::opaque) const;
@@ -157,6 +160,9 @@ class DrawList {
     /// The textures of the further lobes of draws with a key.
     const LobeTextures& lobeTextures(const PipelineKey& key) const { return lobeSets_[key.lobeTextures]; }
 
+    /// The instance that a record is of: those of a command are its `baseInstance` and the ones that follow.
+    std::uint32_t instanceOfRecord(std::uint32_t record) const { return instanceOfRecord_[record]; }
+
     /// Groups the draws whose keys have changed since the last call; to be called before `cull`. Returns how
     /// many those are.
     std::size_t group();
@@ -210,6 +216,7 @@ class DrawList {
     std::map<LobeTextures, std::uint32_t> lobeSetOf_;
     Groups groups_;
     std::vector<std::uint32_t> pending_;
+    std::vector<std::uint32_t> instanceOfRecord_;
     gl::Buffer recordBuffer_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "render/frustum.h"
 #include "render/gpu_scene/record_buffer.h"
+#include "render/layout.h"
 
 #include <candela/scene.h>
 
@@ -87,6 +88,11 @@ class GpuInstances {
     /// World space.
     const BoundingSphere& sphere(std::uint32_t index) const { return spheres_[index]; }
 
+    /// The record of an instance as shaders read it.
+    std::span<const glm::vec4> record(std::uint32_t index) const {
+        return records_.texels().subspan(std::size_t{index} * layout::INSTANCE_TEXELS,
+                                         layout::INSTANCE_TEXELS);
+    }
     const gl::BufferTexture& records() const { return records_.texture(); }
 
   private:

@@ -66,9 +66,9 @@ void DefaultDetail::describe(const gl::VertexArray& vertexArray, GLuint binding)
     feedFloats(vertexArray, layout::COLOR_ATTRIBUTE, 4, binding, colorOffset);
 }
 
-GpuMeshes::GpuMeshes(std::span<const Mesh> meshes, Detail detail) : detail_(detail) {
+GpuMeshes::GpuMeshes(std::span<const Mesh> meshes, Detail detail, Access access) : detail_(detail) {
     place(meshes);
-    uploadSurface(meshes);
+    uploadSurface(meshes, access);
     if (detail_ == Detail::everything) uploadDetail(meshes);
 }
 
@@ -89,7 +89,7 @@ void GpuMeshes::place(std::span<const Mesh> meshes) {
     }
 }
 
-void GpuMeshes::uploadSurface(std::span<const Mesh> meshes) {
+void GpuMeshes::uploadSurface(std::span<const Mesh> meshes, Access access) {
     std::vector<SurfaceVertex> vertices;
     std::vector<std::uint32_t> indices;
     vertices.reserve(vertexCount_);
@@ -99,8 +99,12 @@ void GpuMeshes::uploadSurface(std::span<const Mesh> meshes) {
             vertices.push_back({mesh.positions[i], mesh.normals[i]});
         indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
     }
-    surface_ = gl::Buffer::immutable("mesh positions and normals", std::span<const SurfaceVertex>(vertices));
-    indices_ = gl::Buffer::immutable("mesh indices", std::span<const std::uint32_t>(indices));
+    const auto make = [access](const char* label, std::span<const std::byte> bytes) {
+        if (access == Access::deviceAndCpu) return gl::Buffer::immutableMapped(label, bytes);
+        return gl::Buffer::immutable(label, bytes);
+    };
+    surface_ = make("mesh positions and normals", std::as_bytes(std::span(vertices)));
+    indices_ = make("mesh indices", std::as_bytes(std::span(indices)));
 }
 
 void GpuMeshes::uploadDetail(std::span<const Mesh> meshes) {

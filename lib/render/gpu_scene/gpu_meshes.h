@@ -59,7 +59,16 @@ class GpuMeshes {
     /// to read them (see `detailOf`). Throws `Error` (limit) when the scene has more vertices or indices than
     /// 32-bit draws can reach.
     enum class Detail { positionsAndNormals, everything };
-    GpuMeshes(std::span<const Mesh> meshes, Detail detail);
+    /// Who reads vertices and indices.
+    enum class Access {
+        device,
+        deviceAndCpu,  ///< Also the CPU, through `mappedVertices` and `mappedIndices`.
+    };
+    GpuMeshes(std::span<const Mesh> meshes, Detail detail, Access access);
+
+    /// Position and normal of each vertex.
+    std::span<const float> mappedVertices() const { return surface_.mapped<float>(); }
+    std::span<const std::uint32_t> mappedIndices() const { return indices_.mapped<std::uint32_t>(); }
 
     const std::vector<MeshPlace>& places() const { return places_; }
 
@@ -89,7 +98,7 @@ class GpuMeshes {
     void describe(const gl::VertexArray& vertexArray, const gl::Buffer& surface, std::size_t firstDetail,
                   const gl::Buffer& draws, const DefaultDetail& defaultDetail) const;
     void place(std::span<const Mesh> meshes);
-    void uploadSurface(std::span<const Mesh> meshes);
+    void uploadSurface(std::span<const Mesh> meshes, Access access);
     void uploadDetail(std::span<const Mesh> meshes);
 
     std::vector<MeshPlace> places_;

@@ -2,6 +2,7 @@
 
 #include "base/error_context.h"
 #include "gl/state_guard.h"
+#include "render/culling/triangle_filter.h"
 #include "render/environment/gpu_environment.h"
 #include "render/occlusion/occlusion_scene.h"
 #include "scene/geometry/axes.h"
@@ -85,7 +86,8 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
       sceneState(editableParts(scene)),
       triangles(candela::triangleCount(scene)),
       transforms(sceneState),
-      meshes(scene.meshes, detailOf(scene)),
+      meshes(scene.meshes, detailOf(scene),
+             context.isSoftware() ? GpuMeshes::Access::deviceAndCpu : GpuMeshes::Access::device),
       images(scene.images, context.isSoftware() ? ColorDecoding::exact : ColorDecoding::device),
       materials(scene, options.workingFromRec709),
       lights(options.workingFromRec709),
@@ -95,12 +97,13 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
     if (scene.environment) draws.setOcclusionTextures(OcclusionTextures::read, sceneState.materials, images);
     addDraws(scene);
     images.releaseSources();
-    meshes.describe(vertexArray, draws.records(), defaultDetail_);
+    describeMeshes(vertexArray);
     deformations.describe(meshes, draws.records(), defaultDetail_);
     update();
     lights.set(worldLights(sceneState, transforms.world()), rangeRule());
     listNodeLights();
     setEnvironment(scene.environment);
+    if (context.isSoftware()) triangleFilter = std::make_unique<TriangleFilter>(*this);
 }
 
 GpuScene::State::~State() = default;
@@ -329,6 +332,10 @@ void GpuScene::State::updateDeformations(const Frustum& frustum, VertexScope sco
     if (!stale_.empty()) deformations.deform(stale_);
 }
 
+void GpuScene::State::describeMeshes(const gl::VertexArray& array) const {
+    meshes.describe(array, draws.records(), defaultDetail_);
+}
+
 void GpuScene::State::updateOcclusion() {
     if (!occlusion) occlusion = std::make_unique<OcclusionScene>();
     occlusion->update(*this);
@@ -345,8 +352,8 @@ void GpuScene::State::cull(const Frustum& frustum, DrawSelection& selection) con
     draws.cull(selection);
 }
 
-GLuint GpuScene::State::vertexArrayOf(const DrawBatch& batch) const {
-    const auto [kind, index] = batch.key.geometry;
+GLuint GpuScene::State::vertexArrayOf(const DrawGeometry& geometry) const {
+    const auto [kind, index] = geometry;
     switch (kind) {
         case DrawGeometry::Kind::deformedMesh:
             return deformations.vertexArray(index);

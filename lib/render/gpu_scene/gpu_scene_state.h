@@ -24,6 +24,7 @@ namespace candela {
 
 class GpuEnvironment;
 class OcclusionScene;
+class TriangleFilter;
 
 /// What a `GpuScene` holds. Edits only mark what they change; `update` does the work, in proportion to that.
 struct GpuScene::State {
@@ -61,8 +62,10 @@ struct GpuScene::State {
     /// Selects the draws whose bounding spheres the frustum meets. To be called after `update`.
     void cull(const Frustum& frustum, DrawSelection& selection) const;
 
-    /// The vertex array from which the commands of a batch draw.
-    GLuint vertexArrayOf(const DrawBatch& batch) const;
+    /// Binds the vertices of the meshes to a vertex array.
+    void describeMeshes(const gl::VertexArray& array) const;
+    /// The vertex array from which commands of such a geometry draw.
+    GLuint vertexArrayOf(const DrawGeometry& geometry) const;
     /// The level of the cage of an instance, 0 for polygons; none for a mesh.
     std::optional<std::uint32_t> levelOf(std::uint32_t instance) const;
     /// Lines of the cages of a selection.
@@ -99,6 +102,7 @@ struct GpuScene::State {
     GpuInstances instances;
     DrawList draws;
     gl::VertexArray vertexArray{"meshes"};
+    std::unique_ptr<TriangleFilter> triangleFilter;  ///< On software devices.
 
   private:
     void addDraws(const Scene& scene);

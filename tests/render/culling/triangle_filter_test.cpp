@@ -1,0 +1,229 @@
+// The triangle filter: G-buffers with and without it are the same bit for bit, and it drops what it can.
+
+#include "support/drawing_test.h"
+#include "support/procedural_scene.h"
+
+#include "gl/state_guard.h"
+#include "render/culling/triangle_filter.h"
+#include "render/frame_uniforms.h"
+#include "render/gbuffer/gbuffer_copy.h"
+#include "render/gbuffer/geometry_pass.h"
+#include "render/gbuffer/readback.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace candela::test {
+namespace {
+
+constexpr int width = 211, height = 117;
+
+float hashedBetween(float low, float high, std::uint32_t seed, std::uint32_t i) {
+    return low + (high - low) * hashed(seed, i);
+}
+
+glm::vec3 hashedPoint(std::uint32_t seed, std::uint32_t i) {
+    return glm::vec3(hashed(seed, i), hashed(seed + 1, i), hashed(seed + 2, i)) * 2.0f - 1.0f;
+}
+
+/// Triangles in a cube of 2 m, of sizes from a thousandth of a millimetre to metres, each direction of view
+/// alike.
+Mesh soup(std::uint32_t triangles, std::uint32_t seed) {
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < triangles; ++i) {
+        const glm::vec3 center = hashedPoint(seed, i);
+        const float size = std::exp(hashedBetween(std::log(1.0e-6f), std::log(2.0f), seed + 3, i));
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            mesh.positions.push_back(center + size * hashedPoint(seed + 4 + 3 * k, i));
+            mesh.indices.push_back(3 * i + k);
+        }
+        const std::size_t first = mesh.positions.size() - 3;
+        const glm::vec3 normal = glm::cross(mesh.positions[first + 1] - mesh.positions[first],
+                                            mesh.positions[first + 2] - mesh.positions[first]);
+        const float length = glm::length(normal);
+        mesh.normals.insert(mesh.normals.end(), 3, length > 0.0f ? normal / length : glm::vec3(0, 0, 1));
+    }
+    return mesh;
+}
+
+CameraView viewOf(const glm::vec3& eye, const glm::vec3& target) {
+    return lookAt(eye, target, 0.8f);
+}
+
+/// What the geometry pass has written.
+struct Words {
+    std::vector<std::uint32_t> surfaces;
+    std::vector<float> depth, radiance;
+    bool operator==(const Words&) const = default;
+};
+
+class TriangleFilterTest : public DrawingTest {
+  protected:
+    void SetUp() override {
+        if (!context().isSoftware()) GTEST_SKIP() << "the filter is for software devices";
+    }
+
+    static Words drawn(GpuScene& scene, const CameraView& view, const TriangleFilterKernel* kernel,
+                       TriangleFilter::Counts* counts = nullptr) {
+        context().makeCurrent();
+        const gl::StateGuard guard(*context().state().binding, "a test");
+        GpuScene::State& state = scene.state();
+        state.update();
+        const Frustum frustum(view, static_cast<float>(width) / height);
+        const layout::FrameUniforms uniforms =
+            frameUniforms(view, width, height, glm::dmat3(1.0), state.lights.counts());
+        gl::Buffer buffer("frame", gl::BufferUsage::dynamic);
+        buffer.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
+        glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, buffer.name());
+        const GBufferTargets targets(width, height);
+        DrawSelection draws;
+        state.cull(frustum, draws);
+        std::optional<TriangleFilter> filter;
+        if (kernel != nullptr) {
+            filter.emplace(state, *kernel);
+            filter->filter(draws, uniforms);
+            if (counts != nullptr) *counts = filter->counts();
+        }
+        GeometryPass().render(
+            {state, draws, targets, LoadOp::clear, SurfaceSet::all, nullptr, filter ? &*filter : nullptr});
+        GBufferCopy copy;
+        copy.reset(targets);
+        Words words;
+        words.surfaces.assign(copy.surfaces().begin(), copy.surfaces().end());
+        words.depth.assign(copy.depth().begin(), copy.depth().end());
+        words.radiance = readColor(targets.radiance, width, height);
+        return words;
+    }
+
+    static void expectSame(const Scene& scene, const CameraView& view) {
+        GpuScene uploaded = upload(scene);
+        const Words expected = drawn(uploaded, view, nullptr);
+        for (const TriangleFilterKernel* kernel : triangleFilterKernels()) {
+            TriangleFilter::Counts counts;
+            EXPECT_TRUE(drawn(uploaded, view, kernel, &counts) == expected) << kernel->name;
+            EXPECT_LT(counts.kept, counts.asked) << kernel->name << ": nothing was dropped";
+        }
+    }
+};
+
+/// One-sided, two-sided, masked and emissive materials.
+void addMaterials(Scene& scene) {
+    Material material;
+    material.baseColor = {0.8f, 0.2f, 0.1f, 1.0f};
+    scene.materials.push_back(material);
+    material.doubleSided = true;
+    scene.materials.push_back(material);
+    material.emission = {1.0f, 0.5f, 0.0f};
+    scene.materials.push_back(material);
+    material.doubleSided = false;
+    scene.materials.push_back(material);
+}
+
+/// Instances of a soup around the origin: rotated, mirrored, flattened, sheared.
+Scene soupScene(std::uint32_t seed, const glm::vec3& middle = glm::vec3(0.0f)) {
+    Scene scene;
+    addMaterials(scene);
+    for (std::uint32_t m = 0; m < 4; ++m) {
+        Mesh mesh = soup(1003 + 1000 * m, 100 * seed + 20 * m);
+        const auto half = static_cast<std::uint32_t>(mesh.indices.size() / 6 * 3);
+        const auto rest = static_cast<std::uint32_t>(mesh.indices.size()) - half;
+        mesh.submeshes = {{0, half, m}, {half, rest, (m + 1) % 4}};
+        scene.meshes.push_back(mesh);
+    }
+    for (std::uint32_t i = 0; i < 12; ++i) {
+        const std::uint32_t hash = 1000 * seed + i;
+        glm::mat4 matrix = glm::translate(glm::mat4(1.0f), middle + 4.0f * hashedPoint(1, hash));
+        matrix = glm::rotate(matrix, 6.3f * hashed(4, hash),
+                             glm::normalize(hashedPoint(5, hash) + glm::vec3(0.0f, 0.0f, 1.0e-3f)));
+        glm::vec3 scale(hashedBetween(0.2f, 2.0f, 8, hash), hashedBetween(0.2f, 2.0f, 9, hash),
+                        hashedBetween(0.2f, 2.0f, 10, hash));
+        if (hashed(11, hash) < 0.4f) scale.x = -scale.x;
+        if (hashed(12, hash) < 0.2f) scale.y = 1.0e-3f;
+        matrix = glm::scale(matrix, scale);
+        matrix[1][0] += hashedBetween(-0.5f, 0.5f, 13, hash);
+        Node node;
+        node.transform = matrix;
+        node.mesh = i % 4;
+        scene.nodes.push_back(node);
+    }
+    return scene;
+}
+
+TEST_F(TriangleFilterTest, randomTrianglesAroundTheEyeAreTheSame) {
+    for (std::uint32_t seed = 0; seed < 6; ++seed) {
+        SCOPED_TRACE(seed);
+        CameraView view = viewOf(3.0f * hashedPoint(20, seed), hashedPoint(23, seed));
+        view.nearPlane = seed % 2 == 0 ? 0.01f : 1.5f;
+        expectSame(soupScene(seed), view);
+    }
+}
+
+TEST_F(TriangleFilterTest, orthographicViewsAreTheSame) {
+    for (std::uint32_t seed = 0; seed < 3; ++seed) {
+        CameraView view = viewOf(6.0f * hashedPoint(30, seed), {0, 0, 0});
+        view.orthographicHeight = 5.0f;
+        view.nearPlane = 1.0f;
+        view.farPlane = 9.0f;
+        expectSame(soupScene(10 + seed), view);
+    }
+}
+
+TEST_F(TriangleFilterTest, shiftedViewsAreTheSame) {
+    CameraView view = viewOf({4, 3, 5}, {0, 0, 0});
+    view.shift = {0.3f / width, -0.4f / height};
+    expectSame(soupScene(20), view);
+}
+
+/// Positions are off by 1 mm there, so that the margins of vertices are many pixels wide.
+TEST_F(TriangleFilterTest, farFromTheOriginItIsTheSame) {
+    const glm::vec3 middle(9000.0f, -4000.0f, 12000.0f);
+    GpuScene scene = upload(soupScene(21, middle));
+    const CameraView view = viewOf(middle + glm::vec3(5, 4, 6), middle);
+    const Words expected = drawn(scene, view, nullptr);
+    for (const TriangleFilterKernel* kernel : triangleFilterKernels())
+        EXPECT_TRUE(drawn(scene, view, kernel) == expected) << kernel->name;
+}
+
+/// Corners at pixel centres and edges, where a hundredth of a pixel decides.
+TEST_F(TriangleFilterTest, trianglesOfHalfPixelsAreTheSame) {
+    const float pixel = 2.0f / height;
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < 6000; ++i) {
+        const glm::vec3 corner(std::floor(hashed(40, i) * 2.0f * width) * 0.5f * pixel - width * 0.5f * pixel,
+                               std::floor(hashed(41, i) * 2.0f * height) * 0.5f * pixel - 1.0f, 0.0f);
+        const float a = std::floor(hashedBetween(-2.0f, 3.0f, 42, i)) * 0.5f * pixel;
+        const float b = std::floor(hashedBetween(-2.0f, 3.0f, 43, i)) * 0.5f * pixel;
+        for (const glm::vec3 offset : {glm::vec3(0), glm::vec3(a, 0, 0), glm::vec3(0, b, 0)}) {
+            mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+            mesh.positions.push_back(corner + offset);
+            mesh.normals.push_back({0, 0, 1});
+        }
+    }
+    CameraView view = lookAt({0, 0, 3}, {0, 0, 0}, 2.0f * std::atan(1.0f / 3.0f));
+    expectSame(sceneOf(mesh, Material{}), view);
+}
+
+TEST_F(TriangleFilterTest, dropsTheBackOfASphereAndWhatIsBesideTheFrame) {
+    GpuScene sphere = upload(sceneOf(makeSphere(1.0f), Material{}));
+    const CameraView view = viewOf({0, 0, 8}, {0, 0, 0});
+    TriangleFilter::Counts counts;
+    drawn(sphere, view, triangleFilterKernels().front(), &counts);
+    // Less than half of a sphere is seen, and small triangles between pixels are dropped as well.
+    EXPECT_LT(counts.kept, counts.asked / 2);
+    EXPECT_GT(counts.kept, counts.asked / 20);
+    drawn(sphere, viewOf({0, 0, 1.2f}, {0, 0.7f, 1.2f}), triangleFilterKernels().front(), &counts);
+    EXPECT_LT(counts.kept, counts.asked / 4) << "the sphere is below the frame, but for a part";
+}
+
+TEST_F(TriangleFilterTest, smallMeshesStayAsTheyAre) {
+    GpuScene quad = upload(sceneOf(makeQuad(1.0f), Material{}));
+    TriangleFilter::Counts counts;
+    drawn(quad, viewOf({0, 0, 3}, {0, 0, 0}), triangleFilterKernels().front(), &counts);
+    EXPECT_EQ(counts.asked, 0u);
+}
+
+}  // namespace
+}  // namespace candela::test
