@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
+#include <string>
 
 #include "deformation.h"
 #include "primitives.h"
@@ -10,7 +12,6 @@
 namespace candela_plugins::gltf {
 namespace {
 
-constexpr const char* uvNames[] = {"TEXCOORD_0", "TEXCOORD_1"};
 constexpr std::uint64_t maxElements = std::numeric_limits<std::uint32_t>::max();
 
 /// A primitive that is part of the cage.
@@ -21,7 +22,7 @@ struct Part {
 
 /// The attributes that the vertices of all parts have.
 struct Layout {
-    const char* uvs = nullptr;  ///< The attribute; none where no part has it and no material reads it.
+    std::string uvs;  ///< The attribute; empty where no part has it and no material reads it.
     std::uint32_t influenceSets = 0;
     std::size_t morphTargets = 0;
 };
@@ -44,33 +45,41 @@ std::vector<Part> partsOf(const Document& document, const tinygltf::Mesh& mesh, 
     return parts;
 }
 
-UvSets uvSetsOf(const tinygltf::Primitive& primitive, const std::vector<UvSets>& uvSets) {
-    return primitive.material < 0 ? UvSets{} : uvSets.at(static_cast<std::size_t>(primitive.material));
+/// The sets of texture coordinates of the file, n of TEXCOORD_n, that the material of a part reads.
+std::vector<int> setsOf(const Part& part, const std::vector<UvSlots>& uvSlots) {
+    std::vector<int> sets;
+    if (part.primitive.material < 0) return sets;
+    const UvSlots& slots = uvSlots.at(static_cast<std::size_t>(part.primitive.material));
+    for (std::size_t slot = 0; slot < slots.sets.size(); ++slot) {
+        if (slots.isRead[slot]) sets.push_back(slots.sets[slot]);
+    }
+    return sets;
 }
 
-/// A cage has one set of texture coordinates: the one that its materials read, else the first.
-const char* uvAttribute(const std::vector<Part>& parts, const std::vector<UvSets>& uvSets,
+/// A cage has one set of texture coordinates: the first one that its materials read, else TEXCOORD_0.
+std::string uvAttribute(const std::vector<Part>& parts, const std::vector<UvSlots>& uvSlots,
                         const std::string& element, const Host& host) {
-    UvSets needed{};
+    std::set<int> needed;
     for (const Part& part : parts) {
-        const UvSets own = uvSetsOf(part.primitive, uvSets);
-        for (const std::size_t set : {0u, 1u}) needed[set] = needed[set] || own[set];
+        const std::vector<int> sets = setsOf(part, uvSlots);
+        needed.insert(sets.begin(), sets.end());
     }
-    if (needed[0] && needed[1]) {
+    const std::string attribute = "TEXCOORD_" + std::to_string(needed.empty() ? 0 : *needed.begin());
+    if (needed.size() > 1) {
         host.note(CANDELA_NOTE_MISSING, element,
-                  "its materials read TEXCOORD_0 and TEXCOORD_1, but a cage has one set: TEXCOORD_0 for all");
+                  "its materials read several sets of texture coordinates, but a cage has one: " + attribute +
+                      " for all");
     }
-    const std::size_t set = needed[1] && !needed[0] ? 1 : 0;
-    bool present = needed[set];
+    bool present = !needed.empty();
     for (const Part& part : parts) {
-        const bool here = accessorOf(part.primitive, uvNames[set]) >= 0;
+        const bool here = accessorOf(part.primitive, attribute) >= 0;
         present = present || here;
-        if (here || !uvSetsOf(part.primitive, uvSets)[set]) continue;
+        if (here || setsOf(part, uvSlots).empty()) continue;
         host.note(CANDELA_NOTE_REPAIRED, part.element,
-                  std::string("no ") + uvNames[set] + ", which material " +
-                      std::to_string(part.primitive.material) + " reads: taken as zeros");
+                  "no " + attribute + ", which material " + std::to_string(part.primitive.material) +
+                      " reads: taken as zeros");
     }
-    return present ? uvNames[set] : nullptr;
+    return present ? attribute : std::string();
 }
 
 std::uint32_t commonInfluenceSets(const std::vector<Part>& parts) {
@@ -138,7 +147,7 @@ class SourceReader {
         }
         append(all.positions,
                readAttribute(document_, positions, "POSITION", positionForm, count, part.element));
-        if (layout_.uvs) append(all.uvs, uvsOf(part, count));
+        if (!layout_.uvs.empty()) append(all.uvs, uvsOf(part, count));
         const Influences influences =
             readInfluences(document_, part.primitive, layout_.influenceSets, {count}, part.element, host_);
         append(all.joints, influences.joints);
@@ -203,12 +212,12 @@ std::optional<std::uint32_t> VertexNumbers::find(std::uint32_t number) const {
     return std::nullopt;
 }
 
-CageSource readCageSource(const Document& document, std::size_t mesh, const std::vector<UvSets>& uvSets,
+CageSource readCageSource(const Document& document, std::size_t mesh, const std::vector<UvSlots>& uvSlots,
                           const Host& host) {
     const tinygltf::Mesh& source = document.model.meshes.at(mesh);
     const std::string element = elementName("mesh", mesh, source.name);
     const std::vector<Part> parts = partsOf(document, source, element, host);
-    const Layout layout{uvAttribute(parts, uvSets, element, host), commonInfluenceSets(parts),
+    const Layout layout{uvAttribute(parts, uvSlots, element, host), commonInfluenceSets(parts),
                         commonMorphTargets(parts)};
     SourceReader reader(document, layout, host);
     for (const Part& part : parts) {

@@ -47,9 +47,9 @@ struct CageSource {
     VertexNumbers numbers;
 };
 
-/// Reads the primitives of a mesh, whose materials read the texture coordinates `uvSets`, and notes what a
+/// Reads the primitives of a mesh, whose materials have the texture coordinates `uvSlots`, and notes what a
 /// cage leaves out of them. Throws `Failure`.
-CageSource readCageSource(const Document& document, std::size_t mesh, const std::vector<UvSets>& uvSets,
+CageSource readCageSource(const Document& document, std::size_t mesh, const std::vector<UvSlots>& uvSlots,
                           const Host& host);
 
 }  // namespace candela_plugins::gltf

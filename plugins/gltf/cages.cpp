@@ -157,16 +157,12 @@ class CageMaterials {
 std::int32_t CageMaterials::find(std::int32_t material) {
     if (material < 0) return materials_.defaultMaterial;
     const auto index = static_cast<std::size_t>(material);
-    if (!materials_.uvSets.at(index)[1]) return material;
+    if (!materials_.uvSlots.at(index).isRead[1]) return material;
     const auto [entry, isNew] = copies_.try_emplace(material);
     if (isNew) {
-        candela_material copy = materials_.added[index];
-        for (candela_texture* texture :
-             {&copy.base_color_texture, &copy.metallic_roughness_texture, &copy.normal_texture,
-              &copy.occlusion_texture, &copy.emission_texture}) {
-            texture->uv_set = 0;
-        }
-        entry->second = host_.add(copy);
+        HostMaterial copy = materials_.added[index];
+        copy.setUvSet(0);
+        entry->second = copy.add(host_);
     }
     return entry->second;
 }
@@ -259,12 +255,12 @@ VertexValues valuesOf(const CageVertices& vertices, const JoinedCage& cage) {
     return values;
 }
 
-AddedCage addCage(const Document& document, std::size_t mesh, const std::vector<UvSets>& uvSets,
+AddedCage addCage(const Document& document, std::size_t mesh, const std::vector<UvSlots>& uvSlots,
                   CageMaterials& materials, const Host& host) {
     const CageSettings& settings = document.cages.at(mesh);
     const std::string& name = document.model.meshes.at(mesh).name;
     const std::string element = elementName("mesh", mesh, name);
-    const CageSource source = readCageSource(document, mesh, uvSets, host);
+    const CageSource source = readCageSource(document, mesh, uvSlots, host);
     JoinedCage cage = joinCage(source);
     noteLeftOutFaces(cage, element, host);
     if (settings.scheme == CANDELA_SCHEME_LOOP) requireTriangles(cage, element);
@@ -319,7 +315,7 @@ AddedCages addCages(Document& document, const std::vector<bool>& used, const Add
         AddedCage cage;
         try {
             requireUsable(document, elementName("mesh", mesh, document.model.meshes.at(mesh).name));
-            cage = addCage(document, mesh, materials.uvSets, cageMaterials, host);
+            cage = addCage(document, mesh, materials.uvSlots, cageMaterials, host);
         } catch (const Failure& failure) {
             loseGeometry(document, failure, host);
         }

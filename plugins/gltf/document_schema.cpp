@@ -146,16 +146,19 @@ const ObjectSchema textureTransform{
     "KHR_texture_transform",
     {numbers("offset", 2), number("rotation"), numbers("scale", 2), integer("texCoord")}};
 const ObjectSchema textureExtensions{"", {object("KHR_texture_transform", textureTransform)}};
-const Property textureIndex = required(index("index", Target::textures));
-const Property textureSet = integer("texCoord");
-const Property textureInfo = object("extensions", textureExtensions);
-const ObjectSchema baseColorTexture{"baseColorTexture", {textureIndex, textureSet, textureInfo}};
-const ObjectSchema metallicRoughnessTexture{"metallicRoughnessTexture",
-                                            {textureIndex, textureSet, textureInfo}};
-const ObjectSchema emissiveTexture{"emissiveTexture", {textureIndex, textureSet, textureInfo}};
-const ObjectSchema normalTexture{"normalTexture", {textureIndex, textureSet, textureInfo, number("scale")}};
-const ObjectSchema occlusionTexture{"occlusionTexture",
-                                    {textureIndex, textureSet, textureInfo, number("strength", 0, 1)}};
+/// The members of all textures of a material, and `more`.
+ObjectSchema textureSchema(const char* name, std::vector<Property> more = {}) {
+    std::vector<Property> properties{required(index("index", Target::textures)), integer("texCoord"),
+                                     object("extensions", textureExtensions)};
+    properties.insert(properties.end(), more.begin(), more.end());
+    return {name, std::move(properties)};
+}
+
+const ObjectSchema baseColorTexture = textureSchema("baseColorTexture");
+const ObjectSchema metallicRoughnessTexture = textureSchema("metallicRoughnessTexture");
+const ObjectSchema emissiveTexture = textureSchema("emissiveTexture");
+const ObjectSchema normalTexture = textureSchema("normalTexture", {number("scale")});
+const ObjectSchema occlusionTexture = textureSchema("occlusionTexture", {number("strength", 0, 1)});
 
 const ObjectSchema metallicRoughness{
     "pbrMetallicRoughness",
@@ -164,8 +167,74 @@ const ObjectSchema metallicRoughness{
      object("metallicRoughnessTexture", metallicRoughnessTexture)}};
 const ObjectSchema emissiveStrength{"KHR_materials_emissive_strength", {number("emissiveStrength", 0)}};
 const ObjectSchema unlit{"KHR_materials_unlit", {}};
+
+const ObjectSchema ior{"KHR_materials_ior", {number("ior", 0)}};
+const ObjectSchema specularTexture = textureSchema("specularTexture");
+const ObjectSchema specularColorTexture = textureSchema("specularColorTexture");
+const ObjectSchema specular{
+    "KHR_materials_specular",
+    {number("specularFactor", 0, 1), object("specularTexture", specularTexture),
+     numbers("specularColorFactor", 3, 0), object("specularColorTexture", specularColorTexture)}};
+const ObjectSchema clearcoatTexture = textureSchema("clearcoatTexture");
+const ObjectSchema clearcoatRoughnessTexture = textureSchema("clearcoatRoughnessTexture");
+const ObjectSchema clearcoatNormalTexture = textureSchema("clearcoatNormalTexture", {number("scale")});
+const ObjectSchema clearcoat{
+    "KHR_materials_clearcoat",
+    {number("clearcoatFactor", 0, 1), object("clearcoatTexture", clearcoatTexture),
+     number("clearcoatRoughnessFactor", 0, 1), object("clearcoatRoughnessTexture", clearcoatRoughnessTexture),
+     object("clearcoatNormalTexture", clearcoatNormalTexture)}};
+const ObjectSchema sheenColorTexture = textureSchema("sheenColorTexture");
+const ObjectSchema sheenRoughnessTexture = textureSchema("sheenRoughnessTexture");
+const ObjectSchema sheen{
+    "KHR_materials_sheen",
+    {numbers("sheenColorFactor", 3, 0, 1), object("sheenColorTexture", sheenColorTexture),
+     number("sheenRoughnessFactor", 0, 1), object("sheenRoughnessTexture", sheenRoughnessTexture)}};
+const ObjectSchema anisotropyTexture = textureSchema("anisotropyTexture");
+const ObjectSchema anisotropy{"KHR_materials_anisotropy",
+                              {number("anisotropyStrength", 0, 1), number("anisotropyRotation"),
+                               object("anisotropyTexture", anisotropyTexture)}};
+const ObjectSchema iridescenceTexture = textureSchema("iridescenceTexture");
+const ObjectSchema iridescenceThicknessTexture = textureSchema("iridescenceThicknessTexture");
+const ObjectSchema iridescence{
+    "KHR_materials_iridescence",
+    {number("iridescenceFactor", 0, 1), object("iridescenceTexture", iridescenceTexture),
+     number("iridescenceIor", 1), number("iridescenceThicknessMinimum", 0),
+     number("iridescenceThicknessMaximum", 0),
+     object("iridescenceThicknessTexture", iridescenceThicknessTexture)}};
+const ObjectSchema transmissionTexture = textureSchema("transmissionTexture");
+const ObjectSchema transmission{
+    "KHR_materials_transmission",
+    {number("transmissionFactor", 0, 1), object("transmissionTexture", transmissionTexture)}};
+const ObjectSchema thicknessTexture = textureSchema("thicknessTexture");
+const ObjectSchema volume{"KHR_materials_volume",
+                          {number("thicknessFactor", 0), object("thicknessTexture", thicknessTexture),
+                           positive("attenuationDistance"), numbers("attenuationColor", 3, 0, 1)}};
+const ObjectSchema dispersion{"KHR_materials_dispersion", {number("dispersion", 0)}};
+const ObjectSchema diffuseTransmissionTexture = textureSchema("diffuseTransmissionTexture");
+const ObjectSchema diffuseTransmissionColorTexture = textureSchema("diffuseTransmissionColorTexture");
+const ObjectSchema diffuseTransmission{
+    "KHR_materials_diffuse_transmission",
+    {number("diffuseTransmissionFactor", 0, 1),
+     object("diffuseTransmissionTexture", diffuseTransmissionTexture),
+     numbers("diffuseTransmissionColorFactor", 3, 0, 1),
+     object("diffuseTransmissionColorTexture", diffuseTransmissionColorTexture)}};
+const ObjectSchema diffuseTexture = textureSchema("diffuseTexture");
+const ObjectSchema specularGlossinessTexture = textureSchema("specularGlossinessTexture");
+const ObjectSchema specularGlossiness{
+    "KHR_materials_pbrSpecularGlossiness",
+    {numbers("diffuseFactor", 4, 0, 1), object("diffuseTexture", diffuseTexture),
+     numbers("specularFactor", 3, 0, 1), number("glossinessFactor", 0, 1),
+     object("specularGlossinessTexture", specularGlossinessTexture)}};
 const ObjectSchema materialExtensions{
-    "", {object("KHR_materials_emissive_strength", emissiveStrength), object("KHR_materials_unlit", unlit)}};
+    "",
+    {object("KHR_materials_anisotropy", anisotropy), object("KHR_materials_clearcoat", clearcoat),
+     object("KHR_materials_diffuse_transmission", diffuseTransmission),
+     object("KHR_materials_dispersion", dispersion),
+     object("KHR_materials_emissive_strength", emissiveStrength), object("KHR_materials_ior", ior),
+     object("KHR_materials_iridescence", iridescence),
+     object("KHR_materials_pbrSpecularGlossiness", specularGlossiness), object("KHR_materials_sheen", sheen),
+     object("KHR_materials_specular", specular), object("KHR_materials_transmission", transmission),
+     object("KHR_materials_unlit", unlit), object("KHR_materials_volume", volume)}};
 const ObjectSchema material{
     "material",
     {text("name"), object("pbrMetallicRoughness", metallicRoughness), object("normalTexture", normalTexture),
@@ -173,15 +242,11 @@ const ObjectSchema material{
      numbers("emissiveFactor", 3, 0, 1), words("alphaMode", {"OPAQUE", "MASK", "BLEND"}),
      number("alphaCutoff", 0), flag("doubleSided"), object("extensions", materialExtensions)}};
 
-const ObjectSchema attributes{"attribute",
-                              {{.name = "POSITION"},
-                               {.name = "NORMAL"},
-                               {.name = "TANGENT"},
-                               {.name = "TEXCOORD_0"},
-                               {.name = "TEXCOORD_1"},
-                               {.name = "COLOR_0"}},
-                              {"JOINTS_", "WEIGHTS_"},
-                              "POSITION"};
+const ObjectSchema attributes{
+    "attribute",
+    {{.name = "POSITION"}, {.name = "NORMAL"}, {.name = "TANGENT"}, {.name = "COLOR_0"}},
+    {"TEXCOORD_", "JOINTS_", "WEIGHTS_"},
+    "POSITION"};
 const ObjectSchema targetAttributes{"attribute",
                                     {{.name = "POSITION"}, {.name = "NORMAL"}, {.name = "TANGENT"}}};
 const ObjectSchema ngonEncoding{"FB_ngon_encoding", {}};

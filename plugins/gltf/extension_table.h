@@ -62,9 +62,8 @@ inline constexpr Extension extensionTable[] = {
      "the index of refraction (KHR_materials_ior)"},
     {"KHR_materials_iridescence", Support::notDrawn, "drawn without the film",
      "iridescence (KHR_materials_iridescence)"},
-    {"KHR_materials_pbrSpecularGlossiness", Support::notDrawn, "drawn with the metallic-roughness values",
-     "the specular-glossiness values (KHR_materials_pbrSpecularGlossiness): drawn with the "
-     "metallic-roughness ones"},
+    {"KHR_materials_pbrSpecularGlossiness", Support::partly,
+     "as a dielectric whose reflectance is the specular colour; see above"},
     {"KHR_materials_sheen", Support::notDrawn, "drawn without the sheen", "sheen (KHR_materials_sheen)"},
     {"KHR_materials_specular", Support::notDrawn, "reflections have their usual strength",
      "the strength and colour of reflections (KHR_materials_specular)"},

@@ -10,72 +10,10 @@
 
 #include "deformers.h"
 #include "primitives.h"
+#include "vertex_streams.h"
 
 namespace candela_plugins::gltf {
 namespace {
-
-struct Stream {
-    const char* attribute;
-    AttributeForm form;
-};
-
-enum StreamIndex : std::size_t { position, normal, tangent, uv0, uv1, color, streamCount };
-
-constexpr std::array<Stream, streamCount> streams{{{"POSITION", positionForm},
-                                                   {"NORMAL", normalForm},
-                                                   {"TANGENT", tangentForm},
-                                                   {"TEXCOORD_0", uvForm},
-                                                   {"TEXCOORD_1", uvForm},
-                                                   {"COLOR_0", {4, fractions, fractions}}}};
-constexpr AttributeForm rgbForm{3, fractions, fractions};
-
-/// The accessor of each stream, or one of these where a primitive has none.
-using Accessors = std::array<int, streamCount>;
-constexpr int absent = -1, zeros = -2;
-
-/// `needed` are the texture coordinates that the primitive's material reads.
-Accessors accessorsOf(const tinygltf::Primitive& primitive, const UvSets& needed) {
-    Accessors accessors;
-    for (std::size_t s = 0; s < streamCount; ++s) {
-        accessors[s] = accessorOf(primitive, streams[s].attribute);
-    }
-    // Tangents without normals are to be ignored (glTF 2.0, 3.7.2.1).
-    if (accessors[normal] == absent) accessors[tangent] = absent;
-    if (accessors[uv0] == absent && needed[0]) accessors[uv0] = zeros;
-    if (accessors[uv1] == absent && needed[1]) accessors[uv1] = zeros;
-    return accessors;
-}
-
-std::vector<float> withAlpha(const std::vector<float>& rgb) {
-    std::vector<float> rgba(rgb.size() / 3 * 4, 1.0f);
-    for (std::size_t i = 0; i < rgb.size() / 3; ++i) std::copy_n(&rgb[i * 3], 3, &rgba[i * 4]);
-    return rgba;
-}
-
-const AttributeForm& formOf(const Document& document, std::size_t stream, int accessor) {
-    const bool rgb = stream == color &&
-                     componentCount(document.model.accessors.at(static_cast<std::size_t>(accessor))) == 3;
-    return rgb ? rgbForm : streams[stream].form;
-}
-
-/// Numbers that are not finite are kept.
-std::vector<float> readStream(const Document& document, std::size_t stream, int accessor,
-                              std::size_t vertices, const std::string& element) {
-    const AttributeForm& form = formOf(document, stream, accessor);
-    std::vector<float> numbers = readAttribute(document, accessor, streams[stream].attribute, form, vertices,
-                                               element, Finiteness::any);
-    return &form == &rgbForm ? withAlpha(numbers) : numbers;
-}
-
-bool replaceNotFinite(std::vector<float>& numbers, float replacement) {
-    bool replaced = false;
-    for (float& number : numbers) {
-        if (std::isfinite(number)) continue;
-        number = replacement;
-        replaced = true;
-    }
-    return replaced;
-}
 
 /// The accessors of a primitive: those of its streams, then those of what deforms it.
 struct VertexKey {
@@ -90,18 +28,18 @@ struct VertexRange {
     std::uint32_t first = 0, count = 0;
 };
 
-using Streams = std::array<std::vector<float>, streamCount>;
-
 /// Primitives of one mesh that have the same attributes, as one mesh of the host.
 class Part {
   public:
     Part(const Deformers& deformers, const Host& host)
         : host_(host), influenceSets_(deformers.influenceSets), targets_(deformers.targets.size()) {}
 
-    /// Throws `Failure` and adds nothing when the primitive cannot be drawn. `material` is the host's.
+    /// Throws `Failure` and adds nothing when the primitive cannot be drawn. `material` is the host's, and
+    /// `slots` are those of it.
     void add(const Document& document, const tinygltf::Primitive& primitive, std::int32_t material,
-             const VertexKey& key, const Deformers& deformers, const std::string& element) {
-        const VertexRange range = rangeOf(document, key, deformers, element);
+             const UvSlots& slots, const VertexKey& key, const Deformers& deformers,
+             const std::string& element) {
+        const VertexRange range = rangeOf(document, key, slots, deformers, element);
         const std::vector<std::uint32_t> triangles = trianglesOf(document, primitive, range, element);
         const std::size_t first = indices_.size();
         if (first + triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
@@ -158,8 +96,8 @@ class Part {
         return streams_[stream].empty() ? std::vector<float>() : targets_.joined(kind, vertexCount_);
     }
 
-    VertexRange rangeOf(const Document& document, const VertexKey& key, const Deformers& deformers,
-                        const std::string& element) {
+    VertexRange rangeOf(const Document& document, const VertexKey& key, const UvSlots& slots,
+                        const Deformers& deformers, const std::string& element) {
         const Accessors& accessors = key.streams;
         const auto known = ranges_.find(key);
         if (known != ranges_.end()) return known->second;
@@ -167,7 +105,7 @@ class Part {
         if (count > std::numeric_limits<std::uint32_t>::max() - vertexCount_) {
             throw Failure{element, "makes more than 4294967295 vertices"};
         }
-        Streams read = readStreams(document, accessors, count, element);
+        Streams read = readStreams(document, accessors, slots, count, element);
         for (std::size_t s = 0; s < streamCount; ++s) append(std::move(read[s]), streams_[s]);
         const auto appendAll = [](auto& all, const auto& more) {
             all.insert(all.end(), more.begin(), more.end());
@@ -182,17 +120,17 @@ class Part {
     }
 
     /// Texture coordinates and colours that are not finite become 0 and 1. The host repairs directions.
-    Streams readStreams(const Document& document, const Accessors& accessors, std::size_t count,
-                        const std::string& element) {
+    Streams readStreams(const Document& document, const Accessors& accessors, const UvSlots& slots,
+                        std::size_t count, const std::string& element) {
         Streams read;
         for (std::size_t s = 0; s < streamCount; ++s) {
-            if (accessors[s] == zeros) read[s].resize(count * streams[s].form.components);
+            if (accessors[s] == zeros) read[s].resize(count * componentsOf(s));
             if (accessors[s] < 0) continue;
-            read[s] = readStream(document, s, accessors[s], count, element);
+            read[s] = readStream(document, s, accessors[s], attributeOf(s, slots), count, element);
             if (s == position) noteBrokenVertices(read[s], element);
-            if (s != uv0 && s != uv1 && s != color) continue;
+            if (!isUv(s) && s != color) continue;
             if (!replaceNotFinite(read[s], s == color ? 1.0f : 0.0f)) continue;
-            host_.note(CANDELA_NOTE_REPAIRED, element + ", attribute " + streams[s].attribute,
+            host_.note(CANDELA_NOTE_REPAIRED, element + ", attribute " + attributeOf(s, slots),
                        std::string("numbers that are not finite, taken as ") + (s == color ? "1" : "0"));
         }
         return read;
@@ -336,23 +274,25 @@ class MeshImporter {
         if (isNew) parts_.emplace_back(deformers, host_);
         const std::int32_t material =
             primitive.material < 0 ? materials_.defaultMaterial : primitive.material;
-        parts_[entry->second].add(document_, primitive, material, key, deformers, element);
+        parts_[entry->second].add(document_, primitive, material, slotsOf(primitive), key, deformers,
+                                  element);
     }
 
     /// Attributes other than the position that cannot be read are left out. The position is checked first:
     /// the rest is read for as many vertices as it has.
     Accessors usableAccessors(const tinygltf::Primitive& primitive, const std::string& element) const {
-        Accessors accessors = accessorsOf(primitive, uvSetsOf(primitive));
+        const UvSlots& slots = slotsOf(primitive);
+        Accessors accessors = accessorsOf(primitive, slots);
         const std::size_t vertices = elementCount(document_, accessors[position]);
-        checkAttribute(document_, accessors[position], streams[position].attribute, positionForm, vertices,
+        checkAttribute(document_, accessors[position], attributeOf(position, {}), positionForm, vertices,
                        element);
         for (std::size_t s = normal; s < streamCount; ++s) {
             if (accessors[s] < 0) continue;
             const bool isLeftOut = host_.leavesOut([&] {
-                checkAttribute(document_, accessors[s], streams[s].attribute,
+                checkAttribute(document_, accessors[s], attributeOf(s, slots),
                                formOf(document_, s, accessors[s]), vertices, element);
             });
-            const bool isRead = (s == uv0 || s == uv1) && uvSetsOf(primitive)[s - uv0];
+            const bool isRead = isUv(s) && slots.isRead[s - uv0];
             if (isLeftOut) accessors[s] = isRead ? zeros : absent;
         }
         if (accessors[normal] == absent) accessors[tangent] = absent;
@@ -364,24 +304,26 @@ class MeshImporter {
             ++(primitive.mode == TINYGLTF_MODE_POINTS ? points_ : lines_);
             return false;
         }
-        if (primitive.attributes.contains(streams[position].attribute)) return true;
+        if (primitive.attributes.contains(attributeOf(position, {}))) return true;
         host_.note(CANDELA_NOTE_MISSING, element, "not drawn: no POSITION");
         return false;
     }
 
-    UvSets uvSetsOf(const tinygltf::Primitive& primitive) const {
-        if (primitive.material < 0) return {};
-        return materials_.uvSets.at(static_cast<std::size_t>(primitive.material));
+    const UvSlots& slotsOf(const tinygltf::Primitive& primitive) const {
+        static const UvSlots none;
+        if (primitive.material < 0) return none;
+        return materials_.uvSlots.at(static_cast<std::size_t>(primitive.material));
     }
 
     void noteMissingUvs(const Accessors& accessors, const tinygltf::Primitive& primitive,
                         const std::string& element) const {
-        for (const StreamIndex stream : {uv0, uv1}) {
+        for (const Stream stream : {uv0, uv1}) {
             // One that was left out has a note of its own.
-            if (accessors[stream] != zeros || accessorOf(primitive, streams[stream].attribute) >= 0) continue;
+            const std::string attribute = attributeOf(stream, slotsOf(primitive));
+            if (accessors[stream] != zeros || accessorOf(primitive, attribute) >= 0) continue;
             host_.note(CANDELA_NOTE_REPAIRED, element,
-                       std::string("no ") + streams[stream].attribute + ", which material " +
-                           std::to_string(primitive.material) + " reads: taken as zeros");
+                       "no " + attribute + ", which material " + std::to_string(primitive.material) +
+                           " reads: taken as zeros");
         }
     }
 

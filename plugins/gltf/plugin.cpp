@@ -12,6 +12,7 @@
 #include "compressed_views.h"
 #include "document.h"
 #include "image_based_light.h"
+#include "images.h"
 #include "lights.h"
 #include "materials.h"
 #include "mesh_deformations.h"
@@ -56,7 +57,7 @@ void importFile(const std::string& name, const Host& host) {
     limitAbsentElements(document);
     host.progress(documentRead);
 
-    const std::vector<std::int32_t> images = addImages(document, storage, host, documentRead, imagesAdded);
+    const AddedImages images = addImages(document, storage, host, documentRead, imagesAdded);
     const AddedMaterials materials = addMaterials(document, images, used, host);
     const MeshParts meshes = addMeshes(document, used, materials, host, imagesAdded, meshesAdded);
     const AddedCages cages = addCages(document, used, materials, host, meshesAdded, cagesAdded);

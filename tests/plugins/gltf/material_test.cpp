@@ -137,13 +137,6 @@ TEST(Material, blendIsReadWithoutANote) {
     EXPECT_TRUE(imported.report.notes.empty());
 }
 
-TEST(Material, thirdTextureCoordinateSetIsNotedAndOmitted) {
-    const candela::ImportedScene imported =
-        loadMaterial(R"({"name":"far","normalTexture":{"index":0,"texCoord":2}})");
-    EXPECT_FALSE(imported.scene.materials.at(0).normalTexture.has_value());
-    EXPECT_TRUE(hasNote(imported, "material 0 'far', normalTexture: the texture coordinates TEXCOORD_2"));
-}
-
 TEST(Material, textureWithoutImageIsNotedAndOmitted) {
     GltfFile file = fileWithMaterial(R"({"normalTexture":{"index":2}})");
     file.add("textures", R"({"extensions":{"MSFT_texture_dds":{"source":0}}})");

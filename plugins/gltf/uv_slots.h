@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "texture_uses.h"
+
+namespace candela_plugins::gltf {
+
+/// The sets of texture coordinates of the file, n of TEXCOORD_n, that the host's sets 0 and 1 hold for a
+/// material.
+struct UvSlots {
+    std::array<int, 2> sets{0, 1};
+    std::array<bool, 2> isRead{};  ///< Whether a texture of the material reads it.
+
+    /// The host's set for a set of the file; -1 where the material reads more sets than there are.
+    int find(int set) const;
+    /// The attribute that the host's set `slot` holds: "TEXCOORD_0".
+    std::string attribute(std::size_t slot) const;
+};
+
+/// The slots of each material. TEXCOORD_0 and TEXCOORD_1 are in their own ones where they are read. Where a
+/// material reads more than two sets, those of its first textures are taken.
+std::vector<UvSlots> uvSlotsOf(const Document& document);
+
+}  // namespace candela_plugins::gltf

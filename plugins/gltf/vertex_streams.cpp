@@ -1,0 +1,73 @@
+#include "vertex_streams.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela_plugins::gltf {
+namespace {
+
+struct StreamForm {
+    const char* attribute;
+    AttributeForm form;
+};
+
+constexpr std::array<StreamForm, streamCount> forms{{{"POSITION", positionForm},
+                                                     {"NORMAL", normalForm},
+                                                     {"TANGENT", tangentForm},
+                                                     {"TEXCOORD_", uvForm},
+                                                     {"TEXCOORD_", uvForm},
+                                                     {"COLOR_0", {4, fractions, fractions}}}};
+constexpr AttributeForm rgbForm{3, fractions, fractions};
+
+std::vector<float> withAlpha(const std::vector<float>& rgb) {
+    std::vector<float> rgba(rgb.size() / 3 * 4, 1.0f);
+    for (std::size_t i = 0; i < rgb.size() / 3; ++i) std::copy_n(&rgb[i * 3], 3, &rgba[i * 4]);
+    return rgba;
+}
+
+}  // namespace
+
+std::size_t componentsOf(std::size_t stream) {
+    return forms[stream].form.components;
+}
+
+std::string attributeOf(std::size_t stream, const UvSlots& slots) {
+    return isUv(stream) ? slots.attribute(stream - uv0) : forms[stream].attribute;
+}
+
+Accessors accessorsOf(const tinygltf::Primitive& primitive, const UvSlots& slots) {
+    Accessors accessors;
+    for (std::size_t s = 0; s < streamCount; ++s) accessors[s] = accessorOf(primitive, attributeOf(s, slots));
+    // Tangents without normals are to be ignored (glTF 2.0, 3.7.2.1).
+    if (accessors[normal] == absent) accessors[tangent] = absent;
+    if (accessors[uv0] == absent && slots.isRead[0]) accessors[uv0] = zeros;
+    if (accessors[uv1] == absent && slots.isRead[1]) accessors[uv1] = zeros;
+    return accessors;
+}
+
+const AttributeForm& formOf(const Document& document, std::size_t stream, int accessor) {
+    const bool rgb = stream == color &&
+                     componentCount(document.model.accessors.at(static_cast<std::size_t>(accessor))) == 3;
+    return rgb ? rgbForm : forms[stream].form;
+}
+
+std::vector<float> readStream(const Document& document, std::size_t stream, int accessor,
+                              const std::string& attribute, std::size_t vertices,
+                              const std::string& element) {
+    const AttributeForm& form = formOf(document, stream, accessor);
+    std::vector<float> numbers =
+        readAttribute(document, accessor, attribute, form, vertices, element, Finiteness::any);
+    return &form == &rgbForm ? withAlpha(numbers) : numbers;
+}
+
+bool replaceNotFinite(std::vector<float>& numbers, float replacement) {
+    bool replaced = false;
+    for (float& number : numbers) {
+        if (std::isfinite(number)) continue;
+        number = replacement;
+        replaced = true;
+    }
+    return replaced;
+}
+
+}  // namespace candela_plugins::gltf
