@@ -106,6 +106,9 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
                    "crowd:N (moving N skinned characters, against copies of their vertices), or a\n"
                    "file. Default: plaza")
         ->type_name("NAME|FILE");
+    app.add_option("--variant", options.variant,
+                   "The variant of a file that is drawn, by name or by number from 0. Default: none")
+        ->type_name("NAME|INDEX");
     app.add_option_function<std::string>(
            "--lights", [&](const std::string& text) { options.lights = parseLights(text); },
            "Numbers of lights, separated by commas; a file gets them scattered over its\n"

@@ -19,7 +19,8 @@ constexpr const char* cageScene = "cages";
 
 struct BenchOptions {
     std::string scene = "plaza";
-    std::vector<std::uint64_t> lights;  ///< Empty: 4096, or the lights of a file.
+    std::optional<std::string> variant;  ///< Of a file: name or index; none: without a variant.
+    std::vector<std::uint64_t> lights;   ///< Empty: 4096, or the lights of a file.
     std::vector<candela::Technique> techniques{candela::Technique::automatic};
     bool compares = false;  ///< --technique all: pictures are compared and must agree.
     candela::TileBackend tileBackend = candela::TileBackend::automatic;

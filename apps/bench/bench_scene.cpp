@@ -1,6 +1,7 @@
 #include "bench_scene.h"
 
 #include "common/scene_lights.h"
+#include "common/scene_selection.h"
 
 #include <candela/import.h>
 
@@ -19,6 +20,7 @@ candela::CameraView defaultView(const candela::Scene& scene, const BenchOptions&
 }
 
 BenchScene makeBenchScene(const std::string& name, candela::Scene scene, const BenchOptions& options) {
+    selectVariant(scene, options.variant, name);
     const std::vector<glm::mat4> world = worldTransforms(scene);
     BenchScene bench{name, {}, worldLights(scene, world), defaultView(scene, options, world), {}};
     bench.scene = std::move(scene);

@@ -33,6 +33,10 @@ constexpr const char* animation =
     "Default: the first one";
 constexpr const char* loop = "Repeat the animations after their last key. Default: they hold their last pose";
 
+constexpr const char* variant =
+    "The variant of the scene that is drawn, by name or by number from 0.\n"
+    "Default: the scene as it is without one";
+
 constexpr const char* size = "Width and height in pixels, 1 to 16384 each. Default: 1280x720";
 constexpr const char* show =
     "Show a debug view instead of the lit picture: normals, level (of subdivision),\n"
@@ -226,6 +230,7 @@ void SceneOptionReader::declareScene(CLI::App& app) {
     app.add_option("--animation", options_.animation, help::animation)
         ->type_name("NAME|INDEX|all|none")
         ->group("Scene");
+    app.add_option("--variant", options_.variant, help::variant)->type_name("NAME|INDEX")->group("Scene");
     app.add_flag_callback(
            "--loop", [this] { options_.repeatAnimations = true; }, help::loop)
         ->group("Scene");

@@ -63,6 +63,7 @@ struct SceneOptions {
     std::vector<std::filesystem::path> pluginFolders;
     double time = 0.0;                     ///< Seconds.
     std::optional<std::string> animation;  ///< Name, index, "all" or "none"; none: the first one.
+    std::optional<std::string> variant;    ///< Name or index; none: without a variant.
     bool repeatAnimations = false;         ///< After their last key, instead of holding the last pose.
 
     int width = 1280, height = 720;     ///< Pixels.

@@ -20,25 +20,40 @@ std::vector<std::uint32_t> allOf(const candela::Scene& scene) {
     return all;
 }
 
-std::string listed(const candela::Scene& scene, std::uint32_t first) {
+/// The labels of elements `first` to `count` - 1.
+template <typename Label>
+std::string listed(std::size_t count, std::uint32_t first, const Label& label) {
     std::string text;
-    for (std::uint32_t i = first; i < scene.animations.size(); ++i) {
-        if (i - first == maxListed)
-            return text + " and " + std::to_string(scene.animations.size() - i) + " more";
-        text += (text.empty() ? "" : ", ") + animationLabel(scene, i);
+    for (std::uint32_t i = first; i < count; ++i) {
+        if (i - first == maxListed) return text + " and " + std::to_string(count - i) + " more";
+        text += (text.empty() ? "" : ", ") + label(i);
     }
     return text;
 }
 
+std::string listedAnimations(const candela::Scene& scene, std::uint32_t first) {
+    return listed(scene.animations.size(), first, [&](std::uint32_t i) { return animationLabel(scene, i); });
+}
+
 /// By name first: a scene may call its animations "1" and "2".
-std::optional<std::uint32_t> findAnimation(const candela::Scene& scene, const std::string& text) {
-    for (std::uint32_t i = 0; i < scene.animations.size(); ++i)
-        if (!text.empty() && scene.animations[i].name == text) return i;
+template <typename Name>
+std::optional<std::uint32_t> findElement(std::size_t count, const std::string& text, const Name& name) {
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (!text.empty() && name(i) == text) return i;
     std::uint32_t index = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, index);
-    if (error != std::errc{} || stop != end || index >= scene.animations.size()) return std::nullopt;
+    if (error != std::errc{} || stop != end || index >= count) return std::nullopt;
     return index;
+}
+
+std::optional<std::uint32_t> findAnimation(const candela::Scene& scene, const std::string& text) {
+    return findElement(scene.animations.size(), text,
+                       [&](std::uint32_t i) -> const std::string& { return scene.animations[i].name; });
+}
+
+std::string labelOf(std::uint32_t index, const std::string& name) {
+    return std::to_string(index) + (name.empty() ? "" : " \"" + name + "\"");
 }
 
 }  // namespace
@@ -51,7 +66,7 @@ std::vector<std::uint32_t> selectedAnimations(const candela::Scene& scene, const
     throw candela::Error(
         candela::ErrorKind::badInput, options.scene,
         "no animation \"" + *options.animation + "\"; " +
-            (scene.animations.empty() ? "the scene has none" : "there are " + listed(scene, 0)));
+            (scene.animations.empty() ? "the scene has none" : "there are " + listedAnimations(scene, 0)));
 }
 
 void playOnly(candela::Scene& scene, const std::vector<std::uint32_t>& animations) {
@@ -63,12 +78,32 @@ std::optional<std::string> selectAnimations(candela::Scene& scene, const SceneOp
     playOnly(scene, selectedAnimations(scene, options));
     if (options.animation || scene.animations.size() < 2) return std::nullopt;
     return "of the animations only " + animationLabel(scene, 0) +
-           " plays; --animation selects others: " + listed(scene, 1);
+           " plays; --animation selects others: " + listedAnimations(scene, 1);
 }
 
 std::string animationLabel(const candela::Scene& scene, std::uint32_t index) {
-    const std::string& name = scene.animations[index].name;
-    return std::to_string(index) + (name.empty() ? "" : " \"" + name + "\"");
+    return labelOf(index, scene.animations[index].name);
+}
+
+std::optional<std::uint32_t> findVariant(const candela::Scene& scene, const std::string& text) {
+    return findElement(scene.variants.size(), text,
+                       [&](std::uint32_t i) -> const std::string& { return scene.variants[i]; });
+}
+
+void selectVariant(candela::Scene& scene, const std::optional<std::string>& variant,
+                   const std::string& path) {
+    if (!variant) return candela::selectVariant(scene, std::nullopt);
+    const std::optional<std::uint32_t> found = findVariant(scene, *variant);
+    if (found) return candela::selectVariant(scene, found);
+    const std::string all =
+        listed(scene.variants.size(), 0, [&](std::uint32_t i) { return variantLabel(scene, i); });
+    throw candela::Error(
+        candela::ErrorKind::badInput, path,
+        "no variant \"" + *variant + "\"; " + (all.empty() ? "the scene has none" : "there are " + all));
+}
+
+std::string variantLabel(const candela::Scene& scene, std::uint32_t index) {
+    return labelOf(index, scene.variants[index]);
 }
 
 double lastKeyTime(const candela::Scene& scene) {

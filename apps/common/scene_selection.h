@@ -24,6 +24,16 @@ void playOnly(candela::Scene& scene, const std::vector<std::uint32_t>& animation
 /// An animation as lists and messages show it: 0 "Walk".
 std::string animationLabel(const candela::Scene& scene, std::uint32_t index);
 
+/// The variant that `text` names, by name or by number. None where the scene has no such variant.
+std::optional<std::uint32_t> findVariant(const candela::Scene& scene, const std::string& text);
+
+/// Gives the scene the variant that `variant` names; without one, none. Throws `candela::Error` (badInput)
+/// for the file `path` that lists the scene's variants where none has the name or number.
+void selectVariant(candela::Scene& scene, const std::optional<std::string>& variant, const std::string& path);
+
+/// A variant as lists and messages show it: 0 "Red".
+std::string variantLabel(const candela::Scene& scene, std::uint32_t index);
+
 /// The last key of the animations that play, in seconds; 0 without any.
 double lastKeyTime(const candela::Scene& scene);
 

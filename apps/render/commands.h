@@ -8,5 +8,6 @@ void renderFrames(const Options& options);
 /// Prints what --list asks for, a line each, on standard output. Throws `candela::Error`.
 void printList(const Options& options);
 
-/// The lists that are of a scene: its animations, cameras or materials. Throws `candela::Error`.
+/// The lists that are of a scene: its animations, cameras, materials, variants or contents. Throws
+/// `candela::Error`.
 void printSceneList(const Options& options);

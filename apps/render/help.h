@@ -38,8 +38,9 @@ constexpr const char* stats =
 constexpr const char* quiet = "Say nothing but errors: no notes, no progress and no result";
 
 constexpr const char* list =
-    "Show plugins, devices, displays or views, or the animations, cameras or\n"
-    "materials of SCENE, and draw nothing. Views are those of --display, if given";
+    "Show plugins, devices, displays or views (of --display, if given), or the\n"
+    "animations, cameras, materials, variants or contents of SCENE: what it holds,\n"
+    "and what of it is drawn otherwise or not. Draw nothing";
 constexpr const char* help = "Show this help";
 constexpr const char* version = "Show the version";
 

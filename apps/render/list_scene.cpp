@@ -1,6 +1,7 @@
 #include "commands.h"
 
 #include "common/scene_selection.h"
+#include "scene_contents.h"
 
 #include <candela/import.h>
 #include <candela/plugin_registry.h>
@@ -45,16 +46,43 @@ void printMaterials(const candela::Scene& scene) {
     if (scene.materials.empty()) std::cout << "no materials\n";
 }
 
+void printVariants(const candela::Scene& scene) {
+    for (std::uint32_t i = 0; i < scene.variants.size(); ++i) std::cout << variantLabel(scene, i) << "\n";
+    if (scene.variants.empty()) std::cout << "no variants\n";
+}
+
+void printContents(const candela::ImportedScene& imported) {
+    const candela::Scene& scene = imported.scene;
+    const auto print = [](const char* name, std::uint64_t count) {
+        if (count > 0) std::cout << name << ": " << count << "\n";
+    };
+    print("triangles of meshes", candela::triangleCount(scene));
+    for (const ContentCount& kind : contentCounts(scene)) print(kind.name, kind.count);
+    print("lights", scene.lights.size());
+    print("environments", scene.environment ? 1 : 0);
+    print("materials", scene.materials.size());
+    for (const ContentCount& kind : materialKinds(scene))
+        print((std::string("materials with ") + kind.name).c_str(), kind.count);
+    for (const candela::ImportNote& note : imported.report.notes)
+        std::cout << toString(note.kind) << ": " << note.line() << "\n";
+}
+
 }  // namespace
 
 void printSceneList(const Options& options) {
     const candela::PluginRegistry plugins(options.pluginFolders);
-    const candela::Scene scene = candela::importScene(plugins, options.scene, {options.strictness, {}}).scene;
+    const candela::ImportedScene imported =
+        candela::importScene(plugins, options.scene, {options.strictness, {}});
+    const candela::Scene& scene = imported.scene;
     switch (*options.list) {
         case ListKind::animations:
             return printAnimations(scene);
         case ListKind::cameras:
             return printCameras(scene);
+        case ListKind::contents:
+            return printContents(imported);
+        case ListKind::variants:
+            return printVariants(scene);
         default:
             return printMaterials(scene);
     }

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-enum class ListKind { plugins, devices, displays, views, animations, cameras, materials };
+enum class ListKind { plugins, devices, displays, views, animations, cameras, materials, variants, contents };
 /// Whether a list is of what the scene holds.
 inline bool needsScene(ListKind kind) {
     return kind >= ListKind::animations;

@@ -66,7 +66,8 @@ std::optional<candela::DisplayTransform> chooseDisplay(Session& session, const c
     return std::nullopt;
 }
 
-candela::Scene readScene(Session& session, const candela::PluginRegistry& plugins) {
+/// `stats` gets what the scene holds.
+candela::Scene readScene(Session& session, const candela::PluginRegistry& plugins, Stats& stats) {
     candela::ImportOptions options;
     options.strictness = session.options.strictness;
     options.progress = [&](double share) {
@@ -77,6 +78,10 @@ candela::Scene readScene(Session& session, const candela::PluginRegistry& plugin
     candela::ImportedScene imported = candela::importScene(plugins, session.options.scene, options);
     for (const candela::ImportNote& note : imported.report.notes) session.note(note.line());
     if (const auto note = selectAnimations(imported.scene, session.options)) session.note(*note);
+    selectVariant(imported.scene, session.options.variant, session.options.scene);
+    stats.contents = contentCounts(imported.scene);
+    stats.materialKinds = materialKinds(imported.scene);
+    stats.notes = std::move(imported.report.notes);
     if (session.options.scatter)
         addScatteredLights(imported.scene, *session.options.scatter, session.options.scene);
     return std::move(imported.scene);
@@ -317,7 +322,8 @@ void renderFrames(const Options& options) {
     std::optional<candela::DisplayTransform> display = chooseDisplay(session, color);
 
     const candela::PluginRegistry plugins(options.pluginFolders);
-    candela::Scene scene = readScene(session, plugins);
+    Stats stats;
+    candela::Scene scene = readScene(session, plugins, stats);
     const std::string environment = useEnvironment(session, scene);
     const CameraSelection views(scene, options, [&] { return framedBox(scene); });
 
@@ -343,7 +349,6 @@ void renderFrames(const Options& options) {
     }
     FrameWriter frameWriter(context, renderer, gpuScene, color, display, options);
 
-    Stats stats;
     PictureNotes pictureNotes;
     LayerNotes layerNotes;
     stats.timings = drawFrames(session, scene, frameWriter, lighting, views, pictureNotes, layerNotes);

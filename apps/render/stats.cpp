@@ -42,6 +42,26 @@ Json frameTimes(const std::vector<FrameTiming>& timings) {
             {"count", times.size()}};
 }
 
+Json countsJson(const std::vector<ContentCount>& counts) {
+    Json json = Json::object();
+    for (const ContentCount& count : counts) json[count.name] = count.count;
+    return json;
+}
+
+Json sceneJson(const Stats& stats) {
+    Json json{{"triangles", stats.triangles}, {"materials", stats.materials}, {"lights", stats.lights}};
+    json.update(countsJson(stats.contents));
+    json["material_kinds"] = countsJson(stats.materialKinds);
+    return json;
+}
+
+Json notesJson(const std::vector<candela::ImportNote>& notes) {
+    Json json = Json::array();
+    for (const candela::ImportNote& note : notes)
+        json.push_back({{"kind", toString(note.kind)}, {"text", note.line()}, {"count", note.count}});
+    return json;
+}
+
 }  // namespace
 
 std::string statsJson(const Stats& stats) {
@@ -52,7 +72,7 @@ std::string statsJson(const Stats& stats) {
         {"height", stats.height},
         {"technique", candela::toString(stats.technique)},
         {"brdf", candela::toString(stats.brdf)},
-        {"scene", {{"triangles", stats.triangles}, {"materials", stats.materials}, {"lights", stats.lights}}},
+        {"scene", sceneJson(stats)},
         {"passes", passTimes(stats.timings)},
         {"frame_ms", frameTimes(stats.timings)},
         {"counters",
@@ -67,6 +87,7 @@ std::string statsJson(const Stats& stats) {
         {"shadows", stats.shadows ? shadowJson(*stats.shadows) : Json()},
         {"environment", stats.environment},
         {"samples", stats.samples},
+        {"notes", notesJson(stats.notes)},
     };
     constexpr int indent = 2;
     return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";

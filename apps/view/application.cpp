@@ -177,15 +177,7 @@ void Application::step() {
 void Application::open(const std::string& scene) {
     SceneOptions wanted = model_.options;
     // Another scene has other cameras and lights of its own.
-    if (scene != options_.scene || model_.document) {
-        wanted.camera.reset();
-        wanted.eye.reset();
-        wanted.verticalFov.reset();
-        wanted.orthographicHeight.reset();
-        wanted.scatter.reset();
-        wanted.animation.reset();
-        wanted.time = 0.0;
-    }
+    if (scene != options_.scene || model_.document) takeOptionsOfScene({}, wanted);
     wanted.scene = scene;
     loader_.start(plugins_, wanted, &Window::wake);
 }
@@ -217,14 +209,7 @@ void Application::install(SceneLoader::Result loaded) {
     });
     document->setTime(poseTime(document->scene(), loaded.options, loaded.options.time));
     SceneOptions options = model_.options;
-    options.scene = loaded.options.scene;
-    options.camera = loaded.options.camera;
-    options.eye = loaded.options.eye;
-    options.verticalFov = loaded.options.verticalFov;
-    options.orthographicHeight = loaded.options.orthographicHeight;
-    options.scatter = loaded.options.scatter;
-    options.animation = loaded.options.animation;
-    options.time = loaded.options.time;
+    takeOptionsOfScene(loaded.options, options);
     std::swap(model_.document, document);
     std::swap(model_.options, options);
     try {
@@ -242,6 +227,15 @@ void Application::install(SceneLoader::Result loaded) {
     newDocument_ = true;
     rememberScene(model_.recent, model_.options.scene);
     window_.setTitle(model_.options.scene + " - candela");
+}
+
+/// Of the open scene; empty: none.
+void Application::showVariant(const std::string& variant) {
+    const std::optional<std::string> wanted = variant.empty() ? std::nullopt : std::optional(variant);
+    Document& document = *model_.document;
+    document.setVariant(wanted, context_, uploadOptions(model_.color));
+    model_.options.variant = wanted;
+    drawnPicture_.clear();
 }
 
 void Application::reloadShaders() {
@@ -281,6 +275,8 @@ void Application::serveRequests() {
     const auto open = std::exchange(model_.requests.open, std::nullopt);
     if (open) guarded([&] { this->open(*open); });
     if (std::exchange(model_.requests.cancelLoading, false)) loader_.cancel();
+    const auto variant = std::exchange(model_.requests.variant, std::nullopt);
+    if (variant && model_.document) guarded([&] { showVariant(*variant); });
     const auto config = std::exchange(model_.requests.ocioConfig, std::nullopt);
     if (config) {
         candela::DisplayOptions display;  // the new config has its own names

@@ -42,6 +42,7 @@ class Application {
     void takeLoaded();
     void install(SceneLoader::Result loaded);
     void reportFailure(const std::string& text);
+    void showVariant(const std::string& variant);
     void reloadShaders();
     void serveRequests();
     void serveReadings();

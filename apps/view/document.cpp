@@ -45,6 +45,12 @@ void Document::adopt(candela::GpuScene uploaded) {
     ++revision_;
 }
 
+void Document::setVariant(const std::optional<std::string>& variant, const candela::Context& context,
+                          const candela::GpuSceneOptions& options) {
+    selectVariant(scene_, variant, "the scene");
+    adopt(upload(context, options));
+}
+
 bool Document::animated() const {
     return motion_.moving || std::ranges::any_of(scene_.animations, &candela::Animation::plays);
 }

@@ -35,6 +35,11 @@ class Document {
     /// Shows the result of `upload`.
     void adopt(candela::GpuScene uploaded);
 
+    /// Shows the variant that `variant` names, as --variant does; none without it. Throws `candela::Error`
+    /// and changes nothing where there is no such variant.
+    void setVariant(const std::optional<std::string>& variant, const candela::Context& context,
+                    const candela::GpuSceneOptions& options);
+
     /// Poses the scene (and moves the lights, if they move) as at `seconds`.
     void setTime(double seconds);
     double time() const { return time_; }

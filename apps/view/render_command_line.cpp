@@ -128,6 +128,7 @@ std::string renderCommandLine(const SceneOptions& options) {
     addSampling(command, options);
     if (options.time != 0.0) command.option("--time", numberText(options.time));
     if (options.animation) command.option("--animation", *options.animation);
+    if (options.variant) command.option("--variant", *options.variant);
     if (options.repeatAnimations) command.flag("--loop");
     if (options.scatter) command.option("--scatter-lights", scatterText(*options.scatter));
     if (options.strictness == candela::Strictness::strict) command.flag("--strict");

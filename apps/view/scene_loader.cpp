@@ -16,6 +16,18 @@ constexpr double shownStep = 0.005;
 
 }  // namespace
 
+void takeOptionsOfScene(const SceneOptions& from, SceneOptions& to) {
+    to.scene = from.scene;
+    to.camera = from.camera;
+    to.eye = from.eye;
+    to.verticalFov = from.verticalFov;
+    to.orthographicHeight = from.orthographicHeight;
+    to.scatter = from.scatter;
+    to.animation = from.animation;
+    to.variant = from.variant;
+    to.time = from.time;
+}
+
 struct SceneLoader::Job {
     Job(const candela::PluginRegistry& registry, const SceneOptions& sceneOptions, void (*wakeUp)())
         : plugins(registry), options(sceneOptions), wake(wakeUp) {
@@ -43,6 +55,7 @@ struct SceneLoader::Job {
             plugins, options.scene, {options.strictness, [this](double now) { return goOn(now); }});
         if (const auto note = selectAnimations(imported.scene, options))
             imported.report.notes.push_back({candela::NoteKind::information, *note, {}, 1});
+        selectVariant(imported.scene, options.variant, options.scene);
         if (options.scatter) addScatteredLights(imported.scene, *options.scatter, options.scene);
         result.scene = std::move(imported);
     }

@@ -17,6 +17,10 @@ struct LoadStatus {
     double share = 0.0;  ///< 0 to 1.
 };
 
+/// Copies the options that are about one scene: its name, camera, time, animation, variant and scattered
+/// lights.
+void takeOptionsOfScene(const SceneOptions& from, SceneOptions& to);
+
 /// Reads scenes on a thread of its own, one at a time.
 class SceneLoader {
   public:

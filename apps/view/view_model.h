@@ -44,6 +44,7 @@ struct Requests {
     std::optional<glm::ivec2> pick;  ///< What this pixel shows.
     bool countPairs = false;
     bool measureExposure = false;
+    std::optional<std::string> variant;           ///< Show this variant, a number; empty: none.
     std::optional<std::string> ocioConfig;        ///< Read this OpenColorIO config.
     std::optional<std::string> savePng, saveExr;  ///< Write the picture here.
     bool copyCommand = false;

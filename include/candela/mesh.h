@@ -19,6 +19,15 @@ struct Submesh {
     std::optional<std::uint32_t> material;  ///< Index into `Scene::materials`; none: a default `Material`.
 };
 
+/// The material of a submesh in a variant of the scene; see `selectVariant`.
+struct VariantMaterial {
+    std::uint32_t submesh = 0;              ///< Index into `Mesh::submeshes`.
+    std::optional<std::uint32_t> variant;   ///< Index into `Scene::variants`; none: without a variant.
+    std::optional<std::uint32_t> material;  ///< As `Submesh::material`.
+
+    bool operator==(const VariantMaterial&) const = default;
+};
+
 /// Indexed triangles, counter-clockwise from the front. `positions` and `normals` have one element per
 /// vertex; every other vertex array has as many or is empty. Joints that mirror a vertex turn its triangles:
 /// where most joints of a skin do, clockwise is the front.
@@ -31,6 +40,9 @@ struct Mesh {
     std::vector<glm::vec4> colors;  ///< Linear Rec.709 and alpha: multiplies the base colour.
     std::vector<std::uint32_t> indices;
     std::vector<Submesh> submeshes;  ///< Empty: all indices are one submesh with the default material.
+    /// Those of submeshes that have other materials in variants: for each of them also the one without a
+    /// variant.
+    std::vector<VariantMaterial> variantMaterials;
 
     std::uint32_t influenceCount = 0;   ///< Joints per vertex; 0: no skin moves it.
     std::vector<std::uint32_t> joints;  ///< `influenceCount` per vertex: indices into `Skin::joints`.

@@ -188,6 +188,13 @@ typedef struct candela_submesh {
     int32_t material; /* index of an added material, -1: the default material (white, rough, no metal) */
 } candela_submesh;
 
+/* The material that a submesh has in a variant of the scene (since 1.6). */
+typedef struct candela_variant_material {
+    uint32_t submesh; /* index of the mesh's submeshes */
+    uint32_t variant; /* index of an added variant */
+    int32_t material; /* index of an added material, -1: the default material */
+} candela_variant_material;
+
 /* Triangles. Arrays hold vertex_count elements; a NULL array is absent. Where normals are absent the host
  * makes flat ones; where a normal texture or anisotropy needs tangents and none are given, the host makes
  * them the MikkTSpace way. */
@@ -217,6 +224,9 @@ typedef struct candela_mesh {
     const float* morph_offsets;  /* target after target, 3 a vertex, metres */
     const float* morph_normals;  /* the same for normals; NULL: no target changes them */
     const float* morph_tangents; /* the same for the direction of tangents; NULL: no target changes them */
+    /* since 1.6: where submeshes have other materials in variants, at most one for each of both */
+    uint32_t variant_material_count;
+    const candela_variant_material* variant_materials;
 } candela_mesh;
 
 /* ---- Subdivision cages (since 1.1) */
@@ -497,6 +507,11 @@ typedef struct candela_host {
 
     /* since 1.5: at most once */
     candela_status (*set_environment)(void* self, const candela_environment* environment);
+
+    /* since 1.6 */
+    /* Adds a variant of the scene, in which submeshes have other materials: see candela_mesh. Its name is
+     * what a user selects it by. */
+    int32_t (*add_variant)(void* self, const char* name);
 } candela_host;
 
 /* ---- The subdivider (since 1.1) */

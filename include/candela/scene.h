@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace candela {
@@ -29,6 +30,7 @@ namespace candela {
 struct Scene {
     std::vector<Image> images;
     std::vector<Material> materials;
+    std::vector<std::string> variants;  ///< Names of the looks that `selectVariant` gives the scene.
     std::vector<Mesh> meshes;
     std::vector<Cage> cages;
     std::vector<Skin> skins;
@@ -114,6 +116,11 @@ CANDELA_API CameraView cameraView(const Scene& scene, std::uint32_t index,
 /// does not lie between 0 and pi, or a box that is not empty is not finite.
 CANDELA_API CameraView frameBounds(const Bounds& bounds, float aspect, float verticalFov = 0.785398163f);
 
+/// Gives the submeshes of a scene the materials that they have in variant `variant`; without one, those that
+/// they have without a variant. A submesh that the variant does not name gets the latter too. Throws `Error`
+/// (badInput) when there is no such variant, or a mesh names a submesh that it does not have.
+CANDELA_API void selectVariant(Scene& scene, std::optional<std::uint32_t> variant);
+
 /// Point lights that are scattered over a scene.
 struct LightScatter {
     std::uint32_t count = 0;
@@ -135,6 +142,7 @@ CANDELA_API void scatterLights(Scene& scene, const LightScatter& scatter);
 /// directions and quaternions, and sums of joint weights, may be 1 % off. Further rules:
 ///  - a mesh has the texture coordinates that its materials' textures read (glTF 2.0, 5.30.2), and so has a
 ///    cage, whose only set is 0;
+///  - a submesh has at most one material for each variant, and one without a variant where it has others;
 ///  - the origin is finite and at most 1e9 m along each axis;
 ///  - as the nodes stand at time 0, their world matrices are finite, and posed meshes and cages, lights and
 ///    cameras stand within 1e9 m of the world's origin along each axis (matrices may be singular);

@@ -116,6 +116,16 @@ candela_status ImportHost::setEnvironment(const candela_environment* environment
     return done ? CANDELA_OK : CANDELA_FAILED;
 }
 
+std::int32_t ImportHost::addVariant(const char* name) noexcept {
+    const std::size_t index = scene_.variants.size();
+    const bool added = guarded("variant", [&] {
+        if (index >= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+            throw Error(ErrorKind::limit, uri_, joined("there are more than ", index, " variants"));
+        scene_.variants.push_back(validUtf8(name));
+    });
+    return added ? static_cast<std::int32_t>(index) : -1;
+}
+
 candela_bytes ImportHost::fileBytes(const char* path) {
     if (!files_)
         throw Error(
@@ -268,6 +278,8 @@ struct ImportHost::Functions {
         return from(self).setEnvironment(environment);
     }
 
+    static std::int32_t addVariant(void* self, const char* name) { return from(self).addVariant(name); }
+
     static void parallelFor(void* self, std::uint32_t count, candela_parallel_body body, void* context) {
         runParallelLoop(*from(self).pool_, count, body, context);
     }
@@ -296,6 +308,7 @@ struct ImportHost::Functions {
         host.read_optional_file = readOptionalFile;
         host.add_deformation = addDeformation;
         host.set_environment = setEnvironment;
+        host.add_variant = addVariant;
         return host;
     }
 };

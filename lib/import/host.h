@@ -49,6 +49,7 @@ class ImportHost {
     candela_status addCageInstance(const candela_cage_instance* instance) noexcept;
     candela_bytes fileBytes(const char* path);
     candela_status addDeformation(const candela_deformation* deformation) noexcept;
+    std::int32_t addVariant(const char* name) noexcept;
     candela_status setEnvironment(const candela_environment* environment) noexcept;
     candela_status readFile(const char* path, candela_bytes* out) noexcept;
     candela_status readOptionalFile(const char* path, candela_bytes* out, const char** reason) noexcept;

@@ -19,6 +19,8 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace candela {
@@ -209,6 +211,34 @@ void takeSubmeshes(const candela_mesh& source, const AbiReader& element, const S
     }
 }
 
+void takeVariants(const candela_mesh& source, const AbiReader& element, const Scene& scene, Mesh& mesh) {
+    if (source.variant_material_count > 0 && !source.variant_materials)
+        element.refuse(joined("variant_materials is NULL, but variant_material_count is ",
+                              source.variant_material_count));
+    std::set<std::pair<std::uint32_t, std::uint32_t>> known;
+    std::set<std::uint32_t> submeshes;
+    for (std::uint32_t i = 0; i < source.variant_material_count; ++i) {
+        const std::string label = joined("variant material ", i), member = label + ": material";
+        candela_variant_material from{};
+        std::memcpy(&from, source.variant_materials + i, sizeof from);
+        const auto requireBelow = [&](const char* kind, std::uint32_t index, std::size_t count) {
+            if (index >= count)
+                element.refuse(joined(label, ": ", kind, " is ", index, ", but there are ", count));
+        };
+        requireBelow("submesh", from.submesh, mesh.submeshes.size());
+        requireBelow("variant", from.variant, scene.variants.size());
+        if (!known.emplace(from.submesh, from.variant).second)
+            element.refuse(joined(label, ": submesh ", from.submesh, " has a material for variant ",
+                                  from.variant, " already"));
+        if (submeshes.insert(from.submesh).second)
+            mesh.variantMaterials.push_back(
+                {from.submesh, std::nullopt, mesh.submeshes[from.submesh].material});
+        mesh.variantMaterials.push_back(
+            {from.submesh, from.variant,
+             element.reference(member.c_str(), from.material, scene.materials.size())});
+    }
+}
+
 }  // namespace
 
 Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene& scene, NoteList& notes) {
@@ -220,6 +250,7 @@ Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene&
     if (source.face_sizes) polygons.emplace(source, element);
     takeIndices(source, element, mesh);
     takeSubmeshes(source, element, scene, polygons, mesh);
+    takeVariants(source, element, scene, mesh);
     takeInfluences({source.influence_count, source.joints, source.joint_weights}, element,
                    source.vertex_count, mesh);
     takeMorphTargets(
@@ -255,9 +286,14 @@ std::optional<std::uint32_t> tangentUvSet(const Material& material) {
 // The texture coordinates along which a mesh needs tangents. Where two materials of a mesh differ, the first
 // one counts: a vertex has only one tangent.
 std::optional<std::uint32_t> tangentUvSet(const Scene& scene, const Mesh& mesh) {
+    const auto setOf = [&](std::optional<std::uint32_t> material) {
+        return material ? tangentUvSet(scene.materials[*material]) : std::nullopt;
+    };
     for (const Submesh& submesh : mesh.submeshes) {
-        if (!submesh.material) continue;
-        if (const auto set = tangentUvSet(scene.materials[*submesh.material])) return set;
+        if (const auto set = setOf(submesh.material)) return set;
+    }
+    for (const VariantMaterial& entry : mesh.variantMaterials) {
+        if (const auto set = setOf(entry.material)) return set;
     }
     return std::nullopt;
 }

@@ -23,7 +23,8 @@ template <>
 inline constexpr std::array pastSizesOf<candela_material>{offsetof(candela_material, ior)};
 template <>
 inline constexpr std::array pastSizesOf<candela_mesh>{offsetof(candela_mesh, face_count),
-                                                      offsetof(candela_mesh, influence_count)};
+                                                      offsetof(candela_mesh, influence_count),
+                                                      offsetof(candela_mesh, variant_material_count)};
 template <>
 inline constexpr std::array pastSizesOf<candela_camera>{offsetof(candela_camera, number)};
 template <>

@@ -94,6 +94,14 @@ void Host::set(const candela_environment& environment) const {
     if (host_.set_environment(host_.self, &environment) != CANDELA_OK) throw HostRefused{};
 }
 
+void Host::addVariant(const std::string& name) const {
+    accepted(host_.add_variant(host_.self, name.c_str()));
+}
+
+bool Host::takesVariants() const {
+    return host_.struct_size >= offsetof(candela_host, add_variant) + sizeof host_.add_variant;
+}
+
 bool Host::takesEnvironments() const {
     return host_.struct_size >= offsetof(candela_host, set_environment) + sizeof host_.set_environment;
 }

@@ -53,6 +53,7 @@ class Host {
     void add(const candela_cage_instance& instance) const;
     void add(const candela_deformation& deformation) const;
     void set(const candela_environment& environment) const;
+    void addVariant(const std::string& name) const;
 
     /// Whether the host has cages, skins and polygons, which came with version 1.1.
     bool takesCages() const;
@@ -60,6 +61,8 @@ class Host {
     bool takesDeformations() const;
     /// Whether the host has environments, which came with version 1.5.
     bool takesEnvironments() const;
+    /// Whether the host has variants, which came with version 1.6.
+    bool takesVariants() const;
 
     /// Calls `body(index)` for each index below `count` on the threads of the host, see `parallel.h`.
     template <typename Body>

@@ -221,6 +221,10 @@ CageSource readCageSource(const Document& document, std::size_t mesh, const std:
                         commonMorphTargets(parts)};
     SourceReader reader(document, layout, host);
     for (const Part& part : parts) {
+        if (part.primitive.extensions.contains("KHR_materials_variants")) {
+            host.note(CANDELA_NOTE_MISSING, part.element,
+                      "a cage has no variants: the material without one is drawn");
+        }
         if (accessorOf(part.primitive, "COLOR_0") >= 0) {
             host.note(CANDELA_NOTE_MISSING, part.element,
                       "a cage has no vertex colours: COLOR_0 is left out");

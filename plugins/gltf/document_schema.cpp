@@ -256,9 +256,15 @@ const ObjectSchema dracoAttributes{.noun = "attributes",
 const ObjectSchema dracoCompression{
     "KHR_draco_mesh_compression",
     {required(index("bufferView", Target::bufferViews)), required(object("attributes", dracoAttributes))}};
+const ObjectSchema variantMapping{
+    .noun = "mapping",
+    .properties = {required(index("material", Target::materials)), indices("variants", Target::variants)},
+    .stub = R"({"material":0,"variants":[]})"};
+const ObjectSchema variantMappings{"KHR_materials_variants", {list("mappings", variantMapping)}};
 const ObjectSchema primitiveExtensions{"",
                                        {object("FB_ngon_encoding", ngonEncoding),
-                                        essential(object("KHR_draco_mesh_compression", dracoCompression))}};
+                                        essential(object("KHR_draco_mesh_compression", dracoCompression)),
+                                        object("KHR_materials_variants", variantMappings)}};
 const ObjectSchema primitive{.noun = "primitive",
                              .properties = {required({.name = "attributes",
                                                       .kind = Kind::indexMap,
@@ -327,7 +333,10 @@ const ObjectSchema light{
                    object("spot", spot)},
     .stub = R"({"type":"point"})"};
 const ObjectSchema lights{"", {list("lights", light)}};
-const ObjectSchema documentExtensions{"", {object("KHR_lights_punctual", lights)}};
+const ObjectSchema variant{"variant", {text("name")}};
+const ObjectSchema variants{"", {list("variants", variant)}};
+const ObjectSchema documentExtensions{
+    "", {object("KHR_lights_punctual", lights), object("KHR_materials_variants", variants)}};
 
 const ObjectSchema channelTarget{"target", {index("node", Target::nodes), required(text("path"))}};
 const ObjectSchema channel{

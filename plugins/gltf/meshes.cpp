@@ -10,6 +10,7 @@
 
 #include "deformers.h"
 #include "primitives.h"
+#include "variants.h"
 #include "vertex_streams.h"
 
 namespace candela_plugins::gltf {
@@ -28,26 +29,34 @@ struct VertexRange {
     std::uint32_t first = 0, count = 0;
 };
 
+/// The materials of a primitive.
+struct Look {
+    std::int32_t material;  ///< The host's.
+    std::vector<VariantMaterial> variants;
+    UvSlots slots;
+};
+
 /// Primitives of one mesh that have the same attributes, as one mesh of the host.
 class Part {
   public:
     Part(const Deformers& deformers, const Host& host)
         : host_(host), influenceSets_(deformers.influenceSets), targets_(deformers.targets.size()) {}
 
-    /// Throws `Failure` and adds nothing when the primitive cannot be drawn. `material` is the host's, and
-    /// `slots` are those of it.
-    void add(const Document& document, const tinygltf::Primitive& primitive, std::int32_t material,
-             const UvSlots& slots, const VertexKey& key, const Deformers& deformers,
-             const std::string& element) {
-        const VertexRange range = rangeOf(document, key, slots, deformers, element);
+    /// Throws `Failure` and adds nothing when the primitive cannot be drawn.
+    void add(const Document& document, const tinygltf::Primitive& primitive, const Look& look,
+             const VertexKey& key, const Deformers& deformers, const std::string& element) {
+        const VertexRange range = rangeOf(document, key, look.slots, deformers, element);
         const std::vector<std::uint32_t> triangles = trianglesOf(document, primitive, range, element);
         const std::size_t first = indices_.size();
         if (first + triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
             throw Failure{element, "makes more than 4294967295 indices"};
         }
         for (const std::uint32_t corner : triangles) indices_.push_back(range.first + corner);
+        const auto submesh = static_cast<std::uint32_t>(submeshes_.size());
         submeshes_.push_back(
-            {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(triangles.size()), material});
+            {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(triangles.size()), look.material});
+        for (const VariantMaterial& variant : look.variants)
+            variantMaterials_.push_back({submesh, variant.variant, variant.material});
     }
 
     bool isEmpty() const { return submeshes_.empty(); }
@@ -67,6 +76,8 @@ class Part {
         mesh.indices = indices_.data();
         mesh.submesh_count = static_cast<std::uint32_t>(submeshes_.size());
         mesh.submeshes = submeshes_.data();
+        mesh.variant_material_count = static_cast<std::uint32_t>(variantMaterials_.size());
+        mesh.variant_materials = variantMaterials_.data();
         mesh.influence_count = influenceSets_ * jointsPerSet;
         mesh.joints = influences_.joints.data();
         mesh.joint_weights = influences_.weights.data();
@@ -203,6 +214,7 @@ class Part {
     std::set<std::uint32_t> brokenVertices_;  ///< Of all vertices: those that are not finite.
     std::vector<std::uint32_t> indices_;
     std::vector<candela_submesh> submeshes_;
+    std::vector<candela_variant_material> variantMaterials_;
     std::map<VertexKey, VertexRange> ranges_;
     std::uint32_t influenceSets_;
     Influences influences_;
@@ -266,22 +278,26 @@ class MeshImporter {
     void add(const tinygltf::Primitive& primitive, const std::string& element) {
         requireUsable(document_, element);
         if (!isDrawn(primitive, element)) return;
-        const Accessors accessors = usableAccessors(primitive, element);
-        noteMissingUvs(accessors, primitive, element);
+        const Look look = lookOf(primitive, element);
+        const Accessors accessors = usableAccessors(primitive, look.slots, element);
+        noteMissingUvs(accessors, primitive, look.slots, element);
         const VertexKey key{accessors, deformerAccessors(primitive)};
         const Deformers& deformers = deformers_->read(primitive, element);
         const auto [entry, isNew] = partOf_.try_emplace(presenceOf(accessors, deformers), parts_.size());
         if (isNew) parts_.emplace_back(deformers, host_);
-        const std::int32_t material =
-            primitive.material < 0 ? materials_.defaultMaterial : primitive.material;
-        parts_[entry->second].add(document_, primitive, material, slotsOf(primitive), key, deformers,
-                                  element);
+        parts_[entry->second].add(document_, primitive, look, key, deformers, element);
+    }
+
+    Look lookOf(const tinygltf::Primitive& primitive, const std::string& element) const {
+        return {primitive.material < 0 ? materials_.defaultMaterial : primitive.material,
+                readVariantMaterials(document_, primitive, element, host_),
+                uvSlotsOf(primitive, materials_.uvSlots)};
     }
 
     /// Attributes other than the position that cannot be read are left out. The position is checked first:
     /// the rest is read for as many vertices as it has.
-    Accessors usableAccessors(const tinygltf::Primitive& primitive, const std::string& element) const {
-        const UvSlots& slots = slotsOf(primitive);
+    Accessors usableAccessors(const tinygltf::Primitive& primitive, const UvSlots& slots,
+                              const std::string& element) const {
         Accessors accessors = accessorsOf(primitive, slots);
         const std::size_t vertices = elementCount(document_, accessors[position]);
         checkAttribute(document_, accessors[position], attributeOf(position, {}), positionForm, vertices,
@@ -309,22 +325,24 @@ class MeshImporter {
         return false;
     }
 
-    const UvSlots& slotsOf(const tinygltf::Primitive& primitive) const {
-        static const UvSlots none;
-        if (primitive.material < 0) return none;
-        return materials_.uvSlots.at(static_cast<std::size_t>(primitive.material));
-    }
-
     void noteMissingUvs(const Accessors& accessors, const tinygltf::Primitive& primitive,
-                        const std::string& element) const {
+                        const UvSlots& slots, const std::string& element) const {
         for (const Stream stream : {uv0, uv1}) {
             // One that was left out has a note of its own.
-            const std::string attribute = attributeOf(stream, slotsOf(primitive));
+            const std::string attribute = attributeOf(stream, slots);
             if (accessors[stream] != zeros || accessorOf(primitive, attribute) >= 0) continue;
             host_.note(CANDELA_NOTE_REPAIRED, element,
-                       "no " + attribute + ", which material " + std::to_string(primitive.material) +
+                       "no " + attribute + ", which material " + std::to_string(readerOf(primitive, stream)) +
                            " reads: taken as zeros");
         }
+    }
+
+    /// The first material of a primitive that reads a set of texture coordinates, which one does.
+    std::size_t readerOf(const tinygltf::Primitive& primitive, std::size_t stream) const {
+        for (const std::size_t material : materialsOf(primitive)) {
+            if (materials_.uvSlots.at(material).isRead[stream - uv0]) return material;
+        }
+        return 0;
     }
 
     void noteUndrawn(std::size_t count, const char* what) const {

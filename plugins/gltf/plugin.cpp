@@ -19,6 +19,7 @@
 #include "meshes.h"
 #include "nodes.h"
 #include "primitives.h"
+#include "variants.h"
 
 namespace candela_plugins::gltf {
 
@@ -57,6 +58,7 @@ void importFile(const std::string& name, const Host& host) {
     limitAbsentElements(document);
     host.progress(documentRead);
 
+    addVariants(document, host);
     const AddedImages images = addImages(document, storage, host, documentRead, imagesAdded);
     const AddedMaterials materials = addMaterials(document, images, used, host);
     const MeshParts meshes = addMeshes(document, used, materials, host, imagesAdded, meshesAdded);

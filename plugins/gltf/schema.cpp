@@ -23,11 +23,20 @@ struct TargetArray {
 };
 
 constexpr TargetArray targetArrays[] = {
-    {"/accessors", "accessor"}, {"/buffers", "buffer"}, {"/bufferViews", "bufferView"},
-    {"/cameras", "camera"},     {"/images", "image"},   {"/extensions/KHR_lights_punctual/lights", "light"},
-    {"/materials", "material"}, {"/meshes", "mesh"},    {"/nodes", "node"},
-    {"/samplers", "sampler"},   {"/scenes", "scene"},   {"/skins", "skin"},
+    {"/accessors", "accessor"},
+    {"/buffers", "buffer"},
+    {"/bufferViews", "bufferView"},
+    {"/cameras", "camera"},
+    {"/images", "image"},
+    {"/extensions/KHR_lights_punctual/lights", "light"},
+    {"/materials", "material"},
+    {"/meshes", "mesh"},
+    {"/nodes", "node"},
+    {"/samplers", "sampler"},
+    {"/scenes", "scene"},
+    {"/skins", "skin"},
     {"/textures", "texture"},
+    {"/extensions/KHR_materials_variants/variants", "variant"},
 };
 
 /// The element being validated. Its text is built only for a message.

@@ -44,6 +44,7 @@ enum class Target {
     scenes,
     skins,
     textures,
+    variants,
 };
 
 enum class Need { optional, required };

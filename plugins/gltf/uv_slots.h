@@ -20,8 +20,12 @@ struct UvSlots {
     std::string attribute(std::size_t slot) const;
 };
 
-/// The slots of each material. TEXCOORD_0 and TEXCOORD_1 are in their own ones where they are read. Where a
-/// material reads more than two sets, those of its first textures are taken.
+/// The slots of each material; those that a primitive has in different variants have the same. TEXCOORD_0 and
+/// TEXCOORD_1 are in their own ones where they are read. Where a material reads more than two sets, those of
+/// its first textures are taken.
 std::vector<UvSlots> uvSlotsOf(const Document& document);
+
+/// The slots of a primitive's materials, and which of them any of them reads.
+UvSlots uvSlotsOf(const tinygltf::Primitive& primitive, const std::vector<UvSlots>& ofMaterials);
 
 }  // namespace candela_plugins::gltf

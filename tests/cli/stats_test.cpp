@@ -34,8 +34,9 @@ TEST(Stats, KeysAreTheDocumentedOnes) {
     const Json stats = statsOf({"plaza:16", "--size", "64x36"});
     EXPECT_EQ(keys(stats), (Names{"version", "renderer", "width", "height", "technique", "brdf", "scene",
                                   "passes", "frame_ms", "counters", "threads", "tile_backend",
-                                  "subdivision_evaluator", "shadows", "environment", "samples"}));
-    EXPECT_EQ(keys(stats["scene"]), (Names{"triangles", "materials", "lights"}));
+                                  "subdivision_evaluator", "shadows", "environment", "samples", "notes"}));
+    EXPECT_EQ(keys(stats["scene"]), (Names{"triangles", "materials", "lights", "meshes", "cages", "nodes",
+                                           "images", "cameras", "animations", "variants", "material_kinds"}));
     EXPECT_EQ(keys(stats["frame_ms"]), (Names{"median", "min", "max", "count"}));
     EXPECT_EQ(keys(stats["counters"]),
               (Names{"lights", "lights_visible", "pairs_lit", "pairs_evaluated", "lights_dropped"}));

@@ -187,6 +187,13 @@ void addMesh(Fuzzer& fuzz, const candela_host& host) {
     for (candela_submesh& submesh : submeshes)
         if (fuzz.oneIn(4)) fuzz.modify(submesh);
     mesh.submeshes = submeshes.data();
+    candela_variant_material variant{0, 0, -1};
+    if (fuzz.oneIn(4)) host.add_variant(host.self, "look");
+    if (fuzz.oneIn(4)) {
+        fuzz.modify(variant);
+        mesh.variant_material_count = 1;
+        mesh.variant_materials = &variant;
+    }
     host.add_mesh(host.self, &mesh);
 }
 

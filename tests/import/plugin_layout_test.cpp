@@ -110,6 +110,11 @@ static_assert(offsetof(candela_submesh, index_count) == 4);
 static_assert(offsetof(candela_submesh, material) == 8);
 static_assert(sizeof(candela_submesh) == 12);
 
+static_assert(offsetof(candela_variant_material, submesh) == 0);
+static_assert(offsetof(candela_variant_material, variant) == 4);
+static_assert(offsetof(candela_variant_material, material) == 8);
+static_assert(sizeof(candela_variant_material) == 12);
+
 static_assert(offsetof(candela_mesh, struct_size) == 0);
 static_assert(offsetof(candela_mesh, name) == 8);
 static_assert(offsetof(candela_mesh, vertex_count) == 16);
@@ -132,7 +137,9 @@ static_assert(offsetof(candela_mesh, morph_target_count) == 144);
 static_assert(offsetof(candela_mesh, morph_offsets) == 152);
 static_assert(offsetof(candela_mesh, morph_normals) == 160);
 static_assert(offsetof(candela_mesh, morph_tangents) == 168);
-static_assert(sizeof(candela_mesh) == 176);
+static_assert(offsetof(candela_mesh, variant_material_count) == 176);
+static_assert(offsetof(candela_mesh, variant_materials) == 184);
+static_assert(sizeof(candela_mesh) == 192);
 
 static_assert(offsetof(candela_cage, struct_size) == 0);
 static_assert(offsetof(candela_cage, name) == 8);
@@ -280,7 +287,8 @@ static_assert(offsetof(candela_host, add_note) == 144);
 static_assert(offsetof(candela_host, read_optional_file) == 152);
 static_assert(offsetof(candela_host, add_deformation) == 160);
 static_assert(offsetof(candela_host, set_environment) == 168);
-static_assert(sizeof(candela_host) == 176);
+static_assert(offsetof(candela_host, add_variant) == 176);
+static_assert(sizeof(candela_host) == 184);
 
 static_assert(offsetof(candela_stencil_table, stencil_count) == 0);
 static_assert(offsetof(candela_stencil_table, offsets) == 8);

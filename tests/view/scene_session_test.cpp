@@ -36,6 +36,33 @@ TEST_F(SceneSession, OpensADroppedFile) {
     EXPECT_EQ(session.model().recent, std::vector<std::string>{folder / "square.gltf"});
 }
 
+TEST_F(SceneSession, ShowsAnotherVariant) {
+    using Json = nlohmann::json;
+    Json scene;
+    std::ifstream(folder / "square.gltf") >> scene;
+    scene["materials"].push_back(
+        {{"emissiveFactor", {1, 0, 0}}, {"pbrMetallicRoughness", {{"baseColorFactor", {0, 0, 0, 1}}}}});
+    scene["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "red"}}};
+    for (Json& mesh : scene["meshes"])
+        for (Json& primitive : mesh["primitives"])
+            primitive["extensions"]["KHR_materials_variants"]["mappings"] = {
+                {{"material", scene["materials"].size() - 1}, {"variants", {0}}}};
+    folder.write("looks.gltf", scene.dump());
+    ViewSession session({"looks.gltf", "--size", smallSize});
+    session.awaitScene();
+    const PngPicture plain = session.picture();
+    session.model().requests.variant = "red";
+    session.step();
+    EXPECT_EQ(session.model().options.variant, "red");
+    EXPECT_EQ(
+        maxDifference(session.picture(), rendered({"looks.gltf", "--size", smallSize, "--variant", "red"})),
+        0);
+    EXPECT_NE(maxDifference(session.picture(), plain), 0);
+    session.model().requests.variant = "";
+    session.step();
+    EXPECT_EQ(maxDifference(session.picture(), plain), 0);
+}
+
 TEST_F(SceneSession, AnotherSceneStartsWithItsOwnCameraAndLights) {
     ViewSession session({"plaza:64", "--size", smallSize, "--eye", "1,2,3", "--target", "0,0,0", "--fov",
                          "30", "--scatter-lights", "10", "--time", "0.5"});

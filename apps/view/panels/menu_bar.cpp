@@ -1,3 +1,4 @@
+#include "common/scene_selection.h"
 #include "common/timing.h"
 #include "panels/panel_values.h"
 #include "panels/panels.h"
@@ -108,6 +109,28 @@ void drawViewMenu(ViewModel& model) {
     ImGui::EndMenu();
 }
 
+/// A text that names variant `index` on the command line.
+std::string variantText(const candela::Scene& scene, std::uint32_t index) {
+    const std::string& name = scene.variants[index];
+    return findVariant(scene, name) == index ? name : std::to_string(index);
+}
+
+void drawVariantMenu(ViewModel& model) {
+    if (!model.document || model.document->scene().variants.empty()) return;
+    if (!ImGui::BeginMenu("Variant")) return;
+    const candela::Scene& scene = model.document->scene();
+    const auto shown =
+        model.options.variant ? findVariant(scene, *model.options.variant) : std::optional<std::uint32_t>();
+    if (ImGui::MenuItem("none", nullptr, !shown)) model.requests.variant = "";
+    for (std::uint32_t i = 0; i < scene.variants.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::MenuItem(variantLabel(scene, i).c_str(), nullptr, shown == i))
+            model.requests.variant = variantText(scene, i);
+        ImGui::PopID();
+    }
+    ImGui::EndMenu();
+}
+
 std::string speedText(const std::deque<FrameRecord>& frames) {
     std::vector<double> times;
     for (auto frame = frames.rbegin(); frame != frames.rend() && times.size() < statusFrames; ++frame)
@@ -152,6 +175,7 @@ void drawMenuBar(ViewModel& model) {
     if (ImGui::BeginMainMenuBar()) {
         drawFileMenu(model, dialogs);
         drawViewMenu(model);
+        drawVariantMenu(model);
         drawStatus(model);
         ImGui::EndMainMenuBar();
     }

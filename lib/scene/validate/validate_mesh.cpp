@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <set>
+#include <utility>
 
 namespace candela {
 
@@ -34,6 +37,13 @@ void validateArrays(const Mesh& mesh, const ErrorContext& element) {
                         });
 }
 
+void requireMaterial(std::optional<std::uint32_t> material, const Mesh& mesh, const Scene& scene,
+                     const ErrorContext& element) {
+    element.requireIndex("material", material, scene.materials.size());
+    if (!material || mesh.positions.empty()) return;
+    requireUvs({.set0 = !mesh.uv0.empty(), .set1 = !mesh.uv1.empty()}, *material, scene, element);
+}
+
 void validateSubmesh(const Submesh& submesh, const Mesh& mesh, const Scene& scene,
                      const ErrorContext& element) {
     element.require(submesh.firstIndex % 3 == 0 && submesh.indexCount % 3 == 0,
@@ -43,10 +53,27 @@ void validateSubmesh(const Submesh& submesh, const Mesh& mesh, const Scene& scen
         element.refuse("a submesh ends at index " + std::to_string(end) + ", but there are " +
                        std::to_string(mesh.indices.size()));
     }
-    element.requireIndex("material", submesh.material, scene.materials.size());
-    if (!submesh.material || submesh.indexCount == 0) return;
-    if (mesh.positions.empty()) return;
-    requireUvs({.set0 = !mesh.uv0.empty(), .set1 = !mesh.uv1.empty()}, *submesh.material, scene, element);
+    if (submesh.indexCount == 0)
+        element.requireIndex("material", submesh.material, scene.materials.size());
+    else
+        requireMaterial(submesh.material, mesh, scene, element);
+}
+
+void validateVariants(const Mesh& mesh, const Scene& scene, const ErrorContext& element) {
+    using Key = std::pair<std::uint32_t, std::optional<std::uint32_t>>;
+    std::set<Key> known;
+    for (const VariantMaterial& entry : mesh.variantMaterials) {
+        element.requireIndex("variant", entry.variant, scene.variants.size());
+        if (entry.submesh >= mesh.submeshes.size())
+            element.refuse("a variant names submesh " + std::to_string(entry.submesh) + ", but there are " +
+                           std::to_string(mesh.submeshes.size()));
+        element.require(known.insert({entry.submesh, entry.variant}).second,
+                        "a submesh has two materials for the same variant");
+        requireMaterial(entry.material, mesh, scene, element);
+    }
+    for (const Key& key : known)
+        element.require(known.contains({key.first, std::nullopt}),
+                        "a submesh with materials for variants has none without a variant");
 }
 
 }  // namespace
@@ -70,6 +97,7 @@ void validateMesh(const Mesh& mesh, const Scene& scene, const ErrorContext& elem
     requireInfluences(shape, element);
     requireMorphTargets(shape, element);
     for (const Submesh& submesh : mesh.submeshes) validateSubmesh(submesh, mesh, scene, element);
+    validateVariants(mesh, scene, element);
 }
 
 }  // namespace candela

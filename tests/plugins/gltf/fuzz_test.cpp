@@ -87,6 +87,35 @@ GltfFile cageFile() {
     return file;
 }
 
+/// A small file with all extensions of materials, and variants.
+GltfFile layeredFile() {
+    GltfFile file;
+    addTriangle(file);
+    file.addData<float>("VEC2", {0, 0, 1, 0, 0, 1});
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"TEXCOORD_3":2},"material":0,
+        "extensions":{"KHR_materials_variants":{"mappings":[{"material":1,"variants":[0,1]}]}})");
+    file.set("extensions", R"({"KHR_materials_variants":{"variants":[{"name":"a"},{"name":"b"}]}})");
+    file.add("images", R"({"uri":"data:image/png;base64,)" + base64(makePng(2, 2, 1, 2, 3, 4)) + "\"}");
+    file.add("textures", R"({"source":0})");
+    file.add("materials", R"({"extensions":{"KHR_materials_ior":{"ior":1.3},
+        "KHR_materials_specular":{"specularFactor":0.5,"specularColorFactor":[1,2,0]},
+        "KHR_materials_clearcoat":{"clearcoatFactor":1,"clearcoatNormalTexture":{"index":0,"scale":2}},
+        "KHR_materials_sheen":{"sheenColorFactor":[1,0,0],"sheenColorTexture":{"index":0,"texCoord":3}},
+        "KHR_materials_anisotropy":{"anisotropyStrength":0.5,"anisotropyRotation":1},
+        "KHR_materials_iridescence":{"iridescenceFactor":1,"iridescenceIor":1.5,
+            "iridescenceThicknessMaximum":300},
+        "KHR_materials_transmission":{"transmissionFactor":1,"transmissionTexture":{"index":0,"extensions":
+            {"KHR_texture_transform":{"scale":[2,2],"texCoord":3}}}},
+        "KHR_materials_volume":{"thicknessFactor":1,"attenuationDistance":2,"attenuationColor":[1,0,1]},
+        "KHR_materials_dispersion":{"dispersion":0.1},
+        "KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":0.5,
+            "diffuseTransmissionColorFactor":[1,1,0]}}})");
+    file.add("materials", R"({"extensions":{"KHR_materials_pbrSpecularGlossiness":{
+        "diffuseFactor":[1,0,1,1],"specularFactor":[0.5,1,0],"glossinessFactor":0.5,
+        "specularGlossinessTexture":{"index":0,"texCoord":3}}}})");
+    return file;
+}
+
 /// A small file whose buffer views are compressed.
 GltfFile compressedFile() {
     const Grid grid = makeGrid(5);
@@ -225,6 +254,7 @@ TEST(Fuzz, unmodifiedFilesAreAccepted) {
     EXPECT_EQ(errorOf(fullFile()), "");
     EXPECT_EQ(errorOfGlb(fullFile().glb()), "");
     EXPECT_EQ(errorOf(cageFile()), "");
+    EXPECT_EQ(errorOf(layeredFile()), "");
     EXPECT_EQ(errorOf(compressedFile()), "");
     EXPECT_EQ(errorOfGlb(dracoGrid().glb()), "");
 }
@@ -243,6 +273,10 @@ TEST(Fuzz, cageInGltf) {
 
 TEST(Fuzz, cageInGlb) {
     expectBothOutcomes(fuzz(cageFile().glb(), "a.glb", rounds), rounds);
+}
+
+TEST(Fuzz, layersAndVariants) {
+    expectBothOutcomes(fuzz(asBytes(layeredFile().text()), "a.gltf", rounds / 3), rounds / 3);
 }
 
 TEST(Fuzz, compressedViews) {

@@ -236,6 +236,33 @@ TEST(SpecularGlossiness, anImageThatCannotBeReadIsNotedOnce) {
     EXPECT_TRUE(hasNote(imported, "image 0: of no known format"));
 }
 
+// The same look in the extensions that took its place: the materials are equal, and so are their pictures.
+TEST(SpecularGlossiness, isTheSameLookAsIorAndSpecular) {
+    GltfFile file = fileWithMaterial(R"({"extensions":{"KHR_materials_pbrSpecularGlossiness":{
+        "diffuseFactor":[0.5,0.25,0.125,1],"diffuseTexture":{"index":0},"specularFactor":[0.5,0.75,1],
+        "glossinessFactor":0.5,"specularGlossinessTexture":{"index":1}}}})",
+                                     1);
+    for (const Bytes& image : {makePng(1, 1, 10, 20, 30, 100), makePng(1, 1, 99, 205, 0, 255)})
+        file.add("images", R"({"uri":"data:image/png;base64,)" + base64(image) + "\"}");
+    for (const char* texture : {R"({"source":1})", R"({"source":2})"}) file.add("textures", texture);
+    file.add("materials", R"({"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,0.125,1],
+        "baseColorTexture":{"index":0},"metallicFactor":0,"metallicRoughnessTexture":{"index":2}},
+        "extensions":{"KHR_materials_ior":{"ior":0},"KHR_materials_specular":{
+        "specularColorFactor":[0.5,0.75,1],"specularColorTexture":{"index":1}}}})");
+    const candela::Scene scene = load(file).scene;
+    const candela::Material &old = scene.materials.at(0), &present = scene.materials.at(1);
+    EXPECT_EQ(old.baseColor, present.baseColor);
+    EXPECT_EQ(old.baseColorTexture, present.baseColorTexture);
+    EXPECT_EQ(old.metallic, present.metallic);
+    EXPECT_EQ(old.roughness, present.roughness);
+    EXPECT_EQ(old.ior, present.ior);
+    EXPECT_EQ(old.specular, present.specular);
+    const auto greenOf = [&](const candela::Material& material) {
+        return texelOf(scene.images.at(imageOf(material.metallicRoughnessTexture))).at(1);
+    };
+    EXPECT_EQ(greenOf(old), greenOf(present));
+}
+
 // Further sets of texture coordinates
 
 /// A triangle with `sets` sets of texture coordinates, whose first coordinate at the first vertex is the
