@@ -19,13 +19,10 @@ void main() {
     bool inRange = pixel.lit && isLit(pixel.position, light);
     pairs = vec4(inRange ? 1.0 : 0.0, pixel.lit ? 1.0 : 0.0, 0.0, 0.0);
 #ifdef SHADOWS
-    ShadingPoint point;
-    point.position = pixel.position;
-    point.normal = pixel.surface.normal;
 #if SPOT == 1
-    bool reached = isReached(point, light, lightConeOf(lightCone));
+    bool reached = isReached(pixel, light, lightConeOf(lightCone));
 #else
-    bool reached = isReached(point, light);
+    bool reached = isReached(pixel, light);
 #endif
     pairs.b = pixel.lit && reached && lightIntensity.w != 0.0 ? 1.0 : 0.0;
 #endif

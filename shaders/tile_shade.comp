@@ -17,15 +17,15 @@ vec3 localLight(Receiver receiver, int index) {
     bool isPoint = index < frame.lightCounts.x;
 #ifdef SHADOWS
     // One call, as each is compiled into the loop: transmittanceFromPoint is long.
-    bool reached = isPoint ? isReached(receiver.point, light) : isReached(receiver.point, light, fetchCone(index));
+    bool reached = isPoint ? isReached(receiver.pixel, light) : isReached(receiver.pixel, light, fetchCone(index));
     float passing = 1.0;
-    if (reached && castsShadow(index)) passing = transmittanceFromPoint(receiver.rayEnd, light.position);
+    if (reached && castsShadow(index)) passing = passingFrom(receiver, light);
     if (passing == 0.0) return vec3(0.0);
-    if (isPoint) return dimmed(pointLightRadiance(BRDF, receiver.point, light), passing);
-    return dimmed(spotLightRadiance(BRDF, receiver.point, light, fetchCone(index)), passing);
+    if (isPoint) return dimmed(reflectedPoint(receiver, light), passing);
+    return dimmed(reflectedSpot(receiver, light, fetchCone(index)), passing);
 #else
-    if (isPoint) return pointLightRadiance(BRDF, receiver.point, light);
-    return spotLightRadiance(BRDF, receiver.point, light, fetchCone(index));
+    if (isPoint) return reflectedPoint(receiver, light);
+    return reflectedSpot(receiver, light, fetchCone(index));
 #endif
 }
 

@@ -35,7 +35,7 @@ struct SurfaceLobes {
 template <typename Real>
 struct ExtendedLobes {
     glm::vec<3, Real> f0{Real(0.04)};  ///< Reflectance at normal incidence, 0 to 1, in place of F0 above.
-    Real f90 = Real(1);                ///< Reflectance at grazing angles, 0 to 1.
+    Real f90 = Real(1);                ///< Reflectance at grazing angles, 0 to 1; no channel falls below F0.
     Real anisotropy = Real(0);         ///< Strength, 0 to 1.
     /// The direction of the surface along which the specular lobe is wide: unit length, world space,
     /// perpendicular to the normal.
@@ -111,10 +111,39 @@ CANDELA_API double directionalAlbedo(BrdfModel model, double nDotV, double rough
 /// sum, for each channel. `f0` is 0 or more. Source: Karis, "Real shading in Unreal Engine 4", 2013.
 CANDELA_API glm::dvec3 specularAlbedo(BrdfModel model, const glm::dvec3& f0, double nDotV, double roughness);
 
-/// f(l, v) per channel, in 1/sr; `l` and `v` are unit vectors (to 0.001) away from the surface. Zero when l
-/// is below the horizon.
+/// f(l, v) per channel, in 1/sr, of the metallic-roughness surface; `l` and `v` are unit vectors (to 0.001)
+/// away from the surface. Zero when l is below the horizon. `surface.extended` is not read.
 CANDELA_API glm::dvec3 evaluateBrdf(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& l,
                                     const glm::dvec3& v);
+
+/// GGX with two alphas, 0 to 1 each; `h` is the half vector in the frame of tangent, bitangent and normal, of
+/// unit length. Source: Burley, "Physically based shading at Disney", 2012, equation 13.
+CANDELA_API double distributionGgxAnisotropic(const glm::dvec3& h, double tangentAlpha,
+                                              double bitangentAlpha);
+
+/// Height-correlated Smith shadowing and masking for it; `l` and `v` in the same frame. Source: Heitz 2014,
+/// equations 86 and 99.
+CANDELA_API double geometrySmithAnisotropic(const glm::dvec3& l, const glm::dvec3& v, double tangentAlpha,
+                                            double bitangentAlpha);
+
+/// The distribution of the half vectors of cloth. `roughness` is perceptual, 0 to 1, and at least 0.07 in
+/// shading. Source: Estevez and Kulla, "Production friendly microfacet sheen BRDF", 2017.
+CANDELA_API double distributionCharlie(double nDotH, double roughness);
+
+/// Shadowing and masking of cloth over 4 (n·l) (n·v). Source: Neubelt and Pettineo, "Crafting a next-gen
+/// material pipeline for The Order: 1886", 2013.
+CANDELA_API double visibilityNeubelt(double nDotL, double nDotV);
+
+/// The directional albedo of the lobe that the last two make, 0 or more: at grazing angles of smooth cloth it
+/// is over 1, where shading divides the lobe by it. Interpolated in the same table that the shaders read; up
+/// to 4 % too high.
+CANDELA_API double sheenAlbedo(double nDotV, double roughness);
+
+/// f(l, v) times the cosine between l and the normal, in 1/sr: of `evaluateBrdf`, or of all lobes of
+/// `surface.extended`, whose clearcoat has a normal of its own and whose diffuse transmission scatters light
+/// from below the horizon.
+CANDELA_API glm::dvec3 evaluateReflection(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& l,
+                                          const glm::dvec3& v);
 
 /// KHR_lights_punctual's window on the inverse square: max(0, 1 - (distance / range)^4); 0 at the range and
 /// beyond it. Metres; `distance` is 0 or more, `range` is over 0.
@@ -124,10 +153,10 @@ CANDELA_API double rangeWindow(double distance, double range);
 /// (radians, 0 <= inner <= outer <= pi / 2; equal angles give a ramp of 0.001 in the cosine).
 CANDELA_API double spotFactor(double cosAngle, double innerConeAngle, double outerConeAngle);
 
-/// The radiance that leaves `surface` towards `eye` by `light`: pi f L_i (n·l) with L_i = intensity / (pi d²)
-/// × window × spot factor; for a directional light, pi f (intensity / pi) (n·l). The light's intensity is in
-/// the working space. A range of 0 is none: the window is 1 (where a light has none, the renderer assigns
-/// one: `LightReport`).
+/// The radiance that leaves `surface` towards `eye` by `light`: pi f L_i (n·l), of all lobes, with L_i =
+/// intensity / (pi d²) × window × spot factor; for a directional light, pi f (intensity / pi) (n·l). The
+/// light's intensity is in the working space. A range of 0 is none: the window is 1 (where a light has none,
+/// the renderer assigns one: `LightReport`).
 CANDELA_API glm::dvec3 reflectedRadiance(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& eye,
                                          const WorldLight& light);
 

@@ -2,6 +2,7 @@
 
 #include "shading/argument_checks.h"
 #include "shading/directional_albedo.h"
+#include "shading/extended_brdf.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -31,6 +32,7 @@ void requireSurface(const SurfacePoint& surface) {
     require(isNonNegative(surface.lobes.baseColor), "the surface's base colour", "finite and 0 or more");
     requireUnitRange(surface.lobes.metallic, "the surface's metallic");
     requireUnitRange(surface.lobes.roughness, "the surface's roughness");
+    requireExtendedLobes(surface);
 }
 
 void requireCone(double innerConeAngle, double outerConeAngle) {
@@ -119,6 +121,14 @@ glm::dvec3 textbookBrdf(BrdfModel model, const SurfacePoint& surface, const glm:
     return diffuse + fresnelSchlick(f0, glm::dot(v, h)) * lobe * energy.compensation;
 }
 
+/// `evaluateReflection` for arguments that are checked.
+glm::dvec3 reflection(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& l,
+                      const glm::dvec3& v) {
+    if (surface.extended) return extendedReflection(model, surface, l, v);
+    const double nDotL = glm::dot(surface.normal, l);
+    return nDotL <= 0.0 ? glm::dvec3(0.0) : textbookBrdf(model, surface, l, v) * nDotL;
+}
+
 }  // namespace
 
 const double minAlpha = MIN_ALPHA;
@@ -189,6 +199,14 @@ glm::dvec3 evaluateBrdf(BrdfModel model, const SurfacePoint& surface, const glm:
     return textbookBrdf(model, surface, l, v);
 }
 
+glm::dvec3 evaluateReflection(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& l,
+                              const glm::dvec3& v) {
+    requireSurface(surface);
+    require(isUnit(l), "the direction to the light", "of unit length");
+    require(isUnit(v), "the direction to the eye", "of unit length");
+    return reflection(model, surface, l, v);
+}
+
 double rangeWindow(double distance, double range) {
     require(std::isfinite(distance) && distance >= 0.0, "the distance", "finite and 0 or more metres");
     require(range > 0.0, "the range", "over 0 metres");
@@ -214,12 +232,11 @@ glm::dvec3 reflectedRadiance(BrdfModel model, const SurfacePoint& surface, const
     const bool directional = light.type == LightType::directional;
     const glm::dvec3 l = directional ? -glm::dvec3(light.direction)
                                      : directionBetween(surface.position, glm::dvec3(light.position));
-    const double nDotL = glm::dot(surface.normal, l);
-    if (nDotL <= 0.0) return glm::dvec3(0.0);
+    if (l == glm::dvec3(0.0)) return glm::dvec3(0.0);
     const glm::dvec3 incident =
         directional ? glm::dvec3(light.intensity) / std::numbers::pi
                     : incidentRadiance(light, l, glm::distance(surface.position, glm::dvec3(light.position)));
-    return std::numbers::pi * textbookBrdf(model, surface, l, v) * incident * nDotL;
+    return std::numbers::pi * reflection(model, surface, l, v) * incident;
 }
 
 }  // namespace candela

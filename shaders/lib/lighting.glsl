@@ -1,5 +1,6 @@
 // What the lighting passes read: surfaces of the G-buffer and light records, as the light equation takes them.
-// BRDF is BRDF_COURSE or BRDF_GLTF, defined for each program that shades. SHADOWS is defined in frames with shadows.
+// BRDF is BRDF_COURSE or BRDF_GLTF, defined for each program that shades. SHADOWS is defined in frames with shadows, LOBES in those whose
+// G-buffer has lobe words.
 
 #include "lib/frame.glsl"
 #include "lib/gbuffer_input.glsl"
@@ -27,6 +28,19 @@ AlbedoTexel readAlbedoTable(sampler2D table, float x, float y) {
     vec2 value = mix(a, b, weight.y);
     return AlbedoTexel(value.x, value.y);
 }
+#ifdef LOBES
+layout(binding = SHEEN_UNIT) uniform sampler2D sheenTexture;
+
+bool anyAbove(float x) {
+    return x > 0.0;
+}
+
+float whereAbove(float x, float a, float b) {
+    return x > 0.0 ? a : b;
+}
+
+#include "shared/extended_lobes.h"
+#endif
 #ifdef SHADOWS
 #include "lib/shadows.glsl"
 #endif
@@ -84,14 +98,27 @@ PixelSurface fetchSurface(ivec2 pixel) {
     return result;
 }
 
-#ifdef SHADOWS
-// Would the light shine on the surface if nothing were in between? No ray is traced where it would not.
-bool isReached(ShadingPoint point, LocalLight light) {
-    return isLit(point.position, light) && dot(point.normal, light.position - point.position) > 0.0;
+// Over 0 where the surface is lit from direction `d`, of any length.
+float facing(PixelSurface pixel, vec3 d) {
+#ifdef LOBES
+    if (pixel.extended) {
+        return facingOfLobes(pixel.surface.normal, pixel.lobes.clearcoat, pixel.lobes.clearcoatNormal, pixel.lobes.diffuseTransmission, d);
+    }
+#endif
+    return dot(pixel.surface.normal, d);
 }
 
-bool isReached(ShadingPoint point, LocalLight light, LightCone cone) {
-    return isReached(point, light) && coneRamp(cone, pathToLight(point, light).l) > 0.0;
+#ifdef SHADOWS
+// Would the light shine on the surface if nothing were in between? No ray is traced where it would not.
+bool isReached(PixelSurface pixel, LocalLight light) {
+    return isLit(pixel.position, light) && facing(pixel, light.position - pixel.position) > 0.0;
+}
+
+bool isReached(PixelSurface pixel, LocalLight light, LightCone cone) {
+    ShadingPoint point;
+    point.position = pixel.position;
+    point.normal = pixel.surface.normal;
+    return isReached(pixel, light) && coneRamp(cone, pathToLight(point, light).l) > 0.0;
 }
 #endif
 
@@ -99,40 +126,95 @@ bool isReached(ShadingPoint point, LocalLight light, LightCone cone) {
 // A pixel that lights shade.
 struct Receiver {
     ShadingPoint point;
+#ifdef LOBES
+    ExtendedPoint lobes;  // where `pixel` is extended
+#endif
 #ifdef SHADOWS
-    vec3 rayEnd;  // of its occlusion rays
+    PixelSurface pixel;
+    RayEnds rayEnds;  // of its occlusion rays
+#elif defined(LOBES)
+    PixelSurface pixel;
 #endif
 };
 
 Receiver receiverAt(ivec2 at, PixelSurface pixel) {
     Receiver receiver;
-    receiver.point =
-        shadingPoint(BRDF, pixel.surface.lobes, pixel.surface.normal, pixel.position, wayToEye(pixel.position), albedoTexture);
+#ifdef LOBES
+    receiver.pixel = pixel;
+    if (pixel.extended) {
+        receiver.lobes = extendedPoint(BRDF, pixel.surface.lobes, pixel.lobes, pixel.surface.normal, pixel.position, wayToEye(pixel.position),
+                                       albedoTexture, sheenTexture);
+        receiver.point = receiver.lobes.base;
+    } else
+#endif
+    {
+        receiver.point =
+            shadingPoint(BRDF, pixel.surface.lobes, pixel.surface.normal, pixel.position, wayToEye(pixel.position), albedoTexture);
+    }
 #ifdef SHADOWS
-    receiver.rayEnd = rayEndAt(at, pixel.position);
+    receiver.pixel = pixel;
+    receiver.rayEnds = rayEndsAt(at, pixel.position);
 #endif
     return receiver;
 }
 
+// The radiance that leaves the surface by a light that nothing hides.
+vec3 reflectedPoint(Receiver receiver, LocalLight light) {
+#ifdef LOBES
+    if (receiver.pixel.extended) return extendedPointLightRadiance(BRDF, receiver.lobes, light);
+#endif
+    return pointLightRadiance(BRDF, receiver.point, light);
+}
+
+vec3 reflectedSpot(Receiver receiver, LocalLight light, LightCone cone) {
+#ifdef LOBES
+    if (receiver.pixel.extended) return extendedSpotLightRadiance(BRDF, receiver.lobes, light, cone);
+#endif
+    return spotLightRadiance(BRDF, receiver.point, light, cone);
+}
+
+vec3 reflectedDirectional(Receiver receiver, vec3 l, vec3 illuminance) {
+#ifdef LOBES
+    if (receiver.pixel.extended) return extendedDirectionalLightRadiance(BRDF, receiver.lobes, l, illuminance);
+#endif
+    return directionalLightRadiance(BRDF, receiver.point, l, illuminance);
+}
+
+#ifdef SHADOWS
+// Where the ray of a light in direction `d` ends: behind the surface where light passes from there.
+vec3 rayEnd(Receiver receiver, vec3 d) {
+#ifdef LOBES
+    bool passes = receiver.pixel.extended && receiver.pixel.lobes.diffuseTransmission > 0.0;
+    if (passes && dot(receiver.pixel.surface.normal, d) < 0.0 && dot(receiver.rayEnds.geometricNormal, d) < 0.0) return receiver.rayEnds.behind;
+#endif
+    return receiver.rayEnds.inFront;
+}
+
+// What passes of the light of a point or spot light that reaches the surface, 0 to 1.
+float passingFrom(Receiver receiver, LocalLight light) {
+    return transmittanceFromPoint(rayEnd(receiver, light.position - receiver.pixel.position), light.position);
+}
+#endif
+
 vec3 pointLight(Receiver receiver, LocalLight light, bool hasShadow) {
 #ifdef SHADOWS
     float passing = 1.0;
-    if (hasShadow && isReached(receiver.point, light)) passing = transmittanceFromPoint(receiver.rayEnd, light.position);
+    if (hasShadow && isReached(receiver.pixel, light)) passing = passingFrom(receiver, light);
     if (passing == 0.0) return vec3(0.0);
-    return dimmed(pointLightRadiance(BRDF, receiver.point, light), passing);
+    return dimmed(reflectedPoint(receiver, light), passing);
 #else
-    return pointLightRadiance(BRDF, receiver.point, light);
+    return reflectedPoint(receiver, light);
 #endif
 }
 
 vec3 spotLight(Receiver receiver, LocalLight light, LightCone cone, bool hasShadow) {
 #ifdef SHADOWS
     float passing = 1.0;
-    if (hasShadow && isReached(receiver.point, light, cone)) passing = transmittanceFromPoint(receiver.rayEnd, light.position);
+    if (hasShadow && isReached(receiver.pixel, light, cone)) passing = passingFrom(receiver, light);
     if (passing == 0.0) return vec3(0.0);
-    return dimmed(spotLightRadiance(BRDF, receiver.point, light, cone), passing);
+    return dimmed(reflectedSpot(receiver, light, cone), passing);
 #else
-    return spotLightRadiance(BRDF, receiver.point, light, cone);
+    return reflectedSpot(receiver, light, cone);
 #endif
 }
 
@@ -141,11 +223,11 @@ vec3 directionalLight(Receiver receiver, int index) {
     vec3 irradiance = texelFetch(lightRecords, index * LIGHT_TEXELS + 1).rgb;
 #ifdef SHADOWS
     float passing = 1.0;
-    if (castsShadow(index) && dot(receiver.point.normal, l) > 0.0) passing = transmittanceFromDirection(receiver.rayEnd, l);
+    if (castsShadow(index) && facing(receiver.pixel, l) > 0.0) passing = transmittanceFromDirection(rayEnd(receiver, l), l);
     if (passing == 0.0) return vec3(0.0);
-    return dimmed(directionalLightRadiance(BRDF, receiver.point, l, irradiance), passing);
+    return dimmed(reflectedDirectional(receiver, l, irradiance), passing);
 #else
-    return directionalLightRadiance(BRDF, receiver.point, l, irradiance);
+    return reflectedDirectional(receiver, l, irradiance);
 #endif
 }
 #endif

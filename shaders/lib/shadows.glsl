@@ -16,10 +16,21 @@ float pixelExtent(vec3 position) {
     return isOrthographic() ? side : dot(position - frame.eye.xyz, frame.cameraForward.xyz) * side;
 }
 
-// Where the rays of a pixel end whose surface is at `position`.
-vec3 rayEndAt(ivec2 pixel, vec3 position) {
+// Where the rays of a pixel end.
+struct RayEnds {
+    vec3 inFront;
+    vec3 behind;  // of lights behind the surface, through which light passes
+    vec3 geometricNormal;
+};
+
+// Of a pixel whose surface is at `position`.
+RayEnds rayEndsAt(ivec2 pixel, vec3 position) {
     ShadowSurface surface = unpackShadowWord(texelFetch(shadowTexture, pixel, 0).x);
-    return shadowRayEnd(position, wayToEye(position), surface.geometricNormal, surface.lift, pixelExtent(position));
+    RayEnds ends;
+    ends.inFront = shadowRayEnd(position, wayToEye(position), surface.geometricNormal, surface.lift, pixelExtent(position));
+    ends.behind = shadowRayEndBehind(position, wayToEye(position), surface.geometricNormal, pixelExtent(position));
+    ends.geometricNormal = surface.geometricNormal;
+    return ends;
 }
 
 // What passes whole is the same bit for bit as without shadows.

@@ -27,6 +27,7 @@ const int SHADOW_UNIT = 7;   // R32UI: the G-buffer's shadow word
 const int LOBES_UNIT = 13;   // RGBA32UI: the G-buffer's lobe words
 const int DIFFUSE_TRANSMISSION_UNIT = 14;  // R32UI: the word of diffuse transmission
 const int LAYER_UNIT = 15;   // R32UI: the G-buffer's word of a layer
+const int SHEEN_UNIT = 16;   // RG32F: the sheen's directional albedo table, in frames with lobe words
 const int ALBEDO_UNIT = 4;   // RG32F: the model's directional albedo table
 
 // Texture units of the environment's passes.

@@ -27,6 +27,12 @@ SHARED_FUNCTION Real3 shadowRayEnd(Real3 position, Real3 wayToEye, Real3 geometr
     return position + geometricNormal * (lift + margin);
 }
 
+// For a light behind the surface, whose light passes through it: the margin alone, on the other side. The smooth surface lies no farther away
+// there than the triangle.
+SHARED_FUNCTION Real3 shadowRayEndBehind(Real3 position, Real3 wayToEye, Real3 geometricNormal, Real pixelExtent) {
+    return shadowRayEnd(position, wayToEye, Real3(0.0f) - geometricNormal, pixelExtent * 0.0f, pixelExtent);
+}
+
 // The part of the ray next to the light that is left out, as a share of its length: a light in or on a surface shines on both of its sides.
 // A position of float precision lies on a plane to within 2^-23 of its coordinates.
 SHARED_FUNCTION Real shadowRayStart(Real3 lightPosition, Real3 way) {

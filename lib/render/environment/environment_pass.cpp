@@ -10,12 +10,15 @@ namespace candela {
 
 EnvironmentPass::EnvironmentPass() : vertexArray_("environment") {}
 
-const gl::Program& EnvironmentPass::lightProgram(BrdfModel brdf, bool withVisibility) {
-    auto& program = lightPrograms_[2 * static_cast<std::size_t>(brdf) + (withVisibility ? 1 : 0)];
+const gl::Program& EnvironmentPass::lightProgram(const LightingInputs& inputs, bool withVisibility) {
+    const bool withLobes = inputs.targets.parts.lobes;
+    auto& program = lightPrograms_[4 * static_cast<std::size_t>(inputs.brdf) + (withLobes ? 2 : 0) +
+                                   (withVisibility ? 1 : 0)];
     if (!program) {
-        std::vector<std::string> definitions{brdf == BrdfModel::course ? "BRDF BRDF_COURSE"
-                                                                       : "BRDF BRDF_GLTF"};
+        std::vector<std::string> definitions{inputs.brdf == BrdfModel::course ? "BRDF BRDF_COURSE"
+                                                                              : "BRDF BRDF_GLTF"};
         if (withVisibility) definitions.emplace_back("VISIBILITY 1");
+        if (withLobes) definitions.emplace_back("LOBES 1");
         program.emplace(std::vector<gl::Stage>{{"fullscreen_triangle.vert", {}, {}},
                                                {"environment.frag", definitions, {}}},
                         "environment");
@@ -52,7 +55,7 @@ void EnvironmentPass::addLight(const LightingInputs& inputs, const gl::Framebuff
         inputs.environmentVisibility != nullptr || inputs.environmentVisibilityTexture != nullptr;
     if (withVisibility) bindVisibility(inputs);
     inputs.environment->bindMaps();
-    glUseProgram(lightProgram(inputs.brdf, withVisibility).name());
+    glUseProgram(lightProgram(inputs, withVisibility).name());
     glUniform2f(layout::ENVIRONMENT_PARTS_LOCATION, parts.diffuse, parts.specular);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);

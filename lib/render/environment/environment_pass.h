@@ -30,11 +30,11 @@ class EnvironmentPass {
     void drawBackground(const GBufferTargets& targets, const GpuEnvironment& environment);
 
   private:
-    const gl::Program& lightProgram(BrdfModel brdf, bool withVisibility);
+    const gl::Program& lightProgram(const LightingInputs& inputs, bool withVisibility);
     void bindVisibility(const LightingInputs& inputs);
     void draw(const gl::Framebuffer& target, const GBufferTargets& targets) const;
 
-    std::array<std::optional<gl::Program>, 4> lightPrograms_;
+    std::array<std::optional<gl::Program>, 8> lightPrograms_;
     std::optional<gl::Program> background_;
     gl::Texture visibility_;
     int visibilityWidth_ = 0, visibilityHeight_ = 0;

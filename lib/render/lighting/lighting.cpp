@@ -1,5 +1,6 @@
 #include "render/lighting/lighting.h"
 
+#include "render/layout.h"
 #include "render/lighting/tiled/compute_tiles.h"
 #include "render/lighting/volumes/light_volumes.h"
 #include "render/occlusion/occlusion_scene.h"
@@ -60,6 +61,10 @@ void Lighting::bind(const LightingInputs& inputs) {
     std::optional<gl::Texture>& albedo = albedo_[static_cast<std::size_t>(inputs.brdf)];
     if (!albedo) albedo = makeAlbedoTexture(inputs.brdf);
     bindForLighting(inputs.targets, inputs.lights, *albedo);
+    if (inputs.targets.parts.lobes) {
+        if (!sheen_) sheen_ = makeSheenTexture();
+        glBindTextureUnit(layout::SHEEN_UNIT, sheen_->name());
+    }
     if (inputs.occlusion != nullptr && inputs.occlusion->shaderForm() != nullptr)
         inputs.occlusion->shaderForm()->bind();
 }

@@ -52,6 +52,7 @@ class Lighting {
     TileBackend deviceBackend_;
     LightsPerInvocation limit_;
     std::array<std::optional<gl::Texture>, 2> albedo_;  ///< For each `BrdfModel`, made when first needed.
+    std::optional<gl::Texture> sheen_;                  ///< Made for the first frame with lobe words.
     FullscreenPass fullscreen_;
     std::map<std::pair<Technique, TileBackend>, std::unique_ptr<LightingTechnique>> techniques_;
     std::unique_ptr<PairCounter> counter_;

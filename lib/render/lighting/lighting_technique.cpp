@@ -2,7 +2,9 @@
 
 #include "render/layout.h"
 #include "shading/directional_albedo.h"
+#include "shading/sheen_albedo.h"
 
+#include <span>
 #include <utility>
 
 namespace candela {
@@ -14,14 +16,21 @@ const char* brdfDefinition(BrdfModel model) {
     return model == BrdfModel::course ? "BRDF BRDF_COURSE" : "BRDF BRDF_GLTF";
 }
 
+gl::Texture tableTexture(std::span<const float> table, const char* label) {
+    gl::Texture texture = gl::Texture::target2d(GL_RG32F, albedoTableSize, albedoTableSize, label);
+    glTextureSubImage2D(texture.name(), 0, 0, 0, albedoTableSize, albedoTableSize, GL_RG, GL_FLOAT,
+                        table.data());
+    return texture;
+}
+
 }  // namespace
 
 gl::Texture makeAlbedoTexture(BrdfModel model) {
-    gl::Texture texture =
-        gl::Texture::target2d(GL_RG32F, albedoTableSize, albedoTableSize, "directional albedo");
-    glTextureSubImage2D(texture.name(), 0, 0, 0, albedoTableSize, albedoTableSize, GL_RG, GL_FLOAT,
-                        directionalAlbedoTable(model).data());
-    return texture;
+    return tableTexture(directionalAlbedoTable(model), "directional albedo");
+}
+
+gl::Texture makeSheenTexture() {
+    return tableTexture(sheenAlbedoTable(), "directional albedo of sheen");
 }
 
 void bindForLighting(const GBufferTargets& targets, const GpuLights& lights, const gl::Texture& albedo) {

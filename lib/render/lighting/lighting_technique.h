@@ -79,8 +79,9 @@ struct LightsPerInvocation {
     int of(const LightingInputs& inputs) const { return inputs.occlusion == nullptr ? plain : traced; }
 };
 
-/// The model's directional albedo table as a texture.
+/// Directional albedo tables as textures: the model's, and that of sheen.
 gl::Texture makeAlbedoTexture(BrdfModel model);
+gl::Texture makeSheenTexture();
 
 /// Binds the textures that shaders/lib/lighting.glsl reads in frames without shadows.
 void bindForLighting(const GBufferTargets& targets, const GpuLights& lights, const gl::Texture& albedo);

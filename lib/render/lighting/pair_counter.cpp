@@ -1,5 +1,6 @@
 #include "render/lighting/pair_counter.h"
 
+#include "render/gbuffer/gbuffer_copy.h"
 #include "render/gbuffer/readback.h"
 #include "render/layout.h"
 
@@ -16,6 +17,30 @@ namespace candela {
 
 namespace {
 
+/// From where a pixel is lit.
+struct LitSides {
+    glm::vec3 normal, coatNormal;
+    bool behind;
+
+    bool faces(const glm::vec3& l) const {
+        const float cosine = glm::dot(normal, l);
+        return cosine > 0.0f || glm::dot(coatNormal, l) > 0.0f || (behind && cosine < 0.0f);
+    }
+};
+
+LitSides litSides(GBufferCopy& copy, std::size_t pixel, bool hasLobeWords) {
+    const glm::vec3 normal = unpackNormal(copy.surfaces()[2 * pixel + 1]);
+    LitSides sides{normal, normal, false};
+    if (!hasLobeWords || copy.lobeWords()[4 * pixel + 2] == 0) return sides;
+    GBufferLobeWords words;
+    for (std::size_t i = 0; i < words.lobes.size(); ++i) words.lobes[i] = copy.lobeWords()[4 * pixel + i];
+    words.diffuseTransmission = copy.diffuseTransmission()[pixel];
+    const ExtendedLobes<float> lobes = unpackLobeWords(words, normal);
+    if (lobes.clearcoat > 0.0f) sides.coatNormal = lobes.clearcoatNormal;
+    sides.behind = lobes.diffuseTransmission > 0.0f;
+    return sides;
+}
+
 /// Pixels on the side of the directional lights that cast shadows.
 std::uint64_t directionalRays(const LightingInputs& inputs) {
     const LightCounts& counts = inputs.lights.counts();
@@ -26,21 +51,28 @@ std::uint64_t directionalRays(const LightingInputs& inputs) {
         if (record[1].w != 0.0f) directions.emplace_back(record[0]);
     }
     if (directions.empty()) return 0;
+    GBufferCopy copy;
+    copy.reset(inputs.targets);
     std::uint64_t rays = 0;
-    for (const GBufferTexel texel : readSurfaces(inputs.targets)) {
-        if (texel.y == 0) continue;
-        const glm::vec3 normal = unpackSurface(texel).normal;
-        for (const glm::vec3& l : directions) rays += glm::dot(normal, l) > 0.0f;
+    for (std::size_t pixel = 0; pixel < copy.depth().size(); ++pixel) {
+        if (copy.surfaces()[2 * pixel + 1] == 0) continue;
+        const LitSides sides = litSides(copy, pixel, inputs.targets.parts.lobes);
+        for (const glm::vec3& l : directions) rays += sides.faces(l);
     }
     return rays;
 }
 
+std::vector<std::string> with(std::vector<std::string> definitions, const char* last) {
+    definitions.emplace_back(last);
+    return definitions;
+}
+
 }  // namespace
 
-PairCounter::RayPrograms::RayPrograms()
-    : points({{"light_volume.vert", {}, {}}, {"light_volume_count.frag", {"SHADOWS 1", "SPOT 0"}, {}}},
+PairCounter::RayPrograms::RayPrograms(const std::vector<std::string>& definitions)
+    : points({{"light_volume.vert", {}, {}}, {"light_volume_count.frag", with(definitions, "SPOT 0"), {}}},
              "ray count, points"),
-      spots({{"light_volume.vert", {}, {}}, {"light_volume_count.frag", {"SHADOWS 1", "SPOT 1"}, {}}},
+      spots({{"light_volume.vert", {}, {}}, {"light_volume_count.frag", with(definitions, "SPOT 1"), {}}},
             "ray count, spots") {}
 
 PairCounter::PairCounter()
@@ -95,11 +127,16 @@ std::uint64_t PairCounter::countInside(const LightingInputs& inputs) {
 }
 
 std::uint64_t PairCounter::countRays(const LightingInputs& inputs) {
-    if (!rayPrograms_) rayPrograms_.emplace();
+    const bool withLobes = inputs.targets.parts.lobes;
+    std::optional<RayPrograms>& programs = rayPrograms_[withLobes ? 1 : 0];
+    if (!programs) {
+        programs.emplace(withLobes ? std::vector<std::string>{"SHADOWS 1", "LOBES 1"}
+                                   : std::vector<std::string>{"SHADOWS 1"});
+    }
     const gl::Texture& counts = target(inputs);
     if (volumes_.prepare(inputs) > 0) {
         depth_.bind(inputs.targets, counts);
-        volumes_.drawBackFaces(rayPrograms_->points, rayPrograms_->spots);
+        volumes_.drawBackFaces(programs->points, programs->spots);
     }
     return sum(inputs, Channel::rays) + directionalRays(inputs);
 }

@@ -4,8 +4,10 @@
 #include "render/lighting/lighting_technique.h"
 #include "render/lighting/volumes/light_volumes.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace candela {
@@ -33,7 +35,7 @@ class PairCounter {
     enum class Channel { lit = 0, evaluated = 1, rays = 2 };
     /// Of frames with shadows; compiled when they are first needed.
     struct RayPrograms {
-        RayPrograms();
+        explicit RayPrograms(const std::vector<std::string>& definitions);
         gl::Program points, spots;
     };
     const gl::Texture& target(const LightingInputs& inputs);
@@ -42,7 +44,7 @@ class PairCounter {
     std::uint64_t sum(const LightingInputs& inputs, Channel channel) const;
 
     gl::Program program_;
-    std::optional<RayPrograms> rayPrograms_;
+    std::array<std::optional<RayPrograms>, 2> rayPrograms_;  ///< Without and with lobe words.
     LightVolumes volumes_;
     StencilledDepth depth_;
     std::optional<gl::Texture> counts_;

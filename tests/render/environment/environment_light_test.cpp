@@ -1,6 +1,7 @@
 // The light of environments on surfaces, and environments behind them.
 
 #include "support/drawing_test.h"
+#include "support/lit_scenes.h"
 #include "support/procedural_scene.h"
 #include "support/skies.h"
 #include "support/tile_implementations.h"
@@ -217,6 +218,34 @@ TEST_F(EnvironmentLightTest, furnaceReturnsNoMoreThanItSends) {
     }
 }
 
+/// The largest difference, of a pixel over the mean.
+double difference(const std::vector<float>& a, const std::vector<float>& b) {
+    double mean = 0.0, worst = 0.0;
+    for (const float value : b) mean += static_cast<double>(value) / static_cast<double>(b.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+        worst = std::max(worst, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])) /
+                                    (mean + static_cast<double>(b[i])));
+    return worst;
+}
+
+TEST_F(EnvironmentLightTest, lobesReturnNoMoreThanAWhiteSkySends) {
+    LitScene lit = manyLobes();
+    for (Material& material : lit.scene.materials) material.baseColor = glm::vec4(1.0f);
+    lit.scene.environment = environmentOf(makeSky(16, [](const glm::dvec3&) { return glm::vec3(1.0f); }));
+    GpuScene uploaded = upload(lit.scene);
+    for (const BrdfModel model : models) {
+        FrameRequest frame = request(model, Technique::fullscreen);
+        frame.view = lit.view;
+        const HdrImage reference = drawn(uploaded, frame);
+        EXPECT_LE(*std::ranges::max_element(reference.rgba), 1.0f + rounding);
+        for (const Form& form : forms) {
+            frame.technique = form.technique;
+            frame.tileBackend = form.backend;
+            EXPECT_LT(difference(drawn(uploaded, frame).rgba, reference.rgba), 4.0e-4) << form.name;
+        }
+    }
+}
+
 /// A sky that is black but for a spot.
 Image spotSky(const glm::dvec3& towards) {
     return makeSky(512, [&](const glm::dvec3& d) {
@@ -295,16 +324,6 @@ Scene litScene() {
 const std::vector<WorldLight> lights{pointLight({0, 2, 3}, 6.0f, {4, 3, 2}),
                                      directionalLight({0.2f, -0.5f, -1}, {0.3f, 0.3f, 0.2f})};
 
-/// The largest difference, of a pixel over the mean.
-double difference(const std::vector<float>& a, const std::vector<float>& b) {
-    double mean = 0.0, worst = 0.0;
-    for (const float value : b) mean += static_cast<double>(value) / static_cast<double>(b.size());
-    for (std::size_t i = 0; i < a.size(); ++i)
-        worst = std::max(worst, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])) /
-                                    (mean + static_cast<double>(b[i])));
-    return worst;
-}
-
 TEST_F(EnvironmentLightTest, allTechniquesAndKernelsAgree) {
     const Scene scene = litScene();
     for (const BrdfModel model : models) {
@@ -322,6 +341,16 @@ TEST_F(EnvironmentLightTest, allTechniquesAndKernelsAgree) {
             EXPECT_LT(difference(drawn(uploaded, request(model, technique)).rgba, picture.rgba), 1.0e-4)
                 << toString(technique);
     }
+}
+
+TEST_F(EnvironmentLightTest, lobesAgreeToo) {
+    LitScene lit = manyLobes();
+    lit.scene.environment = litScene().environment;
+    const TileTestFrame frame{lit.scene, lights, lit.view, width, height, BrdfModel::gltf};
+    const std::vector<float> reference = radianceOf(context(), fullscreenImplementation(), frame);
+    for (const TileImplementation& implementation : tileImplementations())
+        EXPECT_LT(difference(radianceOf(context(), implementation, frame), reference), 4.0e-4)
+            << implementation.name;
 }
 
 TEST_F(EnvironmentLightTest, visibilityDims) {

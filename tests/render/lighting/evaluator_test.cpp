@@ -75,6 +75,29 @@ TEST_F(EvaluatorTest, everyPixelOfEverySceneAgrees) {
     }
 }
 
+TEST_F(EvaluatorTest, everyPixelWithMoreLobesAgrees) {
+    const LitScene lit = manyLobes();
+    GpuScene scene = upload(lit.scene, lit.lights);
+    const LobePixels lobes(context(), scene, lit.view, width, height);
+    EXPECT_GT(lobes.count(), width * height / 6);
+    for (const BrdfModel model : models) {
+        FrameRequest request{width, height, lit.view, model, Technique::fullscreen};
+        request.specularAntialiasing = false;
+        render(scene, request);
+        const auto expected = evaluatedImage(model, aovs(width), width, height, lit.view,
+                                             withRanges(lit.lights, scene.lightReport()), &lobes);
+        for (const Form& form : forms) {
+            request.technique = form.technique;
+            request.tileBackend = form.backend;
+            const Worst worst = compare(drawn(scene, request), expected);
+            std::printf("%s, %s, %s: largest relative error %.1e, at most %.2f of the tolerance\n",
+                        lit.name.c_str(), toString(model), form.name, worst.relative, worst.ofTolerance);
+            EXPECT_LE(worst.ofTolerance, 1.0)
+                << toString(model) << ", " << form.name << ", pixel " << worst.x << ", " << worst.y;
+        }
+    }
+}
+
 TEST_F(EvaluatorTest, comparisonDetectsALightThatIsOnePerMilleTooBright) {
     LitScene lit = spheresOnAFloor();
     GpuScene scene = upload(lit.scene, lit.lights);

@@ -8,7 +8,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -33,9 +35,10 @@ class ShadowTechniqueTest : public DrawingTest {
     }
 
     /// All forms against `tiles` on the CPU. Returns the share of pixels that are darker with shadows.
-    static double expectSameShadows(GpuScene& scene, const CameraView& view, const std::string& what) {
+    static double expectSameShadows(GpuScene& scene, const CameraView& view, const std::string& what,
+                                    std::span<const BrdfModel> ofModels = models) {
         double darkened = 0.0;
-        for (const BrdfModel model : models) {
+        for (const BrdfModel model : ofModels) {
             const HdrImage shadowed = drawnBy(scene, view, cpuTiles, Shadows::on, model);
             const HdrImage unshadowed = drawnBy(scene, view, cpuTiles, Shadows::off, model);
             darkened = darkenedShare(shadowed, unshadowed);
@@ -156,6 +159,15 @@ TEST_F(ShadowTechniqueTest, ScenesOfTheEvaluatorsTest) {
     }
 }
 
+// One model: programs that trace rays and have all lobes take long to compile.
+constexpr std::array lobeModels{BrdfModel::course};
+
+TEST_F(ShadowTechniqueTest, PixelsWithMoreLobes) {
+    const LitScene lit = manyLobes();
+    GpuScene scene = upload(lit.scene, lit.lights);
+    expectSameShadows(scene, lit.view, lit.name, lobeModels);
+}
+
 TEST_F(ShadowTechniqueTest, MoreLightsThanAnInvocationTraces) {
     GpuScene scene = upload(room(), mixedLights(150, 9.0f));
     expectSameShadows(scene, front, "150 lights");
@@ -198,24 +210,49 @@ TEST_F(ShadowTechniqueTest, WhatNothingHidesIsLitBitForBitAsWithoutShadows) {
 }
 
 TEST_F(ShadowTechniqueTest, AllFormsAskForTheSameRays) {
+    const auto expectSameRays = [](GpuScene& scene, const CameraView& view) {
+        drawnBy(scene, view, cpuTiles, Shadows::on);
+        const ShadowCounts expected = lastFrame().shadowCounts();
+        EXPECT_GT(expected.raysAsked, 1000u);
+        for (const Form& form : shaderForms) {
+            drawnBy(scene, view, form, Shadows::on);
+            const ShadowCounts counts = lastFrame().shadowCounts();
+            // On the rim of a range, of a cone or of the lit side, single precision may decide either way.
+            EXPECT_NEAR(static_cast<double>(counts.raysAsked), static_cast<double>(expected.raysAsked),
+                        1e-4 * static_cast<double>(expected.raysAsked))
+                << form.name;
+            EXPECT_EQ(counts.raysTraced, counts.raysAsked);
+            EXPECT_EQ(counts.raysSaved, 0u);
+            drawnBy(scene, view, form, Shadows::off);
+            EXPECT_EQ(lastFrame().shadowCounts().raysAsked, 0u);
+        }
+    };
     std::vector<WorldLight> lights = mixedLights(30, 9.0f);
     for (std::size_t i = 0; i < lights.size(); i += 5) lights[i].castsShadow = false;
     GpuScene scene = upload(room(), lights);
-    drawnBy(scene, front, cpuTiles, Shadows::on);
-    const ShadowCounts expected = lastFrame().shadowCounts();
-    EXPECT_GT(expected.raysAsked, 1000u);
-    for (const Form& form : shaderForms) {
-        drawnBy(scene, front, form, Shadows::on);
-        const ShadowCounts counts = lastFrame().shadowCounts();
-        // On the rim of a range, of a cone or of the lit side, single precision may decide either way.
-        EXPECT_NEAR(static_cast<double>(counts.raysAsked), static_cast<double>(expected.raysAsked),
-                    1e-4 * static_cast<double>(expected.raysAsked))
-            << form.name;
-        EXPECT_EQ(counts.raysTraced, counts.raysAsked);
-        EXPECT_EQ(counts.raysSaved, 0u);
-        drawnBy(scene, front, form, Shadows::off);
-        EXPECT_EQ(lastFrame().shadowCounts().raysAsked, 0u);
+    expectSameRays(scene, front);
+    const LitScene lobes = manyLobes();
+    GpuScene lobeScene = upload(lobes.scene, lobes.lights);
+    expectSameRays(lobeScene, lobes.view);
+}
+
+TEST_F(ShadowTechniqueTest, LightPassesThroughSheetsUnlessSomethingIsBehindThem) {
+    Material sheet = rough(0.6f);
+    sheet.doubleSided = true;
+    sheet.diffuseTransmission.factor = 0.7f;
+    Scene scene = sceneOf(makeQuad(3.0f), sheet);
+    const std::vector<WorldLight> lights{pointLight({0, 0.5f, -3}, 20.0f, {9, 9, 9}),
+                                         directionalLight({0.2f, 0.1f, 1}, {1, 1, 1}),
+                                         pointLight({1, 1, 4}, 20.0f, {2, 1, 1})};
+    GpuScene alone = upload(scene, lights);
+    place(scene, makeQuad(0.5f), rough(0.9f), glm::translate(glm::mat4(1.0f), {0, 0, -1}));
+    GpuScene before = upload(scene, lights);
+    for (const Form& form : forms) {
+        const HdrImage open = drawnBy(alone, front, form, Shadows::off);
+        EXPECT_EQ(drawnBy(alone, front, form, Shadows::on).rgba, open.rgba) << form.name;
+        EXPECT_GT(pixelOf(open, width / 2, height / 2).g, 0.05f) << form.name;
     }
+    EXPECT_GT(expectSameShadows(before, front, "a sheet before a card", lobeModels), 0.02);
 }
 
 TEST_F(ShadowTechniqueTest, AlphaMaskedCardsLetLightThrough) {

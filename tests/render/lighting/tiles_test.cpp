@@ -90,6 +90,13 @@ TEST_F(TilesTest, scenesOfTheEvaluatorsTestInBothModels) {
     }
 }
 
+TEST_F(TilesTest, pixelsWithMoreLobesInBothModels) {
+    const LitScene lit = manyLobes();
+    // The power of sheen magnifies rounding by up to 1 / alpha.
+    for (const BrdfModel model : {BrdfModel::course, BrdfModel::gltf})
+        expectReference({lit.scene, lit.lights, lit.view, 96, 54, model}, lit.name, 4.0e-4);
+}
+
 TEST_F(TilesTest, noLightAndOneLight) {
     expectReference({wall(), {}, front}, "no light");
     const WorldLight one = pointLight({1, 2, 3}, 5.0f, {1, 2, 3});

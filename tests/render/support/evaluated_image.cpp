@@ -16,6 +16,7 @@ constexpr double normalError = 2.0 * unit;
 constexpr double relativeError = 1.0e-5;
 constexpr double windowError = 4.0 * unit;
 constexpr double cosineError = 4.0 * unit;
+constexpr double lobeError = 4.0e-5;
 
 struct ShadingContext {
     BrdfModel model;
@@ -41,6 +42,10 @@ glm::dvec3 spread(const ShadingContext& lit, const WorldLight& one, const glm::d
             byPosition = glm::max(byPosition, glm::abs(light(lit, moved, one) - exact));
             SurfacePoint rotated = lit.surface;
             rotated.normal = glm::normalize(rotated.normal + step * (sign * normalError));
+            if (rotated.extended) {
+                glm::dvec3& coatNormal = rotated.extended->clearcoatNormal;
+                coatNormal = glm::normalize(coatNormal + step * (sign * normalError));
+            }
             byNormal = glm::max(byNormal, glm::abs(light(lit, rotated, one) - exact));
         }
         sum += byPosition + byNormal;
@@ -71,7 +76,7 @@ void add(ExpectedPixel& pixel, const ShadingContext& lit, const WorldLight& one)
     if (local && distance > 1.001 * one.range) return;
     const glm::dvec3 exact = light(lit, lit.surface, one);
     pixel.radiance += exact;
-    pixel.tolerance += relativeError * exact + spread(lit, one, exact);
+    pixel.tolerance += (lit.surface.extended ? lobeError : relativeError) * exact + spread(lit, one, exact);
     if (local) pixel.tolerance += windowError * unwindowed(lit, one);
     if (one.type == LightType::spot) pixel.tolerance += spotSpread(lit, one);
 }
@@ -79,7 +84,8 @@ void add(ExpectedPixel& pixel, const ShadingContext& lit, const WorldLight& one)
 }  // namespace
 
 std::vector<ExpectedPixel> evaluatedImage(BrdfModel model, const AovReader& aovs, int width, int height,
-                                          const CameraView& view, std::span<const WorldLight> lights) {
+                                          const CameraView& view, std::span<const WorldLight> lights,
+                                          const LobePixels* lobes) {
     std::vector<ExpectedPixel> pixels;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
@@ -94,6 +100,7 @@ std::vector<ExpectedPixel> evaluatedImage(BrdfModel model, const AovReader& aovs
             lit.surface.lobes.baseColor = aovs.vector("base_color", x, y);
             lit.surface.lobes.metallic = aovs.scalar("metallic", x, y);
             lit.surface.lobes.roughness = aovs.scalar("roughness", x, y);
+            if (lobes != nullptr) lit.surface.extended = lobes->at(x, y, normal);
             const glm::dvec3 reach = glm::abs(lit.eye) + glm::abs(lit.surface.position - lit.eye);
             lit.reach = std::max({reach.x, reach.y, reach.z});
             // The direction to the eye of an orthographic view is the same everywhere.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "support/drawing_test.h"
+#include "support/lobe_pixels.h"
 
 #include <candela/brdf.h>
 
@@ -28,9 +29,12 @@ struct ExpectedPixel {
 ///  - `relativeError` of it, for about 60 roundings (6e-8 each) and for pow, which OpenGL requires to be
 ///    within 16 units in the last place;
 ///  - `windowError` of it before the range window, where 1 - (d / range)^4 cancels;
-///  - the change of a spot's factor when the cosine moves by `cosineError`.
+///  - the change of a spot's factor when the cosine moves by `cosineError`;
+///  - `lobeError` of it on surfaces with further lobes: their sines, powers and albedos round more.
+/// `lobes` is null where no material has further lobes.
 std::vector<ExpectedPixel> evaluatedImage(BrdfModel model, const AovReader& aovs, int width, int height,
-                                          const CameraView& view, std::span<const WorldLight> lights);
+                                          const CameraView& view, std::span<const WorldLight> lights,
+                                          const LobePixels* lobes = nullptr);
 
 /// The lights, with the ranges that the renderer has assigned.
 std::vector<WorldLight> withRanges(std::span<const WorldLight> lights, const LightReport& report);

@@ -111,6 +111,77 @@ LitScene sunAndSpots() {
     return lit;
 }
 
+namespace {
+
+/// A sphere whose tangents run along its parallels.
+Mesh sphereWithTangents(float radius) {
+    Mesh mesh = makeSphere(radius, 48, 24);
+    for (const glm::vec3& n : mesh.normals) {
+        const glm::vec3 along(n.z, 0.0f, -n.x);
+        const bool isPole = glm::length(along) < 1e-3f;
+        mesh.tangents.emplace_back(isPole ? glm::vec3(1, 0, 0) : glm::normalize(along), 1.0f);
+    }
+    return mesh;
+}
+
+/// One lobe each below 8, then stacks of them.
+Material lobedMaterial(std::uint32_t index) {
+    const auto random = [index](std::uint32_t seed) { return hashed(60 + seed, index); };
+    const auto has = [&](std::uint32_t lobe) { return index == lobe || (index >= 8 && random(lobe) < 0.6f); };
+    Material material = surface(glm::min(saturated(index), 1.0f), index < 8 ? 0.0f : random(10), 0.3f);
+    material.roughness = 0.15f + 0.7f * random(11);
+    if (has(0)) material.ior = 1.0f + random(12);
+    if (has(1)) {
+        material.specular.factor = random(13);
+        material.specular.color = {random(14), random(15), 1.0f};
+    }
+    if (has(2)) {
+        material.clearcoat.factor = 0.3f + 0.7f * random(16);
+        material.clearcoat.roughness = 0.1f + 0.4f * random(17);
+    }
+    if (has(3)) {
+        material.sheen.color = {random(18), random(19), 0.9f};
+        material.sheen.roughness = 0.2f + 0.8f * random(20);
+    }
+    if (has(4)) {
+        material.anisotropy.strength = 0.2f + 0.8f * random(21);
+        material.anisotropy.rotation = 3.0f * random(22);
+    }
+    if (has(5)) {
+        material.iridescence.factor = 1.0f;
+        material.iridescence.maxThickness = 200.0f + 400.0f * random(23);
+    }
+    if (has(6)) {
+        material.diffuseTransmission.factor = 0.8f;
+        material.diffuseTransmission.color = {0.9f, random(24), 0.2f};
+    }
+    if (has(7)) material.transmission.factor = 0.5f * random(25);
+    return material;
+}
+
+}  // namespace
+
+LitScene manyLobes() {
+    LitScene lit{"many lobes",
+                 sceneOf(makeQuad(20.0f), surface({0.5f, 0.5f, 0.5f}, 0.0f, 0.8f), floorAt(0.0f)),
+                 {},
+                 lookAt({0, 3, 8}, {0, 0.8f, 0}, 0.8f)};
+    for (std::uint32_t i = 0; i < 18; ++i) {
+        place(lit.scene, sphereWithTangents(0.65f), lobedMaterial(i),
+              at({1.5f * float(i % 6) - 3.75f, 0.7f + 0.6f * float(i / 6), 2.0f - 2.0f * float(i / 6)}));
+    }
+    Material sheet = lobedMaterial(6);
+    sheet.doubleSided = true;
+    place(lit.scene, makeQuad(0.6f), sheet, glm::rotate(at({-1.5f, 0.7f, 3.2f}), 0.5f, {0, 1, 0}));
+    place(lit.scene, makeQuad(0.6f), sheet, glm::rotate(at({1.5f, 0.7f, 3.2f}), 2.8f, {0, 1, 0}));
+    lit.lights = mixedLocalLights(12, 6.0f);
+    for (WorldLight& light : lit.lights) light.intensity *= 6.0f;
+    lit.lights.push_back(directionalLight({0.3f, -1, -0.5f}, {0.9f, 0.8f, 0.7f}));
+    lit.lights.push_back(directionalLight({-0.2f, -0.3f, 1}, {0.4f, 0.6f, 0.9f}));
+    lit.lights.push_back(pointLight({-1.6f, 0.9f, 2.6f}, 3.0f, {4, 4, 3}));
+    return lit;
+}
+
 LitScene nearAndFar() {
     LitScene lit{"near and far",
                  sceneOf(makeQuad(2.0f), surface({0.7f, 0.7f, 0.7f}, 0.0f, 0.5f)),

@@ -24,6 +24,8 @@ LitScene spheresOnAFloor();
 LitScene textured();
 /// Two directional lights and spots, one of them with the narrowest cone.
 LitScene sunAndSpots();
+/// Spheres with every further lobe and random stacks of them, and sheets lit from behind, over a plain floor.
+LitScene manyLobes();
 /// Lights 2 mm to 10 km from the surface.
 LitScene nearAndFar();
 /// Spheres of roughness 0 and a little more under lights of 1e6 cd.

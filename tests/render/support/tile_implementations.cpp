@@ -58,15 +58,15 @@ std::vector<float> radianceOf(const Context& context, const TileImplementation& 
     GpuScene scene(context, picture.scene);
     scene.setLights(picture.lights);
     const gl::StateGuard guard(*context.state().binding, "a test");
-    const GBufferTargets targets(picture.width, picture.height);
     GeometryPass geometry;
-    const gl::Texture albedo = makeAlbedoTexture(picture.brdf);
+    const gl::Texture albedo = makeAlbedoTexture(picture.brdf), sheen = makeSheenTexture();
     CameraView view = picture.view;
     // As the renderer does: behind every surface of the test scenes.
     if (view.orthographicHeight && !view.farPlane) view.farPlane = 1000.0f;
     const Frustum frustum(view, static_cast<float>(picture.width) / static_cast<float>(picture.height));
     GpuScene::State& state = scene.state();
     state.update();
+    const GBufferTargets targets(picture.width, picture.height, {.lobes = state.materials.hasLobes()});
     DrawSelection draws;
     state.cull(frustum, draws);
     layout::FrameUniforms uniforms =
@@ -82,6 +82,7 @@ std::vector<float> radianceOf(const Context& context, const TileImplementation& 
     for (int frame = 0; frame < picture.frames; ++frame) {
         geometry.render({state, draws, targets, start});
         bindForLighting(targets, state.lights, albedo);
+        glBindTextureUnit(layout::SHEEN_UNIT, sheen.name());
         const LightingInputs inputs{targets,      state.lights, frustum,     uniforms,
                                     picture.brdf, nullptr,      environment, picture.environmentVisibility,
                                     draws.emits()};

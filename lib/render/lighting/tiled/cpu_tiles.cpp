@@ -6,6 +6,7 @@
 #include "render/gbuffer/srgb.h"
 #include "render/occlusion/occlusion_scene.h"
 #include "shading/directional_albedo.h"
+#include "shading/sheen_albedo.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -115,6 +116,7 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     frame.directionalCount = static_cast<std::uint32_t>(counts.directionals);
     frame.srgbDecode = srgbDecode_.data();
     frame.albedoTable = directionalAlbedoTable(inputs.brdf).data();
+    frame.sheenTable = inputs.targets.parts.lobes ? sheenAlbedoTable().data() : nullptr;
     frame.albedoTableSize = albedoTableSize;
     return frame;
 }

@@ -129,6 +129,11 @@ inline Vec3 environmentLight(const TileFrame& frame, const ShadingPoint& point, 
     return radiance;
 }
 
+/// Of tile_lobes.h.
+template <int brdf>
+std::uint32_t shadeLobes(const TileFrame& frame, int left, int bottom, const std::uint32_t* lights,
+                         std::uint32_t count);
+
 /// Shades a tile that only the environment lights: no box is needed.
 template <int brdf>
 void reflectInTile(const TileFrame& frame, int left, int bottom) {
@@ -138,7 +143,10 @@ void reflectInTile(const TileFrame& frame, int left, int bottom) {
             std::uint32_t surface = 0;
             for (const std::uint32_t word : pixels.word1) surface |= word;
             if (surface == 0) continue;
+            const std::uint32_t extended =
+                frame.lobeWords == nullptr ? 0 : shadeLobes<brdf>(frame, x, y, nullptr, 0);
             for (int first = 0; first < pixelsPerBlock; first += laneCount) {
+                if ((extended >> first & 1) != 0) continue;
                 const ShadingPoint point = shadingPointAt<brdf>(frame, pixels, first);
                 addRadiance(frame, pixels, x, y, first, environmentLight(frame, point, x, y, first));
             }

@@ -53,6 +53,7 @@ struct TileFrame {
 
     const float* srgbDecode;   ///< 256 values.
     const float* albedoTable;  ///< Of the reflection model: see directional_albedo.h.
+    const float* sheenTable;   ///< See sheen_albedo.h; null in a frame without lobe words.
     int albedoTableSize;
 };
 

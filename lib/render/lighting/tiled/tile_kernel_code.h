@@ -8,8 +8,9 @@
 #include "render/lighting/tiled/tile_kernel.h"
 
 #include "render/lighting/tiled/tile_environment.h"
+#include "render/lighting/tiled/tile_lobes.h"
 #include "render/lighting/tiled/tile_shading.h"
-#include "render/lighting/tiled/tile_shadows.h"
+#include "render/lighting/tiled/tile_visible.h"
 
 namespace candela {
 namespace {
@@ -174,7 +175,10 @@ void shadeBlock(const TileFrame& frame, int left, int bottom, const std::uint32_
     std::uint32_t points = count;
     while (points > 0 && lights[points - 1] >= frame.pointCount) --points;
     const auto recordOf = [&](std::uint64_t light) { return frame.records + 8 * light; };
+    const std::uint32_t extended =
+        frame.lobeWords == nullptr ? 0 : shadeLobes<brdf>(frame, left, bottom, lights, count);
     for (int first = 0; first < pixelsPerBlock; first += laneCount) {
+        if ((extended >> first & 1) != 0) continue;
         const ShadingPoint point = shadingPointAt<brdf>(frame, pixels, first);
         Vec3 sum = environmentLight(frame, point, left, bottom, first);
         for (std::uint32_t i = 0; i < points; ++i)
@@ -191,62 +195,19 @@ void shadeBlock(const TileFrame& frame, int left, int bottom, const std::uint32_
     }
 }
 
-/// Finds which pixels of the block each light of the slots reaches, with `visible`, `hidden`, `dimmed` and
-/// `transmittance` of the scratch.
-template <int brdf>
-void findVisible(const TileFrame& frame, const BlockPixels& pixels, ShadowBlock& block,
-                 const std::uint32_t* slots, std::uint32_t count, ShadowScratch& scratch) {
-    const std::uint32_t surface = surfaceBits(pixels);
-    ShadingPoint points[pixelsPerBlock / laneCount];
-    for (int group = 0; group < pixelsPerBlock / laneCount; ++group)
-        points[group] = shadingPointAt<brdf>(frame, pixels, group * laneCount);
-    const auto litBits = [&](const auto& litBy) {
-        std::uint32_t bits = 0;
-        for (int group = 0; group < pixelsPerBlock / laneCount; ++group)
-            bits |= litBy(points[group]) << group * laneCount;
-        return bits & surface;
-    };
-    const auto finish = [&](std::uint32_t i, const float* record, const LightSource& light,
-                            const InstanceList& instances, std::uint32_t lit) {
-        BlockShadow shadow;
-        if (castsShadow(record) && lit != 0) {
-            scratch.raysAsked += static_cast<std::uint64_t>(__builtin_popcount(lit));
-            shadow = shadowOn(frame, light, instances, block, lit, i, scratch);
-        }
-        scratch.visible[i] = static_cast<std::uint16_t>(lit & ~shadow.hidden);
-        scratch.hidden[i] = static_cast<std::uint16_t>(shadow.hidden);
-        scratch.dimmed[i] = static_cast<std::uint16_t>(shadow.dimmed);
-    };
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t light = scratch.lightOfSlot[slots[i]];
-        const float* record = frame.records + 8 * std::uint64_t{light};
-        const LocalLight local = localLightOf(record);
-        const std::uint32_t lit =
-            light < frame.pointCount
-                ? litBits([&](const ShadingPoint& point) { return litByPoint(point, local); })
-                : litBits([&](const ShadingPoint& point) {
-                      return litBySpot(
-                          point, local,
-                          lightConeOf(frame.cones + 4 * std::uint64_t{light - frame.pointCount}));
-                  });
-        finish(i, record, pointSource(record), scratch.locals[slots[i]], lit);
-    }
-    for (std::uint32_t i = 0; i < frame.directionalCount; ++i) {
-        const float* record = frame.records + 8 * (std::uint64_t{frame.localCount} + i);
-        const std::uint32_t lit =
-            litBits([&](const ShadingPoint& point) { return litByDirectional(point, splat3(record)); });
-        finish(count + i, record, directionalSource(record), scratch.directionals[i], lit);
-    }
-}
-
 /// As `shadeBlock`, for the lights of `slots`, with shadows.
 template <int brdf>
 void shadeBlockWithShadows(const TileFrame& frame, int left, int bottom, const std::uint32_t* slots,
                            std::uint32_t count, ShadowScratch& scratch) {
     const BlockPixels pixels = fetchPixels(frame, left, bottom);
-    ShadowBlock block = shadowBlockOf(frame, pixels, left, bottom);
-    findVisible<brdf>(frame, pixels, block, slots, count, scratch);
+    LobeSides sides;
+    std::uint32_t extended = 0;
+    if (findVisibleOf<brdf>(frame, pixels, left, bottom, slots, count, scratch, sides) != nullptr) {
+        extended = sides.lobes.vectors;
+        shadeExtended<brdf>(frame, sides.lobes, left, bottom, slots, count, &scratch);
+    }
     for (int first = 0; first < pixelsPerBlock; first += laneCount) {
+        if ((extended >> first & 1) != 0) continue;
         const ShadingPoint point = shadingPointAt<brdf>(frame, pixels, first);
         constexpr std::uint32_t group = (1u << (laneCount - 1) << 1) - 1;
         Vec3 sum = environmentLight(frame, point, left, bottom, first);
@@ -286,8 +247,8 @@ template <int brdf>
 void countShadowed(const TileFrame& frame, int left, int bottom, const std::uint32_t* slots,
                    std::uint32_t count, ShadowScratch& scratch) {
     const BlockPixels pixels = fetchPixels(frame, left, bottom);
-    ShadowBlock block = shadowBlockOf(frame, pixels, left, bottom);
-    findVisible<brdf>(frame, pixels, block, slots, count, scratch);
+    LobeSides sides;
+    findVisibleOf<brdf>(frame, pixels, left, bottom, slots, count, scratch, sides);
     for (int i = 0; i < pixelsPerBlock; ++i) {
         const int x = left + i % blockSize, y = bottom + i / blockSize;
         if (x >= frame.width || y >= frame.height) continue;

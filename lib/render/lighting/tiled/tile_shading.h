@@ -45,12 +45,25 @@ inline Floats octavesBelowOne(Floats a) {
     return __builtin_convertvector(one - (Ints)a, Floats) * (1.0f / 8388608.0f);
 }
 
+inline bool anyAbove(Floats a) {
+    return minOfLanes(-a) < 0.0f;
+}
+
+inline Floats whereAbove(Floats x, Floats a, Floats b) {
+    return select(x > 0.0f, a, b);
+}
+
 #include "shared/light_bounds.h"
 #include "shared/shading.h"
+
+// These read `ShadingPoint` of shading.h.
+#include "shared/extended_lobes.h"
 #include "shared/shadow_ray.h"
 
-// Reads `ShadingPoint` of shading.h.
 #include "shared/environment.h"
+
+// Reads what the last two declare.
+#include "shared/extended_environment.h"
 
 /// As shaders/lib/lighting.glsl reads the table. Two neighbouring texels are one load of four floats, which
 /// is faster than to gather each number.

@@ -42,20 +42,34 @@ inline Floats pixelExtent(const TileFrame& frame, Vec3 position) {
     return dot(position - splat3(frame.eye), splat3(frame.forward)) * frame.pixelSide;
 }
 
-/// The ends of the block's rays. Undefined where there is no surface.
-inline BlockVectors rayEnds(const TileFrame& frame, const BlockPixels& pixels, int left, int bottom) {
-    std::uint32_t words[pixelsPerBlock];
+inline void fetchShadowWords(const TileFrame& frame, int left, int bottom, std::uint32_t* words) {
     for (int i = 0; i < pixelsPerBlock; ++i) {
         const int x = left + i % blockSize, y = bottom + i / blockSize;
         const bool inside = x < frame.width && y < frame.height;
         words[i] = inside ? frame.shadowWords[static_cast<std::int64_t>(y) * frame.width + x] : 0;
     }
+}
+
+/// On which side of a surface rays end.
+enum class RaySide {
+    inFront,
+    behind,  ///< Of lights whose light passes through it.
+};
+
+/// The ends of the block's rays. Undefined where there is no surface.
+template <RaySide side = RaySide::inFront>
+inline BlockVectors rayEnds(const TileFrame& frame, const BlockPixels& pixels, int left, int bottom) {
+    std::uint32_t words[pixelsPerBlock];
+    fetchShadowWords(frame, left, bottom, words);
     BlockVectors ends;
     for (int first = 0; first < pixelsPerBlock; first += laneCount) {
         const Ints word = loadWords(words + first);
         const Vec3 position = positionOf(frame, pixels, first);
-        const Vec3 end = shadowRayEnd(position, wayToEye(frame, position), unpackGeometricNormal(word),
-                                      halfToFloat(word), pixelExtent(frame, position));
+        const Vec3 end = side == RaySide::inFront
+                             ? shadowRayEnd(position, wayToEye(frame, position), unpackGeometricNormal(word),
+                                            halfToFloat(word), pixelExtent(frame, position))
+                             : shadowRayEndBehind(position, wayToEye(frame, position),
+                                                  unpackGeometricNormal(word), pixelExtent(frame, position));
         store(ends.x + first, end.x), store(ends.y + first, end.y), store(ends.z + first, end.z);
     }
     return ends;
@@ -108,6 +122,9 @@ inline EndBox endBoxOf(const TileFrame& frame, int left, int bottom, int blocks)
         for (int x = 0; x < blocks; ++x) {
             const BlockPixels pixels = fetchPixels(frame, left + x * blockSize, bottom + y * blockSize);
             enclose(box, pixels, rayEnds(frame, pixels, left + x * blockSize, bottom + y * blockSize));
+            if (frame.lobeWords == nullptr) continue;
+            enclose(box, pixels,
+                    rayEnds<RaySide::behind>(frame, pixels, left + x * blockSize, bottom + y * blockSize));
         }
     }
     addRounding(box);
@@ -166,9 +183,10 @@ struct ShadowBlock {
     }
 };
 
+template <RaySide side = RaySide::inFront>
 inline ShadowBlock shadowBlockOf(const TileFrame& frame, const BlockPixels& pixels, int left, int bottom) {
     ShadowBlock block;
-    block.ends = rayEnds(frame, pixels, left, bottom);
+    block.ends = rayEnds<side>(frame, pixels, left, bottom);
     block.box = emptyEndBox();
     enclose(block.box, pixels, block.ends);
     addRounding(block.box);

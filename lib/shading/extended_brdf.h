@@ -1,0 +1,14 @@
+#pragma once
+
+#include <candela/brdf.h>
+
+namespace candela {
+
+/// Throws `Error` (badInput) where a member is not in its range.
+void requireExtendedLobes(const SurfacePoint& surface);
+
+/// `evaluateReflection` of a surface with `extended`, for arguments that are checked.
+glm::dvec3 extendedReflection(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& l,
+                              const glm::dvec3& v);
+
+}  // namespace candela
