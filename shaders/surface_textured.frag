@@ -28,10 +28,17 @@ layout(location = 5) in vec4 shadowPlane;
 layout(location = 6) in vec3 eyePosition;  // relative to the eye
 #endif
 
+#ifdef REFRACTION
+layout(location = 7) flat in float instanceScale;
+#endif
+
 layout(location = RADIANCE_OUTPUT) out vec4 radiance;
 
 #ifdef EXTENDED
 #include "lib/extended_material.glsl"
+#endif
+#ifdef REFRACTION
+#include "lib/refraction.glsl"
 #endif
 
 vec4 texel(sampler2D image, int slot) {
@@ -59,12 +66,16 @@ vec3 shadingNormal(float normalScale) {
 }
 
 #ifdef EXTENDED
-// `normal` is on the side that is seen, `baseColor` linear Rec.709.
-LobeWords extendedWords(uint normalWord, vec3 normal, vec3 baseColor, float metallic) {
+// `normal` is on the side that is seen.
+LobeFrame lobeFrame(vec3 normal) {
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 way = isOrthographic() ? -frame.cameraForward.xyz : -eyePosition;
-    LobeFrame surface = LobeFrame(worldNormal * side, normal * inversesqrt(max(dot(normal, normal), 1.0e-30)), worldTangent.xyz * side,
-                                  bitangentOf(worldTangent) * side, normalize(way));
+    return LobeFrame(worldNormal * side, normal * inversesqrt(max(dot(normal, normal), 1.0e-30)), worldTangent.xyz * side,
+                     bitangentOf(worldTangent) * side, normalize(way));
+}
+
+// `baseColor` is linear Rec.709.
+LobeWords extendedWords(uint normalWord, LobeFrame surface, vec3 baseColor, float metallic) {
     ExtendedLobes lobes = extendedLobes(material, uvs, surface, baseColor, metallic);
     lobes.clearcoatRoughness = filteredRoughness(lobes.clearcoatRoughness, lobes.clearcoatNormal);
     return packExtendedLobes(lobes, unpackNormal(normalWord));
@@ -84,13 +95,24 @@ void main() {
 #endif
 #ifdef EXTENDED
     vec3 seenNormal = gl_FrontFacing ? normal : -normal;
-    LobeWords extended = extendedWords(packNormalRoughness(seenNormal, roughness), seenNormal, lobes.baseColor, lobes.metallic);
+    LobeFrame surface = lobeFrame(seenNormal);
+    LobeWords extended = extendedWords(packNormalRoughness(seenNormal, roughness), surface, lobes.baseColor, lobes.metallic);
+#ifdef REFRACTION
+    Refraction refraction = refractionOf(material, uvs, surface, eyePosition, lobes.roughness, instanceScale);
+    refraction.transmittance = workingFromRec709(refraction.transmittance);
+#endif
 #endif
     // After all textures have been read: a discarded fragment still gives its neighbours the derivatives.
 #ifdef LAYER
     float coverage = layerCoverage(lobes.alpha, state);
     if (!isInLayer(coverage)) discard;
+#if defined(REFRACTION) && defined(EXTENDED)
+    writeRefraction(coverage, refraction);
+#elif defined(REFRACTION)
+    writeNoRefraction(coverage);
+#else
     writeLayer(coverage);
+#endif
 #else
     if (lobes.alpha < state.alphaCutoff) discard;
 #endif

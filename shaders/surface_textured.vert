@@ -25,6 +25,9 @@ layout(location = 5) out vec4 shadowPlane;  // position relative to the eye; its
 #ifdef EXTENDED
 layout(location = 6) out vec3 eyePosition;  // relative to the eye
 #endif
+#ifdef REFRACTION
+layout(location = 7) flat out float instanceScale;
+#endif
 
 void main() {
     vec3 world = instancePosition(draw.x, position);
@@ -37,6 +40,9 @@ void main() {
     material = draw.y;
 #ifdef EXTENDED
     eyePosition = world - frame.eye.xyz;
+#endif
+#ifdef REFRACTION
+    instanceScale = meanScale(draw.x);
 #endif
 #ifdef SHADOWS
     shadowPlane = vec4(world - frame.eye.xyz, dot(world - frame.eye.xyz, worldNormal));

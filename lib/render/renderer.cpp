@@ -151,9 +151,7 @@ void Renderer::State::drawLit(const GpuScene::State& scene) {
     light(scene, frameSurfaces, timer);
     shadowCounts = technique.shadowCounts();
     if (scene.environment && scene.environment->isBackground()) drawBackground(scene);
-    if (layerCounts.layers == 0) return;
-    const gl::PassTimer::Scope pass(timer, "composite");
-    layers->composite(layerCounts.layers, *targets);
+    if (layerCounts.layers > 0) compositeLayers();
 }
 
 void Renderer::State::light(const GpuScene::State& scene, ShadedSurfaces& shaded, gl::PassTimer& passes) {

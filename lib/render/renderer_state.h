@@ -155,6 +155,7 @@ struct Renderer::State {
     void startSample(GpuScene::State& scene, const CameraView& view, std::uint32_t sample);
     void drawLit(const GpuScene::State& scene);
     void drawLayers(const GpuScene::State& scene);
+    void compositeLayers();
     /// Adds all light to the targets of `shaded`, whose geometry has been drawn.
     void light(const GpuScene::State& scene, ShadedSurfaces& shaded, gl::PassTimer& passes);
     void findVisibility(const GpuScene::State& scene, ShadedSurfaces& shaded, gl::PassTimer& passes);

@@ -34,8 +34,9 @@ void Renderer::State::drawLayers(const GpuScene::State& scene) {
         transparentRectangle(scene, draws, frame->frustum, {targets->width, targets->height});
     GBufferParts parts = targets->parts;
     parts.layer = true;
+    parts.refraction = draws.backdrop() != Backdrop::none;
     if (!layers) layers.emplace();
-    layers->begin(targets->width, targets->height, parts, rectangle);
+    layers->begin(targets->width, targets->height, parts, rectangle, frame->settings.brdf);
     const LoadOp radianceLoad =
         lighting.technique(frame->technique, frame->settings.tileBackend).radianceLoadOp();
     const auto inputsOf = [&](std::uint32_t layer, const LayerDepths& depths) {
@@ -63,6 +64,7 @@ void Renderer::State::drawLayers(const GpuScene::State& scene) {
             layerTimer.beginFrame();
             light(scene, layerSurfaces, layerTimer);
         }
+        lighting.bind(lightingInputs(scene, layerSurfaces));
         const std::uint64_t pixels = layers->keep(count);
         // Surfaces at the depth of another one are all that is left.
         if (pixels == 0) break;
@@ -70,6 +72,11 @@ void Renderer::State::drawLayers(const GpuScene::State& scene) {
         ++count;
     }
     layerCounts = {count, fragments};
+}
+
+void Renderer::State::compositeLayers() {
+    const gl::PassTimer::Scope pass(timer, "composite");
+    layers->composite(layerCounts.layers, *targets, draws.backdrop());
 }
 
 }  // namespace candela

@@ -18,6 +18,13 @@ vec3 instanceDirection(uint instance, vec3 direction) {
                 dot(texelFetch(instanceRecords, first + 2).xyz, direction));
 }
 
+// The mean of the instance's scale along the axes: that of a cube of the same volume.
+float meanScale(uint instance) {
+    int first = int(instance) * INSTANCE_TEXELS;
+    vec3 x = texelFetch(instanceRecords, first).xyz, y = texelFetch(instanceRecords, first + 1).xyz, z = texelFetch(instanceRecords, first + 2).xyz;
+    return pow(abs(dot(x, cross(y, z))), 1.0 / 3.0);
+}
+
 // 1, or -1 where the instance is mirrored, which negates cross products of transformed directions.
 float instanceHandedness(uint instance) {
     return texelFetch(instanceRecords, int(instance) * INSTANCE_TEXELS + 3).w;

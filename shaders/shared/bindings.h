@@ -28,6 +28,7 @@ const int LOBES_UNIT = 13;   // RGBA32UI: the G-buffer's lobe words
 const int DIFFUSE_TRANSMISSION_UNIT = 14;  // R32UI: the word of diffuse transmission
 const int LAYER_UNIT = 15;   // R32UI: the G-buffer's word of a layer
 const int SHEEN_UNIT = 16;   // RG32F: the sheen's directional albedo table, in frames with lobe words
+const int REFRACTION_UNIT = 20;  // RG32UI: its words of refraction
 const int ALBEDO_UNIT = 4;   // RG32F: the model's directional albedo table
 
 // Texture units of the environment's passes.
@@ -50,8 +51,10 @@ const int LOOKUP_UNIT = 1;
 const int SUM_UNIT = 0;
 const int LARGE_SUM_UNIT = 1;
 
-// Texture unit of the compositing of layers.
-const int LAYER_COLOR_UNIT = 0;  // RGBA32F: radiance and coverage of a layer
+// Texture units of the layers of transparent surfaces.
+const int LAYER_COLOR_UNIT = 17;       // RGBA32F: radiance and coverage of a layer
+const int LAYER_REFRACTION_UNIT = 18;  // RGBA32UI: what is kept of its refraction
+const int BEHIND_UNIT = 19;            // RGBA32F: the picture behind a layer, with levels where it is blurred
 
 // Texture units of the debug views, after those of the G-buffer.
 const int VIEW_UNIT = 2;             // what the view shows besides the G-buffer: emission, light counts or instances
@@ -115,6 +118,7 @@ const int OCCLUSION_OUTPUT = 3; // with an environment and occlusion textures on
 const int LOBES_OUTPUT = 4;     // with materials of more lobes in view only; the next one too
 const int DIFFUSE_TRANSMISSION_OUTPUT = 5;
 const int LAYER_OUTPUT = 6;     // layers of transparent surfaces only
+const int REFRACTION_OUTPUT = 7;  // layers of which a surface in view transmits only
 
 // Vertex attributes.
 const int POSITION_ATTRIBUTE = 0;

@@ -2,7 +2,8 @@
 // of pixels (lib/render/lighting/tiled/tile_shading.h). The includer has GLSL's vectors, GBufferSurface and the sRGB curve.
 //   word 0: base colour, sRGB-encoded, 8 bits a channel (R lowest); metallic, 8 bits
 //   word 1: octahedral normal, 12 bits an axis (codes 1 to 4095, so that the word is never 0); fourth root of the perceptual roughness, 8 bits
-//   layer word, of layers of transparent surfaces: coverage in the low 16 bits
+//   layer word, of layers of transparent surfaces: coverage, 16 bits; blur and spread of what is refracted, 8 bits each
+//   refraction words, of layers of which a surface transmits: offset in pixels, two half floats; roots of the transmittance, 10 bits a channel
 //   shadow word, of frames with shadows: lift in metres as a half float; octahedral geometric normal, 8 bits an axis
 //   lobe words, of frames with materials of more lobes; all 0 where the two words above are all:
 //     0: roots of F0, 8 bits a channel; F90, 8 bits
@@ -177,4 +178,33 @@ SHARED_FUNCTION uint packCoverage(float coverage) {
 
 SHARED_FUNCTION float unpackCoverage(uint layerWord) {
     return float(layerWord & 0xffffu) * (1.0f / 65535.0f);
+}
+
+// What is seen through a surface that transmits: the picture behind it, elsewhere.
+struct Refraction {
+    vec2 offset;         // pixels from the surface to where it is seen
+    float blur;          // 0 to 1: the logarithm of its size, over that of the picture's
+    float spread;        // of the offset, for red below and for blue above: a share of it, 0 to 0.5
+    vec3 transmittance;  // of light, by colour
+};
+
+SHARED_FUNCTION uint packBlurAndSpread(Refraction refraction) {
+    vec2 code = floor(clamp(vec2(refraction.blur, 2.0f * refraction.spread), 0.0f, 1.0f) * 255.0f + 0.5f);
+    return uint(code.x) << 16 | uint(code.y) << 24;
+}
+
+SHARED_FUNCTION uint packTransmittance(vec3 transmittance) {
+    vec3 kept = clamp(transmittance, 0.0f, 1.0f);
+    uvec3 code = uvec3(floor(vec3(sqrt(kept.x), sqrt(kept.y), sqrt(kept.z)) * 1023.0f + 0.5f));
+    return code.x | code.y << 10 | code.z << 20;
+}
+
+SHARED_FUNCTION Refraction unpackRefraction(uint layerWord, uvec2 words) {
+    Refraction refraction;
+    refraction.offset = unpackHalf2x16(words.x);
+    refraction.blur = float(layerWord >> 16 & 0xffu) * (1.0f / 255.0f);
+    refraction.spread = float(layerWord >> 24) * (0.5f / 255.0f);
+    vec3 root = vec3(float(words.y & 0x3ffu), float(words.y >> 10 & 0x3ffu), float(words.y >> 20 & 0x3ffu)) * (1.0f / 1023.0f);
+    refraction.transmittance = root * root;
+    return refraction;
 }

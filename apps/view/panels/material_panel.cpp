@@ -100,8 +100,10 @@ bool editNumbers(candela::Material& material) {
     if (changed) material.baseColor = glm::vec4(color, material.baseColor.a);
     changed = slideNumber("metallic", material.metallic, {}) || changed;
     changed = slideNumber("roughness", material.roughness, {}) || changed;
-    if (material.alphaMode != candela::AlphaMode::opaque)
+    if (material.alphaMode == candela::AlphaMode::mask)
         changed = slideNumber("alpha cutoff", material.alphaCutoff, {}) || changed;
+    if (material.alphaMode == candela::AlphaMode::blend)
+        changed = slideNumber("alpha", material.baseColor.a, {}) || changed;
     if (material.normalTexture)
         changed = dragNumber("normal scale", material.normalScale, {.min = -16.0f, .max = 16.0f}) || changed;
     return changed;

@@ -42,6 +42,7 @@ std::vector<GBufferWordTexture> layoutOf(const GBufferParts& parts) {
         layout.push_back(diffuseTransmissionTexture);
     }
     if (parts.layer) layout.push_back(layerTexture);
+    if (parts.refraction) layout.push_back(refractionTexture);
     return layout;
 }
 
@@ -51,6 +52,7 @@ std::vector<std::string> definitionsOf(const GBufferParts& parts) {
     if (parts.occlusion) definitions.emplace_back("OCCLUSION 1");
     if (parts.lobes) definitions.emplace_back("LOBES 1");
     if (parts.layer) definitions.emplace_back("LAYER 1");
+    if (parts.refraction) definitions.emplace_back("REFRACTION 1");
     return definitions;
 }
 

@@ -43,6 +43,9 @@ inline constexpr GBufferWordTexture diffuseTransmissionTexture{"G-buffer diffuse
                                                                layout::DIFFUSE_TRANSMISSION_OUTPUT};
 inline constexpr GBufferWordTexture layerTexture{
     "G-buffer layer", GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4, layout::LAYER_UNIT, layout::LAYER_OUTPUT};
+inline constexpr GBufferWordTexture refractionTexture{
+    "G-buffer refraction",    GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 8, layout::REFRACTION_UNIT,
+    layout::REFRACTION_OUTPUT};
 
 /// What a G-buffer has besides the surface texture. Each part is for the frames that need it and costs others
 /// nothing: targets and the programs of the geometry pass exist once for each set of parts in use.
@@ -53,7 +56,8 @@ struct GBufferParts {
     bool occlusion = false;
     /// What `ExtendedLobes` holds, in two textures: views with materials of more lobes. LOBES in shaders.
     bool lobes = false;
-    bool layer = false;  ///< Coverage: layers of transparent surfaces. LAYER in shaders.
+    bool layer = false;       ///< Coverage: layers of transparent surfaces. LAYER in shaders.
+    bool refraction = false;  ///< Layers of which a surface in view transmits. REFRACTION in shaders.
 
     auto operator<=>(const GBufferParts&) const = default;
 };

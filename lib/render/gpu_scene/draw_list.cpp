@@ -25,8 +25,14 @@ Colors colorsOf(const Mesh& mesh) {
     return mesh.colors.empty() ? Colors::none : Colors::perVertex;
 }
 
+Backdrop backdropOf(const Material& material) {
+    if (!transmits(material)) return Backdrop::none;
+    return material.roughness > 0.0f && material.ior > 1.0f ? Backdrop::blurred : Backdrop::sharp;
+}
+
 /// Whether the surface lets anything through. An alpha of 1 everywhere blends nothing.
 bool isTransparent(const Material& material, Colors colors) {
+    if (transmits(material)) return true;
     return material.alphaMode == AlphaMode::blend &&
            (material.baseColor.a < 1.0f || material.baseColorTexture || colors == Colors::perVertex);
 }
@@ -84,6 +90,12 @@ std::size_t DrawSelection::drawCount() const {
 bool DrawSelection::isExtended() const {
     return std::ranges::any_of(
         batches_, [](const DrawBatch& batch) { return batch.key.program == PipelineKey::Program::extended; });
+}
+
+Backdrop DrawSelection::backdrop() const {
+    Backdrop highest = Backdrop::none;
+    for (const DrawBatch& batch : batches_) highest = std::max(highest, batch.key.backdrop);
+    return highest;
 }
 
 bool DrawSelection::emits(SurfaceSet set) const {
@@ -144,6 +156,7 @@ PipelineKey DrawList::materialKey(const Material& material, bool hasColors, GpuI
     key.program = PipelineKey::Program::textured;
     key.emissive = isEmissive(material);
     key.transparent = isTransparent(material, hasColors ? Colors::perVertex : Colors::none);
+    key.backdrop = backdropOf(material);
     const std::span<const MaterialTexture> textures = materialTextures();
     for (std::size_t i = 0; i < key.textures.size(); ++i) {
         const std::optional<Texture>& texture = textures[i].of(material);

@@ -40,6 +40,13 @@ enum class SurfaceSet {
     all,          ///< Both.
 };
 
+/// How surfaces that transmit show the picture behind them.
+enum class Backdrop {
+    none,     ///< Nothing transmits.
+    sharp,    ///< As it is.
+    blurred,  ///< With prefiltered levels.
+};
+
 /// The OpenGL state that a draw needs. Draws with equal keys are issued together.
 struct PipelineKey {
     enum class Program {
@@ -50,6 +57,7 @@ struct PipelineKey {
 
     bool emissive = false;  ///< Writes radiance; drawn after all that does not (see `GeometryPass`).
     bool transparent = false;
+    Backdrop backdrop = Backdrop::none;
     Program program = Program::plain;
     bool doubleSided = false;
     bool mirrored = false;  ///< The instance's matrix reverses the winding.
@@ -103,6 +111,8 @@ class DrawSelection {
     /// Instances with transparent surfaces. An instance may be listed more than once.
     std::span<const std::uint32_t> transparentInstances() const { return transparentInstances_; }
     bool hasTransparent() const { return !transparentInstances_.empty(); }
+    /// Of all draws together.
+    Backdrop backdrop() const;
     /// Instances that show cages.
     std::span<const std::uint32_t> cageInstances() const { return cageInstances_; }
     std::size_t commandCount() const { return commands_.size(); }

@@ -101,7 +101,7 @@ void GpuMaterials::reserve(const Material& material) {
     if (!isExtended(material) || !lobeRecords_.texels().empty()) return;
     GLint units = 0;
     glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
-    constexpr int needed = layout::LOBE_TEXTURES_UNIT + layout::LOBE_TEXTURE_COUNT;
+    constexpr int needed = layout::OPAQUE_DEPTH_UNIT + 1;  // with those of layers
     if (units < needed) {
         throw Error(ErrorKind::limit, "",
                     "material '" + material.name + "' has lobes whose textures need " +

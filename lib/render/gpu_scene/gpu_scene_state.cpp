@@ -212,9 +212,7 @@ void GpuScene::State::setMaterial(std::uint32_t index, const Material& material)
     if (hasTextures(material)) pixelStorage.emplace(*binding, "a GpuScene");
     materials.reserve(material);
     draws.setMaterial(index, material, images);
-    const bool readsAlpha =
-        material.alphaMode != AlphaMode::opaque || sceneState.materials[index].alphaMode != AlphaMode::opaque;
-    if (readsAlpha) ++alphaVersion;
+    if (letsLightThrough(material) || letsLightThrough(sceneState.materials[index])) ++alphaVersion;
     sceneState.materials[index] = material;
     materials.set(index, material);
     cages.setMaterial(index, material);

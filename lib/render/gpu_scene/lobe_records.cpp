@@ -34,6 +34,14 @@ bool isExtended(const Material& material) {
            material.diffuseTransmission.factor > 0.0f;
 }
 
+bool transmits(const Material& material) {
+    return !material.unlit && material.transmission.factor > 0.0f;
+}
+
+bool letsLightThrough(const Material& material) {
+    return material.alphaMode != AlphaMode::opaque || transmits(material);
+}
+
 LobeTextures lobeTexturesOf(const Material& material, GpuImages& images) {
     LobeTextures textures;
     const std::span<const MaterialTexture> sources = lobeTextures();

@@ -14,6 +14,10 @@ namespace candela {
 
 /// Does a material have more lobes than metallic and roughness describe?
 bool isExtended(const Material& material);
+/// Does light pass through its surfaces (`Material::transmission`)?
+bool transmits(const Material& material);
+/// May rays pass through its surfaces: by a mask, by alpha or by transmission?
+bool letsLightThrough(const Material& material);
 
 /// The textures of these lobes, in the order of shaders/lib/extended_material.glsl.
 using LobeTextures = std::array<SampledTexture, layout::LOBE_TEXTURE_COUNT>;

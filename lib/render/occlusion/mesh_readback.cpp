@@ -12,9 +12,17 @@ namespace candela {
 
 namespace {
 
+/// Does the material let any light through, at some of its points?
 bool readsAlpha(const GpuScene::State& scene, const DrawnPart& part) {
     return part.material < scene.sceneState.materials.size() &&
-           scene.sceneState.materials[part.material].alphaMode != AlphaMode::opaque;
+           letsLightThrough(scene.sceneState.materials[part.material]);
+}
+
+/// Of the light that meets the surface where it covers all: what passes, of all colours alike.
+float transmittedShare(const Material& material) {
+    if (!transmits(material)) return 0.0f;
+    const glm::vec4& color = material.baseColor;
+    return material.transmission.factor * (1.0f - material.metallic) * (color.r + color.g + color.b) / 3.0f;
 }
 
 AlphaWrap alphaWrap(Wrap wrap) {
@@ -69,16 +77,19 @@ class CutoutMaker {
                 AlphaImages& images) {
         const Material& material = scene.sceneState.materials[materialIndex];
         const std::span<const glm::uvec4> record = scene.materials.record(materialIndex);
-        factor_ = material.baseColor.a;
+        const bool isMask = material.alphaMode == AlphaMode::mask;
+        if (!isMask) factor_ = 1.0f - transmittedShare(material);
+        if (material.alphaMode != AlphaMode::opaque) factor_ *= material.baseColor.a;
         triangle_.cutoff = std::bit_cast<float>(record[layout::MATERIAL_FACTORS].w);
-        triangle_.blends = material.alphaMode == AlphaMode::blend;
+        triangle_.blends = !isMask;
+        usesVertexAlpha_ = material.alphaMode != AlphaMode::opaque;
         for (int row = 0; row < 2; ++row) {
             const glm::uvec4& words = record[static_cast<std::size_t>(layout::MATERIAL_UV_ROWS + row)];
             rows_[row] = {std::bit_cast<float>(words.x), std::bit_cast<float>(words.y),
                           std::bit_cast<float>(words.z)};
         }
         triangle_.image = CutoutTriangle::noImage;
-        if (!material.baseColorTexture) return;
+        if (!material.baseColorTexture || material.alphaMode == AlphaMode::opaque) return;
         const Texture& texture = *material.baseColorTexture;
         usesSecondSet_ = texture.uvSet == 1;
         triangle_.wrapS = alphaWrap(texture.wrapS);
@@ -97,7 +108,7 @@ class CutoutMaker {
             const GpuMeshes::AlphaVertex& vertex = vertices[corners[corner]];
             const glm::vec3 uv(usesSecondSet_ ? vertex.uv1 : vertex.uv0, 1.0f);
             triangle.uv[corner] = {glm::dot(rows_[0], uv), glm::dot(rows_[1], uv)};
-            triangle.alpha[corner] = factor_ * vertex.alpha;
+            triangle.alpha[corner] = usesVertexAlpha_ ? factor_ * vertex.alpha : factor_;
         }
         return triangle;
     }
@@ -106,7 +117,7 @@ class CutoutMaker {
     CutoutTriangle triangle_;
     glm::vec3 rows_[2];
     float factor_ = 1.0f;
-    bool usesSecondSet_ = false;
+    bool usesSecondSet_ = false, usesVertexAlpha_ = false;
 };
 
 }  // namespace

@@ -20,8 +20,9 @@ struct AlphaImage {
 /// Where a coordinate outside of 0 to 1 reads an image.
 enum class AlphaWrap : std::uint32_t { repeat, clampToEdge, mirroredRepeat };
 
-/// A triangle of a material that masks or blends. Through a mask a ray passes where the alpha is below the
-/// cutoff, as fragments of the geometry pass are discarded there; what blends lets 1 - alpha of it through.
+/// A triangle of a material that masks, blends or transmits. Through a mask a ray passes where the alpha is
+/// below the cutoff, as fragments of the geometry pass are discarded there; what blends lets 1 - alpha of it
+/// through, and what transmits is taken as if it blended.
 struct CutoutTriangle {
     glm::vec2 uv[3];          ///< With the texture's coordinate transform applied.
     float alpha[3];           ///< The material's factor times the vertex colour's.
