@@ -4,18 +4,54 @@
 #include <map>
 #include <numeric>
 
+#include "primitives.h"
 #include "variants.h"
 
 namespace candela_plugins::gltf {
 namespace {
 
-/// The sets that textures with an image read, each once.
-void addSets(const Document& document, const tinygltf::Material& material, std::vector<int>& sets) {
+/// The sets that textures with an image read.
+std::vector<int> setsOf(const Document& document, const tinygltf::Material& material) {
+    std::vector<int> sets;
     for (const TextureUse& use : textureUses(material).all()) {
         const bool hasImage = document.model.textures.at(static_cast<std::size_t>(use.texture)).source >= 0;
-        if (hasImage && std::find(sets.begin(), sets.end(), use.set) == sets.end()) sets.push_back(use.set);
+        if (hasImage) sets.push_back(use.set);
     }
+    return sets;
 }
+
+/// Materials that share their slots, and the primitives that have them.
+struct MaterialGroup {
+    std::vector<int> sets;  ///< Those that the materials read, each once; those that matter most first.
+    std::vector<const tinygltf::Primitive*> primitives;
+
+    void addSets(const std::vector<int>& added) {
+        for (const int set : added) {
+            if (std::find(sets.begin(), sets.end(), set) == sets.end()) sets.push_back(set);
+        }
+    }
+
+    bool areEqual(int a, int b) const {
+        return !primitives.empty() &&
+               std::all_of(primitives.begin(), primitives.end(), [&](const tinygltf::Primitive* primitive) {
+                   const int accessor = accessorOf(*primitive, "TEXCOORD_" + std::to_string(a));
+                   return accessor >= 0 &&
+                          accessor == accessorOf(*primitive, "TEXCOORD_" + std::to_string(b));
+               });
+    }
+
+    /// Leaves out the sets that are equal to an earlier one, and returns that one for each of them.
+    std::map<int, int> mergeSets() {
+        std::map<int, int> merged;
+        for (std::size_t i = 1; i < sets.size(); ++i) {
+            for (std::size_t earlier = 0; earlier < i; ++earlier) {
+                if (areEqual(sets[earlier], sets[i])) merged.emplace(sets[i], sets[earlier]);
+            }
+        }
+        std::erase_if(sets, [&](int set) { return merged.contains(set); });
+        return merged;
+    }
+};
 
 /// The sets in the slots of the host.
 std::array<int, 2> slotsFor(std::vector<int> sets) {
@@ -57,7 +93,8 @@ class MaterialGroups {
 }  // namespace
 
 int UvSlots::find(int set) const {
-    const auto found = std::find(sets.begin(), sets.end(), set);
+    const auto equal = equals.find(set);
+    const auto found = std::find(sets.begin(), sets.end(), equal == equals.end() ? set : equal->second);
     return found == sets.end() ? -1 : static_cast<int>(found - sets.begin());
 }
 
@@ -67,19 +104,29 @@ std::string UvSlots::attribute(std::size_t slot) const {
 
 std::vector<UvSlots> uvSlotsOf(const Document& document) {
     const std::vector<tinygltf::Material>& materials = document.model.materials;
-    MaterialGroups groups(materials.size());
+    MaterialGroups heads(materials.size());
     for (const tinygltf::Mesh& mesh : document.model.meshes) {
-        for (const tinygltf::Primitive& primitive : mesh.primitives) groups.join(materialsOf(primitive));
+        for (const tinygltf::Primitive& primitive : mesh.primitives) heads.join(materialsOf(primitive));
     }
-    std::map<std::size_t, std::vector<int>> setsOfGroups;
+    std::map<std::size_t, MaterialGroup> groups;
     for (std::size_t i = 0; i < materials.size(); ++i)
-        addSets(document, materials[i], setsOfGroups[groups.find(i)]);
+        groups[heads.find(i)].addSets(setsOf(document, materials[i]));
+    for (const tinygltf::Mesh& mesh : document.model.meshes) {
+        for (const tinygltf::Primitive& primitive : mesh.primitives) {
+            const std::vector<std::size_t> all = materialsOf(primitive);
+            if (!all.empty()) groups[heads.find(all.front())].primitives.push_back(&primitive);
+        }
+    }
+    std::map<std::size_t, UvSlots> slotsOfGroups;
+    for (auto& [head, group] : groups) {
+        UvSlots& slots = slotsOfGroups[head];
+        if (group.sets.size() > slots.sets.size()) slots.equals = group.mergeSets();
+        slots.sets = slotsFor(group.sets);
+    }
     std::vector<UvSlots> slots;
     for (std::size_t i = 0; i < materials.size(); ++i) {
-        slots.push_back({slotsFor(setsOfGroups[groups.find(i)]), {}});
-        std::vector<int> own;
-        addSets(document, materials[i], own);
-        for (const int set : own) {
+        slots.push_back(slotsOfGroups[heads.find(i)]);
+        for (const int set : setsOf(document, materials[i])) {
             const int slot = slots.back().find(set);
             if (slot >= 0) slots.back().isRead[static_cast<std::size_t>(slot)] = true;
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace candela_plugins::gltf {
 struct UvSlots {
     std::array<int, 2> sets{0, 1};
     std::array<bool, 2> isRead{};  ///< Whether a texture of the material reads it.
+    std::map<int, int> equals;     ///< Sets that hold the same numbers as another one, by set.
 
     /// The host's set for a set of the file; -1 where the material reads more sets than there are.
     int find(int set) const;
@@ -21,8 +23,8 @@ struct UvSlots {
 };
 
 /// The slots of each material; those that a primitive has in different variants have the same. TEXCOORD_0 and
-/// TEXCOORD_1 are in their own ones where they are read. Where a material reads more than two sets, those of
-/// its first textures are taken.
+/// TEXCOORD_1 are in their own ones where they are read. Where a material reads more than two sets, those
+/// with the same accessors become one; of what is left, those of its first textures are taken.
 std::vector<UvSlots> uvSlotsOf(const Document& document);
 
 /// The slots of a primitive's materials, and which of them any of them reads.

@@ -326,6 +326,28 @@ TEST(UvSets, theThirdOfAMaterialIsNotedAndOmitted) {
                         "TEXCOORD_2: left out"));
 }
 
+TEST(UvSets, thoseWithTheSameAccessorAreOne) {
+    GltfFile file = fileWithMaterial(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":2}},
+        "normalTexture":{"index":1,"texCoord":0},"occlusionTexture":{"index":2,"texCoord":3},
+        "emissiveTexture":{"index":2,"texCoord":1}})",
+                                     3);
+    addTriangle(file);
+    for (const float first : {0.0f, 2.0f}) file.addData<float>("VEC2", {first, 0, 1, 0, 0, 1});
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"TEXCOORD_1":2,"TEXCOORD_2":3,
+        "TEXCOORD_3":3},"material":0)");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_TRUE(imported.report.notes.empty());
+    const candela::Material& material = imported.scene.materials.at(0);
+    const candela::Mesh& mesh = imported.scene.meshes.at(0);
+    const auto firstOf = [&](const std::optional<candela::Texture>& texture) {
+        return (texture.value().uvSet == 0 ? mesh.uv0 : mesh.uv1).at(0).x;
+    };
+    EXPECT_EQ(firstOf(material.baseColorTexture), 2.0f);
+    EXPECT_EQ(firstOf(material.normalTexture), 0.0f);
+    EXPECT_EQ(firstOf(material.occlusionTexture), 2.0f);
+    EXPECT_EQ(firstOf(material.emissionTexture), 0.0f);
+}
+
 TEST(UvSets, aMissingOneIsZeroAndNoted) {
     const candela::ImportedScene imported =
         load(fileWithSets(1, R"({"normalTexture":{"index":0,"texCoord":7}})"));
