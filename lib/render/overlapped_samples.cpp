@@ -1,3 +1,4 @@
+#include "render/environment/gpu_environment.h"
 #include "render/renderer_state.h"
 
 #include <algorithm>
@@ -35,29 +36,57 @@ bool Renderer::State::canOverlapSamples(const GpuScene::State& scene) const {
     const FrameSettings& settings = frame->settings;
     const bool onCpu = frame->technique == Technique::tiles &&
                        lighting.tileBackend(settings.tileBackend) == TileBackend::cpu;
-    // Light of an environment takes passes of its own, and so do layers.
-    const bool viewAlone = !scene.hasCages() && !scene.hasDeformations() && !scene.lights.hasSpheres() &&
-                           !scene.environment && !scene.draws.hasTransparent();
+    // A background is drawn by the device, and layers take passes of their own.
+    const bool isBackground = scene.environment && scene.environment->isBackground();
+    const bool surfacesRest = !scene.hasCages() && !scene.hasDeformations() && !scene.draws.hasTransparent();
     const bool hasLines = settings.overlays.wireframe || settings.overlays.cage;
-    return onCpu && viewAlone && settings.debugView == DebugView::none && !hasLines;
+    return onCpu && surfacesRest && !isBackground && settings.debugView == DebugView::none && !hasLines;
+}
+
+/// Inputs of the CPU tiles, which read a copy of the targets for themselves.
+LightingInputs Renderer::State::sampleInputs(const GpuScene::State& scene) {
+    LightingInputs inputs = lightingInputs(scene, frameSurfaces);
+    inputs.copy = nullptr;
+    inputs.environmentVisibility = nullptr;
+    return inputs;
+}
+
+/// Lets `tiles` read all that the frame is lit from, and returns what finds the visibility of its environment
+/// later, without OpenGL.
+Renderer::State::FindVisibility Renderer::State::captureSample(const GpuScene::State& scene,
+                                                               CpuTiles& tiles) {
+    tiles.capture(sampleInputs(scene));
+    if (scene.lights.hasSpheres()) tiles.keepLights(scene.lights);
+    GBufferCopy& copy = tiles.captured();
+    if (targets->parts.occlusion) copy.occlusion();
+    if (!frame->traced.environment)
+        return [this, &copy] { return targets->parts.occlusion ? copy.occlusion().data() : nullptr; };
+    copy.shadowWords();
+    return [this, &scene, &copy, uniforms = frame->uniforms, rays = environmentRays(scene)] {
+        return traceOnCpu(scene, uniforms, rays, targets->parts, copy);
+    };
 }
 
 void Renderer::State::drawSamples(GpuScene::State& scene, const SampleSpan& samples,
                                   const SampleViews& viewOf, SampleSums& sums) {
     std::vector<PassTime> times;
     addPasses(timer.results(), times);
-    std::future<void> lit;  // Its destructor waits, also where something throws.
+    const std::uint8_t* visible = nullptr;  // Of the sample that is lit.
+    std::future<void> lit;                  // Its destructor waits, also where something throws.
     for (std::uint32_t i = samples.first; i < samples.end; ++i) {
         startSample(scene, viewOf(i), i);
         // The last sample is the frame, of which the technique is asked for counts.
         CpuTiles& tiles = (samples.end - 1 - i) % 2 == 0 ? lighting.cpuTiles() : lighting.otherCpuTiles();
         {
             const gl::PassTimer::Scope pass(timer, "lighting");
-            tiles.capture(lightingInputs(scene, frameSurfaces));
+            const FindVisibility find = captureSample(scene, tiles);
             if (lit.valid()) lit.get();
             const bool isLast = i + 1 == samples.end;
-            lit =
-                std::async(std::launch::async, [&tiles, &sums, isLast] { shadeSample(tiles, sums, isLast); });
+            lit = std::async(std::launch::async, [find, &visible, &tiles, &sums, isLast] {
+                visible = find();
+                tiles.setEnvironmentVisibility(visible);
+                shadeSample(tiles, sums, isLast);
+            });
             if (isLast) lit.get();
         }
         addPasses(timer.results(), times);
@@ -65,6 +94,7 @@ void Renderer::State::drawSamples(GpuScene::State& scene, const SampleSpan& samp
     targets->memory = lighting.cpuTiles().result();
     shadowCounts = lighting.cpuTiles().shadowCounts();
     samplePasses = std::move(times);
+    frameSurfaces.visibility.bytes = visible;
 }
 
 }  // namespace candela

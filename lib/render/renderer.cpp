@@ -186,20 +186,30 @@ void Renderer::State::findVisibility(const GpuScene::State& scene, ShadedSurface
     }
 }
 
-EnvironmentVisibility Renderer::State::traceVisibility(const GpuScene::State& scene, ShadedSurfaces& shaded) {
-    GBufferCopy& copy = shaded.copy;
+EnvironmentRays Renderer::State::environmentRays(const GpuScene::State& scene) const {
     constexpr float farthest = 1.0e30f;
-    const EnvironmentRays rays{frame->settings.environmentOcclusion.rays, frame->settings.sample,
-                               scene.environment->settings().occlusionDistance.value_or(farthest)};
+    return {frame->settings.environmentOcclusion.rays, frame->settings.sample,
+            scene.environment->settings().occlusionDistance.value_or(farthest)};
+}
+
+const std::uint8_t* Renderer::State::traceOnCpu(const GpuScene::State& scene,
+                                                const layout::FrameUniforms& uniforms,
+                                                const EnvironmentRays& rays, const GBufferParts& parts,
+                                                GBufferCopy& copy) {
+    const std::span<const std::uint8_t> textures =
+        parts.occlusion ? copy.occlusion() : std::span<const std::uint8_t>{};
+    return environmentOcclusion
+        .compute({uniforms, copy.depth(), copy.surfaces(), copy.shadowWords(), textures,
+                  scene.occlusion->view(), rays})
+        .data();
+}
+
+EnvironmentVisibility Renderer::State::traceVisibility(const GpuScene::State& scene, ShadedSurfaces& shaded) {
+    const EnvironmentRays rays = environmentRays(scene);
     if (environmentOcclusionPass && lighting.tracesInShaders(frame->technique, frame->settings.tileBackend))
         return {&environmentOcclusionPass->render(*shaded.targets, *scene.occlusion->shaderForm(), rays),
                 nullptr};
-    const std::span<const std::uint8_t> textures =
-        shaded.targets->parts.occlusion ? copy.occlusion() : std::span<const std::uint8_t>{};
-    return {nullptr, environmentOcclusion
-                         .compute({frame->uniforms, copy.depth(), copy.surfaces(), copy.shadowWords(),
-                                   textures, scene.occlusion->view(), rays})
-                         .data()};
+    return {nullptr, traceOnCpu(scene, frame->uniforms, rays, shaded.targets->parts, shaded.copy)};
 }
 
 void Renderer::State::drawDebugView(const GpuScene::State& scene) {
@@ -312,6 +322,8 @@ void Renderer::State::startSample(GpuScene::State& scene, const CameraView& view
     targets->memory = {};
     FrameSettings settings = frame->settings;
     settings.sample = sample;
+    scene.lights.setSample(sample);
+    scene.update();
     describeFrame(scene, view, settings, frame->technique, frame->traced);
     timer.beginFrame();
     bindFrame();

@@ -82,7 +82,7 @@ struct Renderer::State {
     void render(GpuScene::State& scene, const CameraView& requested, const FrameSettings& settings);
 
     /// Whether the samples after the last frame, of the same scene and settings, can be drawn by
-    /// `drawSamples`: nothing but the view changes, and memory of the CPU is all that lighting reads.
+    /// `drawSamples`: surfaces rest, and memory of the CPU is all that lighting reads.
     bool canOverlapSamples(const GpuScene::State& scene) const;
     /// Draws more samples from the views of `viewOf` and adds them to `sums`, which are in memory and not
     /// empty. A sample is drawn while the one before is lit, on another thread. The last one is the
@@ -160,6 +160,13 @@ struct Renderer::State {
     void light(const GpuScene::State& scene, ShadedSurfaces& shaded, gl::PassTimer& passes);
     void findVisibility(const GpuScene::State& scene, ShadedSurfaces& shaded, gl::PassTimer& passes);
     EnvironmentVisibility traceVisibility(const GpuScene::State& scene, ShadedSurfaces& shaded);
+    EnvironmentRays environmentRays(const GpuScene::State& scene) const;
+    /// Of the frame that `uniforms` describes and `copy` has read. Without OpenGL where that was read before.
+    const std::uint8_t* traceOnCpu(const GpuScene::State& scene, const layout::FrameUniforms& uniforms,
+                                   const EnvironmentRays& rays, const GBufferParts& parts, GBufferCopy& copy);
+    LightingInputs sampleInputs(const GpuScene::State& scene);
+    using FindVisibility = std::function<const std::uint8_t*()>;
+    FindVisibility captureSample(const GpuScene::State& scene, CpuTiles& tiles);
     void drawBackground(const GpuScene::State& scene);
     void drawDebugView(const GpuScene::State& scene);
     void drawOverlays(GpuScene::State& scene);

@@ -91,8 +91,16 @@ TEST_F(AccumulatorTest, samplesDrawnTogetherAreThoseDrawnOneByOne) {
     LitScene lit = spheresOnAFloor();
     constexpr std::uint32_t count = 7;
     const SamplingSettings sampling{.count = count};
-    for (const float radius : {0.0f, 0.2f}) {
-        for (WorldLight& light : lit.lights) light.radius = radius;
+    struct Case {
+        const char* name;
+        float radius;
+        std::optional<Environment> environment;
+    };
+    const Environment studio = studioEnvironment();
+    for (const Case& drawn : {Case{"points", 0.0f, {}}, {"spheres", 0.2f, {}}, {"studio", 0.0f, studio}}) {
+        SCOPED_TRACE(drawn.name);
+        for (WorldLight& light : lit.lights) light.radius = drawn.radius;
+        lit.scene.environment = drawn.environment;
         GpuScene scene = upload(lit.scene, lit.lights);
         for (const Technique technique : techniques) {
             FrameSettings settings;
@@ -115,7 +123,7 @@ TEST_F(AccumulatorTest, samplesDrawnTogetherAreThoseDrawnOneByOne) {
             for (std::size_t k = 0; k < mean.rgba.size(); ++k) {
                 // The sums of a pixel are rounded in another order.
                 ASSERT_NEAR(mean.rgba[k], expected.rgba[k], 1e-6f * expected.rgba[k])
-                    << toString(technique) << radius;
+                    << toString(technique);
             }
             EXPECT_EQ(frame.radiance().rgba, last.rgba) << "the frame is that of the last sample";
             EXPECT_EQ(frame.technique(), technique);

@@ -24,6 +24,14 @@ void copy(float (&to)[3], const glm::vec3& from) {
     to[2] = from.z;
 }
 
+void readLights(TileFrame& frame, const LightReaches& reaches, std::span<const glm::vec4> records,
+                std::span<const glm::vec4> cones) {
+    const std::vector<float>* columns[] = {&reaches.x, &reaches.y, &reaches.z, &reaches.range};
+    for (int i = 0; i < 4; ++i) frame.reach[i] = columns[i]->data();
+    frame.records = reinterpret_cast<const float*>(records.data());
+    frame.cones = reinterpret_cast<const float*>(cones.data());
+}
+
 }  // namespace
 
 CpuTiles::CpuTiles(const TileKernel& kernel, std::uint64_t maxListWords)
@@ -106,11 +114,7 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     radiance_.resize(4 * copy.depth().size());
     frame.radiance = radiance_.data();
     frame.loadRadiance = inputs.emissionDrawn;
-    const LightReaches& reaches = lights.reaches();
-    const std::vector<float>* columns[] = {&reaches.x, &reaches.y, &reaches.z, &reaches.range};
-    for (int i = 0; i < 4; ++i) frame.reach[i] = columns[i]->data();
-    frame.records = reinterpret_cast<const float*>(lights.recordData().data());
-    frame.cones = reinterpret_cast<const float*>(lights.coneData().data());
+    readLights(frame, lights.reaches(), lights.recordData(), lights.coneData());
     frame.pointCount = static_cast<std::uint32_t>(counts.points);
     frame.localCount = static_cast<std::uint32_t>(counts.points + counts.spots);
     frame.directionalCount = static_cast<std::uint32_t>(counts.directionals);
@@ -162,6 +166,13 @@ void CpuTiles::capture(const LightingInputs& inputs) {
     frame_ = frameOf(inputs);
     if (inputs.emissionDrawn) readColor(inputs.targets.radiance, frame_.width, frame_.height, radiance_);
     brdf_ = inputs.brdf;
+}
+
+void CpuTiles::keepLights(const GpuLights& lights) {
+    keptReaches_ = lights.reaches();
+    keptRecords_.assign(lights.recordData().begin(), lights.recordData().end());
+    keptCones_.assign(lights.coneData().begin(), lights.coneData().end());
+    readLights(frame_, keptReaches_, keptRecords_, keptCones_);
 }
 
 void CpuTiles::shade() {

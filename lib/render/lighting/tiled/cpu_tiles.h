@@ -30,6 +30,14 @@ class CpuTiles final : public LightingTechnique {
     /// OpenGL and may run on another thread, while the context draws something else; the lights and the
     /// occlusion structure of the inputs must stay as they are until it ends.
     void capture(const LightingInputs& inputs);
+    /// What `capture` has read, where the inputs have no copy.
+    GBufferCopy& captured() { return copy_; }
+    /// Copies the lights of `capture`, which may change then before `shade` ends.
+    void keepLights(const GpuLights& lights);
+    /// As `LightingInputs::environmentVisibility`, which `capture` did not have yet.
+    void setEnvironmentVisibility(const std::uint8_t* visibility) {
+        frame_.environmentVisibility = visibility;
+    }
     void shade();
     /// As `shade`, but adds to `sum`, RGBA of as many pixels, and leaves `result` alone; alpha is undefined
     /// then. Not for a frame with emission (`hasEmission`), which the light is added to.
@@ -70,6 +78,8 @@ class CpuTiles final : public LightingTechnique {
     std::uint64_t listBytes_ = 0;
     std::vector<Worker> workers_;
     GBufferCopy copy_;  ///< Where the inputs have none.
+    LightReaches keptReaches_;
+    std::vector<glm::vec4> keptRecords_, keptCones_;
     std::vector<float> radiance_;
     std::array<float, 256> srgbDecode_;
     TileFrame frame_{};  ///< Of the last `capture`.
