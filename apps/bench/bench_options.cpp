@@ -1,6 +1,7 @@
 #include "bench_options.h"
 
 #include "common/parse.h"
+#include "common/scene_environment.h"
 #include "common/shadow_stats.h"
 #include "crowd_bench.h"
 
@@ -83,17 +84,23 @@ std::vector<std::uint32_t> parseSamples(const std::string& text) {
     return counts;
 }
 
+bool hasEnvironment(const BenchOptions& options) {
+    return options.environment.source != EnvironmentOption::Source::own;
+}
+
 void checkTogether(const BenchOptions& options) {
     if (options.json.empty()) throw UsageError("--json is missing: name the file to write the results to");
     if (options.scene.empty()) throw UsageError("--scene \"\": expected a name or a file");
     const bool measuresLights = !options.lights.empty() || options.compares || options.plot || options.view ||
                                 options.baseline == Baseline::with || !options.shadows.empty() ||
-                                options.samples != std::vector<std::uint32_t>{1};
+                                options.samples != std::vector<std::uint32_t>{1} || hasEnvironment(options);
     if ((options.scene == cageScene || isCrowd(options.scene)) && measuresLights)
-        throw UsageError(
-            "--scene " + options.scene +
-            " measures no lights: leave --lights, --technique all, --shadows, --samples, --plot, --view and "
-            "--baseline out");
+        throw UsageError("--scene " + options.scene +
+                         " measures no lights: leave --lights, --technique all, --shadows, --samples, "
+                         "--environment, --plot, "
+                         "--view and --baseline out");
+    if (options.baseline == Baseline::with && hasEnvironment(options))
+        throw UsageError("--baseline draws no environment: leave --environment out");
     if (options.baseline == Baseline::with && options.brdf != candela::BrdfModel::course)
         throw UsageError("--baseline draws with the model course only: leave --brdf out");
 }
@@ -134,6 +141,16 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
            "Samples a pixel, 1 to 65536; several, separated by commas, are drawn alternately.\n"
            "Default: 1")
         ->type_name("LIST");
+    app.add_option_function<std::string>(
+           "--environment", [&](const std::string& text) { options.environment = parseEnvironment(text); },
+           "What surrounds the scene, as in candela-render. Default: the scene's own")
+        ->type_name("FILE|studio|sky|none[,DEGREES[,STOPS]]");
+    app.add_option_function<std::string>(
+           "--environment-rays",
+           [&](const std::string& text) { options.environmentRays = parseEnvironmentRays(text); },
+           "Rays a pixel and sample that find how much of the environment is hidden, with\nshadows. Default: "
+           "1")
+        ->type_name("N");
     app.add_option_function<std::string>(
            "--brdf", [&](const std::string& text) { options.brdf = parseBrdf(text); },
            "Reflection model: course or gltf. Default: course")

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/scene_options.h"
+
 #include <candela/brdf.h>
 #include <candela/context.h>
 #include <candela/gpu_scene.h>
@@ -27,6 +29,8 @@ struct BenchOptions {
     /// `on` and `off` as given; `off` without --shadows.
     std::vector<candela::Shadows> shadows;
     std::vector<std::uint32_t> samples{1};  ///< A pixel; each measured.
+    EnvironmentOption environment;          ///< `own` adds no studio to a scene without light.
+    std::uint32_t environmentRays = candela::FrameSettings{}.environmentOcclusion.rays;
     candela::BrdfModel brdf = candela::BrdfModel::course;
     Baseline baseline = Baseline::without;
     int width = 1280, height = 720;

@@ -1,5 +1,6 @@
 #include "bench_scene.h"
 
+#include "common/scene_environment.h"
 #include "common/scene_lights.h"
 #include "common/scene_selection.h"
 
@@ -19,8 +20,19 @@ candela::CameraView defaultView(const candela::Scene& scene, const BenchOptions&
                        static_cast<float>(options.width) / static_cast<float>(options.height));
 }
 
+/// Gives the scene the environment of the options, and its sun.
+void useEnvironment(candela::Scene& scene, const BenchOptions& options) {
+    if (options.environment.source == EnvironmentOption::Source::own) return;
+    SceneOptions lit;
+    lit.environment = options.environment;
+    EnvironmentLight light = placedEnvironment(loadEnvironment(scene, lit), lit);
+    scene.environment = std::move(light.environment);
+    if (light.sun) scene.lights.push_back(*light.sun);
+}
+
 BenchScene makeBenchScene(const std::string& name, candela::Scene scene, const BenchOptions& options) {
     selectVariant(scene, options.variant, name);
+    useEnvironment(scene, options);
     const std::vector<glm::mat4> world = worldTransforms(scene);
     BenchScene bench{name, {}, worldLights(scene, world), defaultView(scene, options, world), {}};
     bench.scene = std::move(scene);

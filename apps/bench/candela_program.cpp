@@ -24,6 +24,7 @@ class CandelaProgram final : public Program {
         settings_ = {options.width, options.height, options.brdf, drawing.technique};
         settings_.tileBackend = options.tileBackend;
         settings_.shadows = drawing.shadows;
+        settings_.environmentOcclusion.rays = options.environmentRays;
         sampling_.count = drawing.samples;
         if (drawing.samples > 1) accumulator_.emplace(context);
     }

@@ -86,6 +86,9 @@ Result medians(const Samples& samples, const BenchScene& scene) {
     result.geometry = pass("geometry");
     result.lighting = pass("lighting");
     result.display = pass("display");
+    result.ambientOcclusion = pass("ambient occlusion");
+    result.environment = pass("environment");
+    result.background = pass("background");
     if (!samples.reference.empty()) {
         result.reference = ReferenceLights{scene.referenceLights.value_or(0), median(samples.reference)};
         result.copy = measureCopy(scene.lights);

@@ -1,5 +1,7 @@
 #include "results.h"
 
+#include "common/scene_environment.h"
+
 #include <candela/threads.h>
 #include <candela/version.h>
 
@@ -84,16 +86,16 @@ bool isOfSameLights(const Result& a, const Result& b) {
     return a.scene == b.scene && a.lights == b.lights;
 }
 
-/// What a picture of many samples takes, in frames of one sample, the display included in both; none where
-/// that was not measured.
+/// What a picture of many samples takes, in frames of one sample, display and read-back included in both;
+/// none where that was not measured.
 std::optional<double> singleFrames(const Result& many, const std::vector<Result>& results) {
     if (many.error || many.samples == 1) return std::nullopt;
     const auto one = std::ranges::find_if(results, [&](const Result& other) {
         return !other.error && other.samples == 1 && isOfSameLights(other, many) &&
                other.technique == many.technique && other.shadows == many.shadows;
     });
-    if (one == results.end() || one->frame <= 0.0) return std::nullopt;
-    return many.frame / one->frame;
+    if (one == results.end() || one->picture.value_or(0.0) <= 0.0 || !many.picture) return std::nullopt;
+    return *many.picture / *one->picture;
 }
 
 /// None for other rows, and where the row without shadows was not measured.
@@ -145,6 +147,9 @@ Json rowOf(const Result& result, const std::vector<Result>& results) {
              {"pairs_evaluated", result.pairsEvaluated.value_or(0)},
              {"frames", result.frames}};
     put(row, "tile_backend", result.tileBackend);
+    put(row, "ambient_occlusion_ms", result.ambientOcclusion);
+    put(row, "environment_ms", result.environment);
+    put(row, "background_ms", result.background);
     put(row, "lights_visible", result.lightsVisible);
     put(row, "lights_dropped", result.lightsDropped);
     put(row, "light_list_bytes", result.lightListBytes);
@@ -247,7 +252,7 @@ std::string rowName(const Result& result) {
 }
 
 std::string setupJson(const BenchOptions& options) {
-    const Json setup{
+    Json setup{
         {"version", CANDELA_VERSION},
         {"cpu", cpuName()},
         {"cores", candela::availableThreads()},
@@ -257,6 +262,8 @@ std::string setupJson(const BenchOptions& options) {
         {"brdf", candela::toString(options.brdf)},
         {"view", options.view.value_or("")},
     };
+    if (options.environment.source != EnvironmentOption::Source::own)
+        setup["environment"] = toString(options.environment);
     return setup.dump();
 }
 

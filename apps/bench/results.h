@@ -44,6 +44,8 @@ struct Result {
     int frames = 0;                          ///< Number of frames that the medians are taken over.
     double frame = 0.0;
     std::optional<double> geometry, lighting, display;
+    /// With an environment: its rays; its light where shaders add it; what is seen of it.
+    std::optional<double> ambientOcclusion, environment, background;
     std::optional<std::uint64_t> pairsLit, pairsEvaluated, lightsVisible, lightsDropped, lightListBytes;
     std::optional<double> picture;    ///< Wall clock of a frame, read-back included.
     std::optional<double> setLights;  ///< Wall clock of one `GpuScene::setLights` with all lights.
@@ -55,8 +57,8 @@ struct Result {
 };
 
 /// The setup of a run as a JSON object: {"version", "cpu", "cores", "threads", "system", "opengl", "brdf",
-/// "view"}. `cores` are those that the process may use, `threads` those that candela uses. Needs a current
-/// context.
+/// "view"} and, where it is an option, "environment". `cores` are those that the process may use, `threads`
+/// those that candela uses. Needs a current context.
 std::string setupJson(const BenchOptions& options);
 
 /// {"renderer", "setup", "results": [...]}. A failed result has "error" in place of measurements. Times and

@@ -144,6 +144,11 @@ std::string toString(const EnvironmentOption& option) {
     return text;
 }
 
+std::uint32_t parseEnvironmentRays(const std::string& text) {
+    constexpr std::int64_t most = 4096;
+    return static_cast<std::uint32_t>(parseInteger("--environment-rays", text, 1, most));
+}
+
 bool isEnvironmentFile(const std::string& file) {
     const auto endsWith = [&](std::string_view ending) {
         return file.size() > ending.size() &&

@@ -5,6 +5,7 @@
 #include <candela/environment.h>
 #include <candela/scene.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,5 +30,7 @@ EnvironmentLight placedEnvironment(EnvironmentLight loaded, const SceneOptions& 
 EnvironmentOption parseEnvironment(const std::string& text);
 /// The text that `parseEnvironment` reads as `option`.
 std::string toString(const EnvironmentOption& option);
+/// "N" of --environment-rays. Throws `UsageError`.
+std::uint32_t parseEnvironmentRays(const std::string& text);
 /// Whether a file is a picture that --environment takes, by the ending of its name.
 bool isEnvironmentFile(const std::string& file);

@@ -67,6 +67,9 @@ constexpr const char* environment =
 constexpr const char* background =
     "Whether the environment is seen behind the scene: on or off. Default: on, but\n"
     "for studio";
+constexpr const char* environmentRays =
+    "Rays a pixel and sample, 1 to 4096, that find how much of the environment is\n"
+    "hidden, where shadows are on. Default: 1";
 constexpr const char* brdf =
     "Reflection model: course (GGX with Schlick-Smith), or gltf (height-correlated,\n"
     "energy-compensated). Default: course";
@@ -285,6 +288,12 @@ void SceneOptionReader::declareLighting(CLI::App& app) {
            [this](const std::string& text) { options_.environment = parseEnvironment(text); },
            help::environment)
         ->type_name("FILE|studio|sky|none[,DEGREES[,STOPS]]")
+        ->group("Lighting");
+    app.add_option_function<std::string>(
+           "--environment-rays",
+           [this](const std::string& text) { options_.environmentRays = parseEnvironmentRays(text); },
+           help::environmentRays)
+        ->type_name("N")
         ->group("Lighting");
     app.add_option_function<std::string>(
            "--background",

@@ -75,6 +75,8 @@ struct SceneOptions {
 
     DefaultLights defaultLights = DefaultLights::automatic;
     EnvironmentOption environment;
+    std::uint32_t environmentRays =
+        candela::FrameSettings{}.environmentOcclusion.rays;  ///< A pixel and sample.
     std::optional<bool> background;  ///< Whether the environment is seen; none: as `Environment` has it.
     candela::BrdfModel brdf = candela::BrdfModel::course;
     candela::Technique technique = candela::Technique::automatic;

@@ -16,6 +16,7 @@ candela::FrameSettings frameSettings(const Options& options) {
     settings.shadows = options.shadows;
     settings.specularAntialiasing = options.specularAntialiasing;
     settings.layers = options.layers;
+    settings.environmentOcclusion.rays = options.environmentRays;
     settings.debugView = options.debug.view;
     settings.overlays = options.debug.overlays;
     settings.ambientOcclusion = options.ambientOcclusion;

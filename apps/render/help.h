@@ -39,8 +39,8 @@ constexpr const char* quiet = "Say nothing but errors: no notes, no progress and
 
 constexpr const char* list =
     "Show plugins, devices, displays or views (of --display, if given), or the\n"
-    "animations, cameras, materials, variants or contents of SCENE: what it holds,\n"
-    "and what of it is drawn otherwise or not. Draw nothing";
+    "animations, cameras, materials, variants, environment or contents of SCENE:\n"
+    "what it holds, and what of it is drawn otherwise or not. Draw nothing";
 constexpr const char* help = "Show this help";
 constexpr const char* version = "Show the version";
 

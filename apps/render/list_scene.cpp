@@ -3,6 +3,8 @@
 #include "common/scene_selection.h"
 #include "scene_contents.h"
 
+#include <candela/default_lights.h>
+#include <candela/environment.h>
 #include <candela/import.h>
 #include <candela/plugin_registry.h>
 
@@ -67,6 +69,25 @@ void printContents(const candela::ImportedScene& imported) {
         std::cout << toString(note.kind) << ": " << note.line() << "\n";
 }
 
+/// `scene` has one.
+void printOwnEnvironment(candela::Environment environment) {
+    const candela::Image& picture = environment.picture;
+    if (!picture.name.empty()) std::cout << "\"" << picture.name << "\": ";
+    std::cout << picture.width << "x" << picture.height << ", intensity " << environment.intensity << ", "
+              << (environment.isBackground ? "seen" : "not seen") << " behind the scene";
+    if (candela::takeSun(environment)) std::cout << ", with a sun";
+    std::cout << "\n";
+}
+
+void printEnvironment(const candela::Scene& scene) {
+    if (scene.environment)
+        printOwnEnvironment(*scene.environment);
+    else if (candela::hasLight(scene))
+        std::cout << "no environment\n";
+    else
+        std::cout << "no environment, and no other light: a studio lights the scene\n";
+}
+
 }  // namespace
 
 void printSceneList(const Options& options) {
@@ -83,6 +104,8 @@ void printSceneList(const Options& options) {
             return printContents(imported);
         case ListKind::variants:
             return printVariants(scene);
+        case ListKind::environment:
+            return printEnvironment(scene);
         default:
             return printMaterials(scene);
     }

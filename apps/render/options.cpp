@@ -21,14 +21,15 @@ constexpr std::int64_t maxRays = 4096;
 
 ListKind parseListKind(const std::string& text) {
     using enum ListKind;
-    return parseWord(
-        "--list", text,
-        std::array{plugins, devices, displays, views, animations, cameras, materials, variants, contents},
-        [](ListKind kind) {
-            constexpr std::array names{"plugins", "devices",   "displays", "views",   "animations",
-                                       "cameras", "materials", "variants", "contents"};
-            return names[static_cast<std::size_t>(kind)];
-        });
+    return parseWord("--list", text,
+                     std::array{plugins, devices, displays, views, animations, cameras, materials, variants,
+                                environment, contents},
+                     [](ListKind kind) {
+                         constexpr std::array names{"plugins",     "devices", "displays",  "views",
+                                                    "animations",  "cameras", "materials", "variants",
+                                                    "environment", "contents"};
+                         return names[static_cast<std::size_t>(kind)];
+                     });
 }
 
 PictureFormat parseFormat(const std::filesystem::path& output) {

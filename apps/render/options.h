@@ -10,7 +10,18 @@
 #include <string>
 #include <vector>
 
-enum class ListKind { plugins, devices, displays, views, animations, cameras, materials, variants, contents };
+enum class ListKind {
+    plugins,
+    devices,
+    displays,
+    views,
+    animations,
+    cameras,
+    materials,
+    variants,
+    environment,
+    contents
+};
 /// Whether a list is of what the scene holds.
 inline bool needsScene(ListKind kind) {
     return kind >= ListKind::animations;

@@ -160,6 +160,7 @@ void Application::step() {
     for (const std::string& file : window_.takeDropped())
         if (!takeAsEnvironment(model_, file)) model_.requests.open = file;
     takeLoaded();
+    guarded([this] { takeEnvironment(model_, environments_); });
     if (shaders_.takeChange()) reloadShaders();
     advanceTime();
     window_.beginPanels();
@@ -274,6 +275,8 @@ void Application::advanceTime() {
 void Application::serveRequests() {
     const auto open = std::exchange(model_.requests.open, std::nullopt);
     if (open) guarded([&] { this->open(*open); });
+    const auto environment = std::exchange(model_.requests.openEnvironment, std::nullopt);
+    if (environment) environments_.start(*environment, model_.options.strictness, &Window::wake);
     if (std::exchange(model_.requests.cancelLoading, false)) loader_.cancel();
     const auto variant = std::exchange(model_.requests.variant, std::nullopt);
     if (variant && model_.document) guarded([&] { showVariant(*variant); });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "environment_loader.h"
 #include "interaction.h"
 #include "scene_loader.h"
 #include "shader_watch.h"
@@ -79,6 +80,7 @@ class Application {
     candela::PluginRegistry plugins_;
     Viewport viewport_;
     SceneLoader loader_;
+    EnvironmentLoader environments_;
     ShaderWatch shaders_;
     std::optional<candela::DisplayTransform> display_;
     candela::DisplayOptions appliedDisplayOptions_;

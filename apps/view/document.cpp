@@ -196,15 +196,19 @@ std::vector<std::string> Document::setEnvironment(const SceneOptions& options) {
         return {};
     }
     EnvironmentLight loaded = environmentOf(options);
+    std::vector<std::string> notes = std::move(loaded.notes);
+    setEnvironment(options, std::move(loaded));
+    return notes;
+}
+
+void Document::setEnvironment(const SceneOptions& options, EnvironmentLight loaded) {
     EnvironmentLight placed = placedEnvironment(loaded, options);
     gpuScene_.setEnvironment(placed.environment);
     scene_.environment = std::move(placed.environment);
     if (loaded.environment) loaded.environment->picture = {};
-    std::vector<std::string> notes = std::move(loaded.notes);
     shownEnvironment_.loaded = std::move(loaded);
     shownEnvironment_.isLoaded = true;
     placeEnvironment(options);
-    return notes;
 }
 
 void Document::placeEnvironment(const SceneOptions& options) {

@@ -72,6 +72,9 @@ class Document {
     /// it otherwise. Its sun is not among `lights`. Returns notes on what was read. Throws `candela::Error`
     /// and changes nothing when it can not be read.
     std::vector<std::string> setEnvironment(const SceneOptions& options);
+    /// The same with the environment of a file that is read by now: what `loadEnvironment` has returned for
+    /// the options, whose notes are left to the caller.
+    void setEnvironment(const SceneOptions& options, EnvironmentLight loaded);
     /// What `setEnvironment` was given last.
     const EnvironmentOption& environmentOption() const { return shownEnvironment_.option; }
     void setLightMotion(const LightMotion& motion);

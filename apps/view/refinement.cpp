@@ -6,27 +6,56 @@
 #include "scene_lighting.h"
 #include "view_options.h"
 
+#include <candela/accumulator.h>
 #include <candela/sampling.h>
+
+#include <string>
+#include <vector>
 
 std::uint32_t wantedSamples(const ViewModel& model) {
     if (!model.options.debug.isDefault()) return 1;
     return model.options.sampling.count.value_or(defaultViewSamples);
 }
 
-void drawSample(const ViewModel& model, Viewport& viewport, const candela::DisplayTransform& display) {
+namespace {
+
+/// Calls `draw` with the inputs of a sample, at whose time the scene is then.
+template <typename Draw>
+void atSample(const ViewModel& model, const candela::DisplayTransform& display, std::uint32_t sample,
+              const Draw& draw) {
     Document& document = *model.document;
     const SceneOptions& options = model.options;
     candela::SamplingSettings settings = options.sampling.settings(wantedSamples(model));
     if (model.camera.orthographicHeight()) settings.lens.reset();
-    const std::uint32_t sample = viewport.samples();
     const auto poseAt = [&](double seconds) { return poseTime(document.scene(), options, seconds); };
     const double time = poseAt(candela::sampleTime(options.time, settings, sample));
     const bool moves = settings.shutter > 0.0 && document.animated();
     if (moves) document.gpuScene().setTime(time);
     const candela::CameraView view =
         candela::sampleView(selectedView(model, time), settings, options.width, options.height, sample);
-    viewport.refine({document.gpuScene(), options, view, display});
+    draw(Viewport::Inputs{document.gpuScene(), options, view, display});
     if (moves) document.gpuScene().setTime(poseAt(options.time));
+}
+
+/// All channels, over all samples, as candela-render writes them.
+void writeRadianceOfSamples(const ViewModel& model, Viewport& viewport,
+                            const candela::DisplayTransform& display, const std::filesystem::path& file) {
+    const std::vector<std::string> aovs = candela::Renderer::aovNames();
+    candela::Accumulator mean(viewport.context(), {aovs, candela::AovFilter::automatic});
+    for (std::uint32_t sample = 0; sample < wantedSamples(model); ++sample)
+        atSample(model, display, sample,
+                 [&](const Viewport::Inputs& inputs) { viewport.addSample(inputs, sample, mean); });
+    std::vector<candela::ExrAttribute> attributes{{"samples", std::to_string(mean.count())}};
+    for (const std::string& aov : aovs)
+        attributes.push_back({"filter." + aov, candela::toString(mean.filterOf(aov))});
+    writeRadiance(file, mean.radiance(), mean.aovs(), model.color, attributes);
+}
+
+}  // namespace
+
+void drawSample(const ViewModel& model, Viewport& viewport, const candela::DisplayTransform& display) {
+    atSample(model, display, viewport.samples(),
+             [&](const Viewport::Inputs& inputs) { viewport.refine(inputs); });
 }
 
 void writePicture(ViewModel& model, Viewport& viewport, const candela::DisplayTransform& display,
@@ -34,15 +63,15 @@ void writePicture(ViewModel& model, Viewport& viewport, const candela::DisplayTr
     const candela::CameraView view = selectedView(model);
     lightDocument(model, view);
     viewport.draw({model.document->gpuScene(), model.options, view, display, 1});
-    while (viewport.samples() < wantedSamples(model)) drawSample(model, viewport, display);
-    const candela::Frame& frame = *viewport.frame();
-    const candela::Accumulator* mean = viewport.mean();
-    if (endingOf(file) == ".exr") {
-        writeRadiance(file, mean != nullptr ? mean->radiance() : frame.radiance(),
-                      frame.aovs(candela::Renderer::aovNames()), model.color);
-    } else {
-        writeDisplayedFrame(file, model.options.width, model.options.height,
-                            mean != nullptr ? mean->displayPicture(display) : frame.displayPicture(display),
-                            display);
+    const bool isExr = endingOf(file) == ".exr";
+    if (isExr && wantedSamples(model) > 1) return writeRadianceOfSamples(model, viewport, display, file);
+    if (isExr) {
+        const candela::Frame& frame = *viewport.frame();
+        return writeRadiance(file, frame.radiance(), frame.aovs(candela::Renderer::aovNames()), model.color);
     }
+    while (viewport.samples() < wantedSamples(model)) drawSample(model, viewport, display);
+    const candela::Accumulator* mean = viewport.mean();
+    writeDisplayedFrame(
+        file, model.options.width, model.options.height,
+        mean != nullptr ? mean->displayPicture(display) : viewport.frame()->displayPicture(display), display);
 }

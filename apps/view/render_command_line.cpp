@@ -138,6 +138,8 @@ std::string renderCommandLine(const SceneOptions& options) {
         command.option("--default-lights", toString(options.defaultLights));
     if (options.environment.source != EnvironmentOption::Source::own)
         command.option("--environment", toString(options.environment));
+    if (options.environmentRays != SceneOptions{}.environmentRays)
+        command.option("--environment-rays", std::to_string(options.environmentRays));
     if (options.background) command.option("--background", *options.background ? "on" : "off");
     command.option("--brdf", candela::toString(options.brdf));
     command.option("--technique", candela::toString(options.technique));

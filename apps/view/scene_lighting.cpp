@@ -3,9 +3,11 @@
 #include "common/scene_environment.h"
 #include "common/scene_lights.h"
 
+#include <candela/error.h>
 #include <candela/exposure.h>
 
 #include <array>
+#include <utility>
 
 void lightDocument(ViewModel& model, const candela::CameraView& view) {
     const SceneOptions& options = model.options;
@@ -24,9 +26,24 @@ void lightDocument(ViewModel& model, const candela::CameraView& view) {
 
 bool takeAsEnvironment(ViewModel& model, const std::string& file) {
     if (!isEnvironmentFile(file)) return false;
-    model.options.environment.source = EnvironmentOption::Source::file;
-    model.options.environment.file = file;
+    model.requests.openEnvironment = file;
     return true;
+}
+
+void takeEnvironment(ViewModel& model, EnvironmentLoader& loader) {
+    std::optional<EnvironmentLoader::Result> loaded = loader.take();
+    model.loadingEnvironment = loader.reading();
+    if (!loaded) return;
+    if (!loaded->error.empty()) throw candela::Error(candela::ErrorKind::badInput, "", loaded->error);
+    SceneOptions options = model.options;
+    options.environment.source = EnvironmentOption::Source::file;
+    options.environment.file = loaded->file;
+    if (model.document) {
+        for (const std::string& note : loaded->light.notes)
+            model.messages.push_back({Message::Kind::note, note});
+        model.document->setEnvironment(options, std::move(loaded->light));
+    }
+    model.options.environment = options.environment;
 }
 
 void measureExposure(ViewModel& model, const candela::Frame& frame) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "environment_loader.h"
 #include "view_model.h"
 
 #include <candela/camera.h>
@@ -9,9 +10,11 @@
 /// `candela::Error` when the environment can not be read; the options have the one before then.
 void lightDocument(ViewModel& model, const candela::CameraView& view);
 
-/// Lets the options name a file as environment if it is a picture of linear light by its ending. Returns
-/// whether it is.
+/// Asks for a file as environment if it is a picture of linear light by its ending. Returns whether it is.
 bool takeAsEnvironment(ViewModel& model, const std::string& file);
+/// Shows the environment that `loader` has read, if any, and lets the options name it. Throws `candela::Error`
+/// when it could not be read.
+void takeEnvironment(ViewModel& model, EnvironmentLoader& loader);
 
 /// Sets the exposure at which the median of what is lit in a frame is mid-grey.
 void measureExposure(ViewModel& model, const candela::Frame& frame);

@@ -5,6 +5,7 @@
 #include "common/shadow_stats.h"
 
 #include <candela/error.h>
+#include <candela/sampling.h>
 
 #include <nlohmann/json.hpp>
 
@@ -45,6 +46,8 @@ Json toJson(const ViewModel& model) {
             {"brdf", candela::toString(options.brdf)},
             {"technique", candela::toString(options.technique)},
             {"shadows", candela::toString(drawnShadows(options.shadows))},
+            {"specular_antialiasing", options.specularAntialiasing},
+            {"samples", options.sampling.count.value_or(defaultViewSamples)},
             {"ocio", options.ocio.value_or("")},
             {"display", options.display.display},
             {"view", options.display.view},
@@ -69,6 +72,10 @@ void readColor(const Json& json, SceneOptions& options) {
     options.display.exposure = std::clamp(json.at("exposure").get<double>(), -63.0, 63.0);
 }
 
+void readSamples(const Json& json, SamplingOptions& sampling) {
+    sampling.count = std::clamp(json.at("samples").get<std::uint32_t>(), 1u, candela::maxSamples);
+}
+
 void readSubdivision(const Json& json, SceneOptions& options) {
     options.subdivision.edgePixels = std::clamp(json.at("subdivision_edge").get<float>(), 0.1f, 1.0e5f);
     options.subdivision.maxLevel =
@@ -83,11 +90,13 @@ void takeSettings(const Json& json, const ViewOptions& given, ViewModel& model) 
     visitPanels(panels, [&](const char* name, bool& open) { open = json.at("panels").at(name).get<bool>(); });
     if (!given.sizeGiven) readSize(json, options);
     if (!given.displayGiven) readColor(json, options);
+    if (!options.sampling.count) readSamples(json, options.sampling);
     if (!given.subdivisionGiven) readSubdivision(json, options);
     if (!given.drawingGiven) {
         options.brdf = parseBrdf(json.at("brdf").get<std::string>());
         options.technique = parseTechnique(json.at("technique").get<std::string>());
         options.shadows = parseShadows(json.at("shadows").get<std::string>());
+        options.specularAntialiasing = json.at("specular_antialiasing").get<bool>();
     }
     model.options = options;
     model.panels = panels;

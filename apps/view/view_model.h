@@ -38,7 +38,8 @@ struct OpenPanels {
 
 /// What the panels ask the application to do once they are drawn: it touches files, threads or the device.
 struct Requests {
-    std::optional<std::string> open;  ///< A file or a procedural scene.
+    std::optional<std::string> open;             ///< A file or a procedural scene.
+    std::optional<std::string> openEnvironment;  ///< A picture of linear light.
     bool cancelLoading = false;
     bool frameAll = false, framePicked = false;
     std::optional<glm::ivec2> pick;  ///< What this pixel shows.
@@ -61,6 +62,7 @@ struct ViewModel {
     candela::ColorConfig color = candela::ColorConfig::builtIn();
     std::unique_ptr<Document> document;  ///< Null until the first scene is there.
     std::optional<LoadStatus> loading;   ///< While a scene is being read.
+    std::string loadingEnvironment;      ///< The picture that is being read; empty where none is.
 
     std::optional<glm::ivec2> pointer;  ///< The pixel under the pointer, from the top; none over a panel.
     std::optional<std::uint32_t> pickedNode, pickedLight, pickedMaterial;

@@ -59,8 +59,8 @@ void noteGiven(const CLI::App& app, ViewOptions& options) {
     options.sizeGiven = given("--size");
     options.displayGiven =
         given("--ocio") || given("--display") || given("--view") || given("--look") || given("--exposure");
-    options.drawingGiven =
-        given("--brdf") || given("--technique") || given("--tiles") || given("--shadows") || given("--show");
+    options.drawingGiven = given("--brdf") || given("--technique") || given("--tiles") ||
+                           given("--shadows") || given("--show") || given("--specular-aa");
     options.subdivisionGiven =
         given("--subdivision-level") || given("--subdivision-edge") || given("--subdivision-max-level");
 }

@@ -63,6 +63,12 @@ void Viewport::refine(const Inputs& inputs) {
     glFinish();
 }
 
+void Viewport::addSample(const Inputs& inputs, std::uint32_t sample, candela::Accumulator& sum) {
+    frame_.reset();
+    frame_.emplace(render(renderer_, inputs, sample));
+    sum.add(*frame_);
+}
+
 candela::Frame Viewport::render(candela::Renderer& renderer, const Inputs& inputs,
                                 std::uint32_t sample) const {
     candela::FrameSettings settings;
@@ -74,6 +80,7 @@ candela::Frame Viewport::render(candela::Renderer& renderer, const Inputs& input
     settings.shadows = inputs.options.shadows;
     settings.specularAntialiasing = inputs.options.specularAntialiasing;
     settings.layers = inputs.options.layers;
+    settings.environmentOcclusion.rays = inputs.options.environmentRays;
     settings.debugView = inputs.options.debug.view;
     settings.overlays = inputs.options.debug.overlays;
     settings.sample = sample;

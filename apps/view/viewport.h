@@ -36,6 +36,9 @@ class Viewport {
     /// Draws sample `samples` of the picture that `draw` has begun at full size, of whose scene and settings
     /// `inputs` are, and shows the mean of all. Throws `candela::Error`.
     void refine(const Inputs& inputs);
+    /// Draws a sample and adds it to `sum`. The picture that is shown stays.
+    void addSample(const Inputs& inputs, std::uint32_t sample, candela::Accumulator& sum);
+    const candela::Context& context() const { return context_; }
     /// The samples of the picture that is shown; 0 before the first frame.
     std::uint32_t samples() const { return samples_; }
     /// The mean of two or more samples; null where the picture has fewer.

@@ -97,7 +97,7 @@ struct AmbientOcclusionSettings {
 struct EnvironmentOcclusionSettings {
     /// At each pixel, 1 to 4096. Neighbouring pixels share what they find, and each `FrameSettings::sample`
     /// has rays of its own.
-    std::uint32_t rays = 4;
+    std::uint32_t rays = 1;
 };
 
 inline constexpr std::uint32_t maxLayers = 64;

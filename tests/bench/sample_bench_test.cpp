@@ -15,7 +15,7 @@ TEST(BenchSamples, ARowForEachNumberHasItsCostInSingleFrames) {
     EXPECT_EQ(four["samples"], 4);
     EXPECT_EQ(one["frames"], four["frames"]) << "drawn alternately";
     EXPECT_NEAR(four["single_frames"].get<double>(),
-                four["frame_ms"].get<double>() / one["frame_ms"].get<double>(), 1e-6);
+                four["picture_ms"].get<double>() / one["picture_ms"].get<double>(), 1e-6);
     EXPECT_GT(four["picture_ms"].get<double>(), 0.0);
 }
 
@@ -23,6 +23,16 @@ TEST(BenchSamples, PicturesOfTheSameNumberAreCompared) {
     const Json bench = benchOf({"--lights", "64", "--samples", "3", "--technique", "all"});
     for (const Json& row : bench["results"]) EXPECT_EQ(row["samples"], 3);
     EXPECT_LT(bench["results"].at(0)["difference"]["mean"].get<double>(), 1e-5);
+}
+
+TEST(BenchSamples, AnEnvironmentIsDrawnByEveryTechnique) {
+    const Json bench = benchOf({"--lights", "1", "--samples", "1,2", "--technique", "tiles,volumes",
+                                "--shadows", "off", "--environment", "sky,30"});
+    EXPECT_EQ(bench["setup"]["environment"], "sky,30");
+    for (const Json& row : bench["results"]) {
+        EXPECT_GT(row["background_ms"].get<double>(), 0.0);
+        EXPECT_EQ(row.contains("environment_ms"), row["technique"] == "volumes");
+    }
 }
 
 }  // namespace

@@ -31,6 +31,9 @@ TEST(BenchUsage, EveryErrorIsNamed) {
         BadUsage{{"--json", "r.json", "--shadows", "off,off"}, "twice"},
         BadUsage{{"--json", "r.json", "--brdf", "phong"}, "course, gltf"},
         BadUsage{{"--json", "r.json", "--baseline", "--brdf", "gltf"}, "course"},
+        BadUsage{{"--json", "r.json", "--environment", "cave"}, "studio, sky or none"},
+        BadUsage{{"--json", "r.json", "--baseline", "--environment", "sky"}, "--environment"},
+        BadUsage{{"--json", "r.json", "--scene", "cages", "--environment", "sky"}, "--environment"},
         BadUsage{{"--json", "r.json", "--size", "640"}, "WIDTHxHEIGHT"},
         BadUsage{{"--json", "r.json", "--size", "0x5"}, "whole number from 1 to 16384"},
         BadUsage{{"--json", "r.json", "--frames", "0"}, "whole number from 1"},
@@ -52,8 +55,8 @@ TEST(BenchUsage, HelpNamesEveryOption) {
     const CommandResult result = runCommand({"--help"});
     expectSuccess(result);
     for (const char* option : {"--scene", "--lights", "--technique", "--size", "--frames", "--json", "--plot",
-                               "--baseline", "--device", "--plugin-path", "--brdf", "--view", "--quiet",
-                               "--threads", "--subdivision-evaluator", "--shadows", "--version"})
+                               "--baseline", "--device", "--environment", "--plugin-path", "--brdf", "--view",
+                               "--quiet", "--threads", "--subdivision-evaluator", "--shadows", "--version"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 

@@ -185,4 +185,14 @@ TEST_F(Environment, FilesThatCanNotBeReadAreNamed) {
     fault("other.exr", "neither a Radiance picture (.hdr) nor an OpenEXR file (.exr)");
 }
 
+TEST_F(Environment, IsListed) {
+    const auto listed = [&](const std::string& scene) {
+        const CommandResult result = runCommand({"--list", "environment", scene}, {.folder = folder.path()});
+        expectSuccess(result);
+        return result.out;
+    };
+    EXPECT_EQ(listed("dark.gltf"), "no environment, and no other light: a studio lights the scene\n");
+    EXPECT_EQ(listed("plaza:1"), "no environment\n");
+}
+
 }  // namespace

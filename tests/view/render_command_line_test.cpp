@@ -248,6 +248,13 @@ TEST(RenderCommandLine, NamesLayersWhereTheyAreNotTheDefault) {
     EXPECT_EQ(readBack(options).layers, 12u);
 }
 
+TEST(RenderCommandLine, NamesTheRaysOfTheEnvironmentWhereTheyAreNotTheDefault) {
+    SceneOptions options = someScene();
+    EXPECT_EQ(renderCommandLine(options).find("--environment-rays"), std::string::npos);
+    options.environmentRays = 9;
+    EXPECT_EQ(readBack(options).environmentRays, 9u);
+}
+
 TEST(RenderCommandLine, KeepsTheLensAndTheAnimation) {
     SceneOptions options = someScene();
     options.orthographicHeight = 1.0f / 3.0f;

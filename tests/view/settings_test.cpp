@@ -31,6 +31,8 @@ ViewModel changedModel() {
     model.options.brdf = candela::BrdfModel::gltf;
     model.options.technique = candela::Technique::volumes;
     model.options.shadows = changedShadows();
+    model.options.specularAntialiasing = false;
+    model.options.sampling.count = 256;
     model.options.ocio = "/some/where.ocio";
     model.options.display = {"Display P3", "Raw", "a look", 1.0 / 3.0};
     model.options.subdivision.edgePixels = 3.5f;
@@ -79,6 +81,8 @@ TEST_F(SettingsTest, RoundTrip) {
     EXPECT_EQ(read.options.brdf, candela::BrdfModel::gltf);
     EXPECT_EQ(read.options.technique, candela::Technique::volumes);
     EXPECT_EQ(read.options.shadows, changedShadows());
+    EXPECT_FALSE(read.options.specularAntialiasing);
+    EXPECT_EQ(read.options.sampling.count, 256u);
     EXPECT_EQ(read.options.ocio, "/some/where.ocio");
     EXPECT_EQ(read.options.display.display, "Display P3");
     EXPECT_EQ(read.options.display.view, "Raw");
@@ -95,11 +99,14 @@ TEST_F(SettingsTest, RoundTrip) {
 TEST_F(SettingsTest, AreOverriddenByTheCommandLine) {
     writeSettings(folder.path(), changedModel());
     ViewOptions given;
+    given.sampling.count = 3;
     given.sizeGiven = given.displayGiven = given.drawingGiven = given.subdivisionGiven = true;
     const ViewModel read = readWith(given);
     EXPECT_EQ(read.options.width, 1280);
     EXPECT_EQ(read.options.brdf, candela::BrdfModel::course);
     EXPECT_EQ(read.options.shadows, SceneOptions{}.shadows);
+    EXPECT_TRUE(read.options.specularAntialiasing);
+    EXPECT_EQ(read.options.sampling.count, 3u);
     EXPECT_EQ(read.options.ocio, std::nullopt);
     EXPECT_EQ(read.options.display.view, "");
     EXPECT_EQ(read.options.subdivision.maxLevel, 5u);

@@ -152,11 +152,18 @@ TEST_F(ViewProgram, ScreenshotsAreTheFilesOfCandelaRender) {
 }
 
 TEST_F(ViewProgram, AnExrHoldsEveryChannelOfCandelaRender) {
-    render({"square.gltf", "--size", "64x48", "--aov", "all"}, "expected.exr");
-    expectSuccess(run({"square.gltf", "--size", "64x48", "--screenshot", "shown.EXR"}));
-    const ExrPicture shown = readExr(folder / "shown.EXR"), expected = readExr(folder / "expected.exr");
-    EXPECT_EQ(shown.channels, expected.channels);
-    EXPECT_GT(shown.channels.size(), 15u);
+    for (const char* samples : {"1", "3"}) {
+        const Words picture{"square.gltf", "--size", "64x48", "--samples", samples};
+        Words all = picture, screenshot = picture;
+        all.insert(all.end(), {"--aov", "all", "-o", "expected.exr", "--quiet"});
+        screenshot.insert(screenshot.end(), {"--screenshot", "shown.EXR"});
+        expectSuccess(runCommand(all, {.folder = folder.path(), .program = CANDELA_RENDER}));
+        expectSuccess(run(screenshot));
+        const ExrPicture shown = readExr(folder / "shown.EXR"), expected = readExr(folder / "expected.exr");
+        EXPECT_TRUE(shown.channels == expected.channels) << samples << " samples";
+        EXPECT_EQ(shown.texts, expected.texts);
+        EXPECT_GT(shown.channels.size(), 15u);
+    }
 }
 
 TEST_F(ViewProgram, DrawsSizesBeyondTheScreen) {

@@ -81,7 +81,7 @@ bool ViewSession::stepUntil(const std::function<bool()>& reached) {
 
 void ViewSession::awaitScene() {
     step(2);  // the request is served, then shown
-    ASSERT_TRUE(stepUntil([&] { return !model().loading; }));
+    ASSERT_TRUE(stepUntil([&] { return !model().loading && model().loadingEnvironment.empty(); }));
     step();
 }
 

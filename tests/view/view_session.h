@@ -31,7 +31,7 @@ class ViewSession {
     void step(int times = 1);
     /// Iterates until `reached` holds; false when that takes a minute.
     bool stepUntil(const std::function<bool()>& reached);
-    /// Iterates until loading has ended, with the scene or a message.
+    /// Iterates until loading has ended, with the scene, the environment or a message.
     void awaitScene();
     /// Waits until sent input has taken effect.
     void settle();

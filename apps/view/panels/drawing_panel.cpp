@@ -36,6 +36,7 @@ void chooseLighting(ViewModel& model) {
     chooseOne("reflection", model.options.brdf, models,
               [](candela::BrdfModel brdf) { return candela::toString(brdf); });
     chooseShadows(model.options.shadows);
+    ImGui::Checkbox("specular antialiasing", &model.options.specularAntialiasing);
     slideLevel("layers", model.options.layers, 0, candela::maxLayers);
     if (model.layerCounts.fragmentsBeyond > 0)
         showWrappedText(groupedText(model.layerCounts.fragmentsBeyond) +

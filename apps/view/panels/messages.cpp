@@ -85,7 +85,7 @@ void drawMessages(ViewModel& model) {
 }
 
 void drawLoading(ViewModel& model) {
-    if (!model.loading) return;
+    if (!model.loading && model.loadingEnvironment.empty()) return;
     const PanelPlace picture = freePicture(panelSpace());
     ImGui::SetNextWindowPos(
         {picture.position.x + 0.5f * picture.size.x, picture.position.y + loadingHeight * picture.size.y},
@@ -96,9 +96,12 @@ void drawLoading(ViewModel& model) {
                      ImGuiWindowFlags_NoFocusOnAppearing);
     const float width = barLetters * ImGui::GetFontSize();
     ImGui::PushTextWrapPos(width);
-    showText("reading " + model.loading->scene);
+    if (!model.loadingEnvironment.empty()) showText("reading " + model.loadingEnvironment);
+    if (model.loading) showText("reading " + model.loading->scene);
     ImGui::PopTextWrapPos();
-    ImGui::ProgressBar(static_cast<float>(model.loading->share), {width, 0.0f});
-    if (ImGui::Button("Cancel")) model.requests.cancelLoading = true;
+    if (model.loading) {
+        ImGui::ProgressBar(static_cast<float>(model.loading->share), {width, 0.0f});
+        if (ImGui::Button("Cancel")) model.requests.cancelLoading = true;
+    }
     ImGui::End();
 }

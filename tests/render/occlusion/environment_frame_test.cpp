@@ -48,6 +48,7 @@ class EnvironmentFrameTest : public DrawingTest {
         FrameRequest request{width, height, view, BrdfModel::gltf, form.technique};
         request.tileBackend = form.backend;
         request.shadows = shadows;
+        request.environmentOcclusion.rays = 4;
         return request;
     }
 

@@ -19,12 +19,14 @@ struct FrameRequest {
     AmbientOcclusionSettings ambientOcclusion = {};
     bool specularAntialiasing = true;
     std::uint32_t layers = FrameSettings{}.layers;
+    EnvironmentOcclusionSettings environmentOcclusion = {};
 
     FrameSettings settings() const {
         FrameSettings settings{width,    height,      brdf,    technique,       debugView,
                                overlays, tileBackend, shadows, ambientOcclusion};
         settings.specularAntialiasing = specularAntialiasing;
         settings.layers = layers;
+        settings.environmentOcclusion = environmentOcclusion;
         return settings;
     }
 };
