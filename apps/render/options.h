@@ -22,10 +22,12 @@ enum class ListKind {
     environment,
     contents
 };
+
 /// Whether a list is of what the scene holds.
 inline bool needsScene(ListKind kind) {
     return kind >= ListKind::animations;
 }
+
 enum class PictureFormat { png, exr };
 
 /// The frames of --frames, in the order in which they are drawn.

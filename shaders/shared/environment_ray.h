@@ -1,8 +1,9 @@
 // Rays that ask how much of its surroundings a surface sees: read by GLSL and by C++ over GLM's vectors. The includer defines SHARED_FUNCTION.
 //
 // The pixels of a 4 × 4 pattern take consecutive runs of one sequence of directions, so that any 4 × 4 neighbouring pixels have a whole set
-// of them together, which a filter of that size averages (Keller and Heidrich, "Interleaved sampling", 2001). From sample to sample of a frame
-// a pixel goes through the runs of the pattern, then through further ones.
+// of them together, which a filter of that size averages (Keller and Heidrich, "Interleaved sampling", 2001). Each sample of a picture has the
+// next set, of which a pixel takes another run, such that 16 samples of a pixel of one ray are a (0, 4, 2)-net as a set is; those of its
+// neighbours lie between.
 
 const int OCCLUSION_PATTERN = 4;
 
@@ -27,8 +28,8 @@ SHARED_FUNCTION float sobolNumber(uint i) {
 // The first ray of a pixel, of which the next `rays` follow.
 SHARED_FUNCTION uint firstEnvironmentRay(uint x, uint y, uint sampleNumber, uint rays) {
     uint place = (x & 3u) | (y & 3u) << 2;
-    uint turned = (sampleNumber & 1u) << 3 | (sampleNumber & 2u) << 1 | (sampleNumber >> 1 & 2u) | (sampleNumber >> 3 & 1u);
-    return ((sampleNumber & 0xfffffff0u) | (place ^ turned)) * rays;
+    uint turned = (sampleNumber & 3u) << 2 | ((sampleNumber ^ sampleNumber >> 2) & 3u);
+    return (sampleNumber << 4 | (place ^ turned)) * rays;
 }
 
 // The direction of ray `index` over the plane z = 0, unit length. Uniform in the unit disc and lifted to the hemisphere, so that the density is

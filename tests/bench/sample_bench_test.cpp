@@ -25,14 +25,12 @@ TEST(BenchSamples, PicturesOfTheSameNumberAreCompared) {
     EXPECT_LT(bench["results"].at(0)["difference"]["mean"].get<double>(), 1e-5);
 }
 
-TEST(BenchSamples, AnEnvironmentIsDrawnByEveryTechnique) {
-    const Json bench = benchOf({"--lights", "1", "--samples", "1,2", "--technique", "tiles,volumes",
-                                "--shadows", "off", "--environment", "sky,30"});
+TEST(BenchSamples, AnEnvironmentHasItsPasses) {
+    const Json bench = benchOf({"--lights", "1", "--technique", "volumes", "--environment", "sky,30"});
     EXPECT_EQ(bench["setup"]["environment"], "sky,30");
-    for (const Json& row : bench["results"]) {
-        EXPECT_GT(row["background_ms"].get<double>(), 0.0);
-        EXPECT_EQ(row.contains("environment_ms"), row["technique"] == "volumes");
-    }
+    const Json& row = bench["results"].at(0);
+    EXPECT_GT(row["background_ms"].get<double>(), 0.0);
+    EXPECT_GT(row["environment_ms"].get<double>(), 0.0);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/occlusion/visibility_filter.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -50,6 +52,8 @@ struct EnvironmentKernel {
     /// Both fill row `row` of blocks. `scratch` has room for all cells of the finest grid and one.
     void (*filter)(const FilterJob& job, int row, const EnvironmentCell** scratch);
     void (*irradiance)(const IrradianceJob& job, int row, const EnvironmentCell** scratch);
+    /// Fills the row `row` of pixels.
+    void (*visibility)(const VisibilityFilterJob& job, int row);
 };
 
 /// One for each instruction set that this build has and this processor runs, widest first.

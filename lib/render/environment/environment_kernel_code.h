@@ -7,6 +7,7 @@
 
 #include "render/environment/environment_kernel.h"
 
+#include "render/occlusion/visibility_filter_code.h"
 #include "render/simd.h"
 
 namespace candela {
@@ -245,6 +246,7 @@ void irradianceRow(const IrradianceJob& job, int row, const EnvironmentCell** sc
 }  // namespace
 
 extern const EnvironmentKernel CANDELA_ENVIRONMENT_KERNEL;
-const EnvironmentKernel CANDELA_ENVIRONMENT_KERNEL{CANDELA_KERNEL_NAME, filterRow, irradianceRow};
+const EnvironmentKernel CANDELA_ENVIRONMENT_KERNEL{CANDELA_KERNEL_NAME, filterRow, irradianceRow,
+                                                   filterVisibilityRow};
 
 }  // namespace candela

@@ -1,15 +1,21 @@
 #pragma once
 
 #include "render/layout.h"
+#include "render/occlusion/hemisphere_block.h"
 #include "render/occlusion/occlusion_view.h"
+#include "render/occlusion/visibility_filter.h"
 
 #include <glm/vec3.hpp>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace candela {
+
+struct TileFrame;
 
 /// The rays of a frame that ask how much of the environment each pixel sees.
 struct EnvironmentRays {
@@ -40,20 +46,22 @@ class EnvironmentOcclusion {
     std::span<const std::uint8_t> compute(const EnvironmentOcclusionInputs& inputs);
 
   private:
-    /// A pixel as the filter reads it.
-    struct Sample {
-        glm::vec3 geometricNormal;
-        float viewDistance;  ///< 0 where there is no surface.
+    /// The pixels as `VisibilityFilterJob` has them.
+    struct Surfaces {
+        std::array<std::vector<float>, 3> normal;    ///< The triangle's; 0 where there is no surface.
+        std::array<std::vector<float>, 3> position;  ///< From the eye, metres.
+        std::vector<float> extent;                   ///< The side of a pixel, metres; 0 as above.
+        std::vector<float> hidden;                   ///< The share of the rays that do not arrive.
+
+        void resize(std::size_t pixels);
+        void set(std::size_t pixel, const HemisphereBlock& block, int lane, float hiddenShare);
     };
-    struct Tile;
 
-    void trace(const EnvironmentOcclusionInputs& inputs, std::span<const glm::vec3> directions, int left,
-               int bottom);
-    void filterRow(const EnvironmentOcclusionInputs& inputs, int y);
-    float hiddenAt(const EnvironmentOcclusionInputs& inputs, int x, int y) const;
+    void trace(const EnvironmentOcclusionInputs& inputs, const TileFrame& frame,
+               std::span<const glm::vec3> directions, int left, int bottom);
+    VisibilityFilterJob filterJob(const EnvironmentOcclusionInputs& inputs);
 
-    std::vector<Sample> samples_;
-    std::vector<float> hidden_;  ///< The share of each pixel's rays that do not arrive.
+    Surfaces surfaces_;
     std::vector<std::uint8_t> visibility_;
 };
 

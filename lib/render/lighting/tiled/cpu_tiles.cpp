@@ -34,6 +34,27 @@ void readLights(TileFrame& frame, const LightReaches& reaches, std::span<const g
 
 }  // namespace
 
+void readView(TileFrame& frame, const layout::FrameUniforms& uniforms) {
+    copy(frame.eye, glm::vec3(uniforms.eye));
+    frame.nearPlane = uniforms.eye.w;
+    copy(frame.rayCorner, glm::vec3(uniforms.rayCorner));
+    copy(frame.rayStepX, glm::vec3(uniforms.rayStepX));
+    copy(frame.rayStepY, glm::vec3(uniforms.rayStepY));
+    copy(frame.right, glm::vec3(uniforms.cameraRight));
+    copy(frame.up, glm::vec3(uniforms.cameraUp));
+    copy(frame.forward, glm::vec3(uniforms.cameraForward));
+    frame.orthographic = uniforms.depthRange.w != 0.0f;
+    frame.nearOverFar = uniforms.depthRange.x;
+    frame.depthScale = uniforms.depthRange.y;
+    frame.farPlane = uniforms.depthRange.y;
+    frame.depthRange = uniforms.depthRange.z;
+    (frame.orthographic ? frame.base : frame.halfExtent)[0] = uniforms.cameraRight.w;
+    (frame.orthographic ? frame.base : frame.halfExtent)[1] = uniforms.cameraUp.w;
+    frame.shift[0] = uniforms.rayStepX.w;
+    frame.shift[1] = uniforms.rayStepY.w;
+    frame.pixelSide = glm::length(glm::vec3(uniforms.rayStepY));
+}
+
 CpuTiles::CpuTiles(const TileKernel& kernel, std::uint64_t maxListWords)
     : kernel_(kernel), bins_(maxListWords) {
     for (std::size_t code = 0; code < srgbDecode_.size(); ++code)
@@ -82,23 +103,7 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     const GpuLights& lights = inputs.lights;
     const LightCounts& counts = lights.counts();
     TileFrame frame{};
-    copy(frame.eye, glm::vec3(uniforms.eye));
-    frame.nearPlane = uniforms.eye.w;
-    copy(frame.rayCorner, glm::vec3(uniforms.rayCorner));
-    copy(frame.rayStepX, glm::vec3(uniforms.rayStepX));
-    copy(frame.rayStepY, glm::vec3(uniforms.rayStepY));
-    copy(frame.right, glm::vec3(uniforms.cameraRight));
-    copy(frame.up, glm::vec3(uniforms.cameraUp));
-    copy(frame.forward, glm::vec3(uniforms.cameraForward));
-    frame.orthographic = uniforms.depthRange.w != 0.0f;
-    frame.nearOverFar = uniforms.depthRange.x;
-    frame.depthScale = uniforms.depthRange.y;
-    frame.farPlane = uniforms.depthRange.y;
-    frame.depthRange = uniforms.depthRange.z;
-    (frame.orthographic ? frame.base : frame.halfExtent)[0] = uniforms.cameraRight.w;
-    (frame.orthographic ? frame.base : frame.halfExtent)[1] = uniforms.cameraUp.w;
-    frame.shift[0] = uniforms.rayStepX.w;
-    frame.shift[1] = uniforms.rayStepY.w;
+    readView(frame, uniforms);
     frame.width = inputs.targets.width;
     frame.height = inputs.targets.height;
     GBufferCopy& copy = copyOf(inputs);
@@ -110,7 +115,6 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     frame.lobeWords = inputs.targets.parts.lobes ? copy.lobeWords().data() : nullptr;
     frame.diffuseTransmission = inputs.targets.parts.lobes ? copy.diffuseTransmission().data() : nullptr;
     frame.occlusion = inputs.occlusion == nullptr ? nullptr : &inputs.occlusion->view();
-    frame.pixelSide = glm::length(glm::vec3(uniforms.rayStepY));
     radiance_.resize(4 * copy.depth().size());
     frame.radiance = radiance_.data();
     frame.loadRadiance = inputs.emissionDrawn;

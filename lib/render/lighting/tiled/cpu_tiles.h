@@ -13,6 +13,9 @@
 
 namespace candela {
 
+/// The members of a tile frame that describe the view.
+void readView(TileFrame& frame, const layout::FrameUniforms& uniforms);
+
 /// The technique `tiles` as vector code, for devices where OpenGL itself runs on the CPU: the G-buffer is
 /// read back, lights are binned and pixels shaded on all cores, and the radiance is written into its texture.
 /// On such a device that copies memory once each way, and the vector code shades several times faster than

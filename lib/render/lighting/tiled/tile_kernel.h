@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/environment/environment_view.h"
+#include "render/occlusion/hemisphere_block.h"
 #include "render/occlusion/occlusion_view.h"
 
 #include <cstddef>
@@ -109,6 +110,11 @@ struct TileKernel {
     /// For each `BrdfModel`: shades a tile by the `count` lights of `lights` (sorted indices).
     void (*shade[2])(const TileFrame& frame, int tileX, int tileY, const std::uint32_t* lights,
                      std::uint32_t count, TileScratch& scratch);
+    /// Fills `block` with every `step`th pixel of rows and columns from (left, bottom) on.
+    void (*readHemispheres)(const TileFrame& frame, int left, int bottom, int step, HemisphereBlock& block);
+    /// Fills `packet` with rays that end at `distance` and start from the block's pixels in a direction over
+    /// the plane z = 0 that becomes each pixel's.
+    void (*aimRays)(const HemisphereBlock& block, const float* direction, float distance, RayPacket& packet);
 };
 
 /// The kernel for the widest instruction set that this processor has.

@@ -8,6 +8,7 @@
 #include "render/lighting/tiled/tile_kernel.h"
 
 #include "render/lighting/tiled/tile_environment.h"
+#include "render/lighting/tiled/tile_hemispheres.h"
 #include "render/lighting/tiled/tile_lobes.h"
 #include "render/lighting/tiled/tile_shading.h"
 #include "render/lighting/tiled/tile_visible.h"
@@ -335,6 +336,7 @@ void shade(const TileFrame& frame, int tileX, int tileY, const std::uint32_t* li
 }  // namespace
 
 extern const TileKernel CANDELA_TILE_KERNEL;
-const TileKernel CANDELA_TILE_KERNEL{CANDELA_KERNEL_NAME, cull, {shade<BRDF_COURSE>, shade<BRDF_GLTF>}};
+const TileKernel CANDELA_TILE_KERNEL{
+    CANDELA_KERNEL_NAME, cull, {shade<BRDF_COURSE>, shade<BRDF_GLTF>}, readHemispheres, aimRays};
 
 }  // namespace candela
