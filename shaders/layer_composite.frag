@@ -1,4 +1,5 @@
-// A layer of transparent surfaces; blending lays it over what is behind. With REFRACTION it brings what is seen through it.
+// A layer of transparent surfaces; blending lays it over what is behind. With REFRACTION it brings what is seen through it: with BLURRED also
+// blurred, with DISPERSED also at places that differ by colour.
 
 #include "lib/frame.glsl"
 #include "lib/gbuffer.glsl"
@@ -25,6 +26,7 @@ vec3 sharpBehind(vec2 place) {
     return mix(below, above, weight.y);
 }
 
+#ifdef BLURRED
 // A level by cubic B-splines, of four texels along each axis. Sigg and Hadwiger, "Fast third-order texture filtering", GPU Gems 2, 2005.
 vec3 smoothLevel(vec2 place, int level) {
     vec2 size = vec2(textureSize(behindTexture, level));
@@ -37,12 +39,17 @@ vec3 smoothLevel(vec2 place, int level) {
     vec3 above = left.x * textureLod(behindTexture, vec2(from.x, to.y), level).rgb + right.x * textureLod(behindTexture, to, level).rgb;
     return left.y * below + right.y * above;
 }
+#endif
 
 vec3 behindAt(vec2 place, float level) {
+#ifdef BLURRED
     if (level <= 0.0) return sharpBehind(place);
     int low = int(level);
     vec3 fine = low == 0 ? sharpBehind(place) : smoothLevel(place, low);
     return mix(fine, smoothLevel(place, low + 1), level - float(low));
+#else
+    return sharpBehind(place);
+#endif
 }
 
 // The place from which light comes, unless an opaque surface in front of the layer is there.
@@ -56,10 +63,13 @@ vec3 refracted(Refraction refraction, float depth) {
     float levels = log2(float(max(frame.size.x, frame.size.y)));
     float level = min(refraction.blur * levels, levels - 1.0);
     vec3 middle = behindAt(placeAt(refraction.offset, depth), level);
-    if (refraction.spread == 0.0) return middle;
+#ifdef DISPERSED
     vec3 red = behindAt(placeAt(refraction.offset * (1.0 - refraction.spread), depth), level);
     vec3 blue = behindAt(placeAt(refraction.offset * (1.0 + refraction.spread), depth), level);
     return vec3(red.r, middle.g, blue.b);
+#else
+    return middle;
+#endif
 }
 #endif
 

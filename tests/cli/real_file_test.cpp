@@ -128,6 +128,9 @@ TEST_F(RealFile, ABlendedSurfaceIsTinted) {
     EXPECT_GT(center(picture, "R"), 2.0f * center(picture, "G"));
     material()["pbrMetallicRoughness"]["baseColorFactor"][3] = 0;
     EXPECT_EQ(center(draw(""), "A"), 0.0f) << "wholly transparent";
+    material()["pbrMetallicRoughness"]["baseColorFactor"][3] = 0.4;
+    EXPECT_NE(run({"--layers", "0"}).err.find("pixels of transparent surfaces are left out"),
+              std::string::npos);
 }
 
 TEST_F(RealFile, AChildThatTheSceneListsIsDrawnOnce) {

@@ -27,6 +27,7 @@ Colors colorsOf(const Mesh& mesh) {
 
 Backdrop backdropOf(const Material& material) {
     if (!transmits(material)) return Backdrop::none;
+    if (material.volume.thickness > 0.0f && material.volume.dispersion > 0.0f) return Backdrop::dispersed;
     return material.roughness > 0.0f && material.ior > 1.0f ? Backdrop::blurred : Backdrop::sharp;
 }
 

@@ -40,11 +40,12 @@ enum class SurfaceSet {
     all,          ///< Both.
 };
 
-/// How surfaces that transmit show the picture behind them.
+/// How surfaces that transmit show the picture behind them. Each can do what those before it can.
 enum class Backdrop {
-    none,     ///< Nothing transmits.
-    sharp,    ///< As it is.
-    blurred,  ///< With prefiltered levels.
+    none,       ///< Nothing transmits.
+    sharp,      ///< As it is.
+    blurred,    ///< With prefiltered levels.
+    dispersed,  ///< At places that differ by colour.
 };
 
 /// The OpenGL state that a draw needs. Draws with equal keys are issued together.

@@ -61,12 +61,15 @@ void LayerPass::begin(int width, int height, const GBufferParts& parts, const gl
     rectangle_ = rectangle;
 }
 
-const gl::Program& LayerPass::programOf(const char* file) {
+const gl::Program& LayerPass::programOf(const char* file, Backdrop backdrop) {
     std::vector<std::string> definitions;
     if (refracts()) {
         definitions = {"REFRACTION 1", "LOBES 1",
                        model_ == BrdfModel::course ? "BRDF BRDF_COURSE" : "BRDF BRDF_GLTF"};
     }
+    // Shaders of software devices take every branch.
+    if (backdrop >= Backdrop::blurred) definitions.emplace_back("BLURRED 1");
+    if (backdrop == Backdrop::dispersed) definitions.emplace_back("DISPERSED 1");
     std::string name = file;
     for (const std::string& definition : definitions) name += " " + definition;
     const auto found = programs_.find(name);
@@ -86,7 +89,8 @@ std::uint64_t LayerPass::keep(std::uint32_t index) {
     const gl::Scissor within(rectangle_);
     constexpr std::array<GLfloat, 4> nothing{0.0f, 0.0f, 0.0f, 0.0f};
     glClearNamedFramebufferfv(layer.framebuffer.name(), GL_COLOR, 0, nothing.data());
-    return countFragments([&] { drawTriangle(programOf("layer_store.frag"), layer.framebuffer); });
+    return countFragments(
+        [&] { drawTriangle(programOf("layer_store.frag", Backdrop::none), layer.framebuffer); });
 }
 
 void LayerPass::copyBackdrop(const gl::Texture& radiance, Backdrop backdrop) {
@@ -94,14 +98,14 @@ void LayerPass::copyBackdrop(const gl::Texture& radiance, Backdrop backdrop) {
     if (!backdrop_) backdrop_.emplace(makeBackdrop(width, height));
     glCopyImageSubData(radiance.name(), GL_TEXTURE_2D, 0, 0, 0, 0, backdrop_->name(), GL_TEXTURE_2D, 0, 0, 0,
                        0, width, height, 1);
-    if (backdrop == Backdrop::blurred) glGenerateTextureMipmap(backdrop_->name());
+    if (backdrop >= Backdrop::blurred) glGenerateTextureMipmap(backdrop_->name());
     glBindTextureUnit(layout::BEHIND_UNIT, backdrop_->name());
 }
 
 void LayerPass::composite(std::uint32_t count, const GBufferTargets& frame, Backdrop backdrop) {
     const gl::Texture& radiance = frame.litRadiance();  // The layers are drawn over it.
     glBindTextureUnit(layout::OPAQUE_DEPTH_UNIT, frame.depth.name());
-    const gl::Program& program = programOf("layer_composite.frag");
+    const gl::Program& program = programOf("layer_composite.frag", backdrop);
     for (std::uint32_t i = count; i-- > 0;) {
         if (backdrop != Backdrop::none) copyBackdrop(radiance, backdrop);
         if (refracts()) glBindTextureUnit(layout::LAYER_REFRACTION_UNIT, layers_[i].seenThrough.name());

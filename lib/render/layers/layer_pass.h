@@ -51,7 +51,7 @@ class LayerPass {
         gl::Framebuffer framebuffer;
     };
     bool refracts() const { return targets_[0]->parts.refraction; }
-    const gl::Program& programOf(const char* file);
+    const gl::Program& programOf(const char* file, Backdrop backdrop);
     void copyBackdrop(const gl::Texture& radiance, Backdrop backdrop);
     void drawTriangle(const gl::Program& program, const gl::Framebuffer& into) const;
 
