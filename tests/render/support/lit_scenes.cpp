@@ -124,11 +124,11 @@ Mesh sphereWithTangents(float radius) {
     return mesh;
 }
 
-/// One lobe each below 8, then stacks of them.
+/// One lobe each below 7, then stacks of them. Without transmission: such surfaces are drawn in layers.
 Material lobedMaterial(std::uint32_t index) {
     const auto random = [index](std::uint32_t seed) { return hashed(60 + seed, index); };
-    const auto has = [&](std::uint32_t lobe) { return index == lobe || (index >= 8 && random(lobe) < 0.6f); };
-    Material material = surface(glm::min(saturated(index), 1.0f), index < 8 ? 0.0f : random(10), 0.3f);
+    const auto has = [&](std::uint32_t lobe) { return index == lobe || (index >= 7 && random(lobe) < 0.6f); };
+    Material material = surface(glm::min(saturated(index), 1.0f), index < 7 ? 0.0f : random(10), 0.3f);
     material.roughness = 0.15f + 0.7f * random(11);
     if (has(0)) material.ior = 1.0f + random(12);
     if (has(1)) {
@@ -155,7 +155,6 @@ Material lobedMaterial(std::uint32_t index) {
         material.diffuseTransmission.factor = 0.8f;
         material.diffuseTransmission.color = {0.9f, random(24), 0.2f};
     }
-    if (has(7)) material.transmission.factor = 0.5f * random(25);
     return material;
 }
 
