@@ -125,4 +125,9 @@ void main() {
 #endif
     writeWords(words);
     radiance = vec4(state.unlit ? working : workingFromRec709(lobes.emission), 0.0);
+#ifdef WITHOUT_NORMALS
+    // Lines and points without normals show base colour and emission (glTF 2.0, 3.9.7).
+    writeWords(plainWords(uvec2(packBaseColor(working, lobes.metallic), 0u)));
+    if (!state.unlit) radiance.rgb += working;
+#endif
 }

@@ -93,6 +93,7 @@ SceneGeometry::SceneGeometry(const candela::Scene& scene) {
         if (!scene.nodes[n].mesh) continue;
         const std::uint32_t mesh = *scene.nodes[n].mesh;
         for (const candela::Submesh& submesh : scene.meshes[mesh].submeshes) {
+            if (submesh.topology != candela::Topology::triangles) continue;
             const candela::Material material =
                 submesh.material ? scene.materials[*submesh.material] : candela::Material{};
             draws_.push_back({world[n],

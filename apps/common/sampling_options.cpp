@@ -27,12 +27,15 @@ constexpr const char* blades =
 constexpr const char* shutter =
     "How long the shutter is open around each picture's time, as a share of a\n"
     "frame, 0 to 1: what moves is blurred. Default: 0, an instant";
+constexpr const char* pointSize = "Side of the squares that points are drawn as, in pixels. Default: 3";
+constexpr const char* lineWidth = "Width of lines in pixels. Default: 1";
 constexpr const char* fps = "Frames a second of --frames and --shutter, over 0. Default: 24";
 
 }  // namespace help
 
 constexpr double maxFNumber = 1000.0;
 constexpr double maxDistance = 1.0e9;
+constexpr double maxElementPixels = 16384.0;
 constexpr double maxRate = 1.0e6;
 constexpr std::int64_t maxBlades = 64;
 
@@ -97,6 +100,17 @@ void declareSampling(CLI::App& app, SamplingOptions& options, std::uint32_t defa
             options.framesPerSecond = parseNumberBetween("--fps", text, 0.0, maxRate);
         },
         help::fps, "N", "Scene");
+}
+
+void declareElementSizes(CLI::App& app, float& pointSize, float& lineWidth) {
+    const auto add = [&app](const char* name, float& pixels, const char* text) {
+        const auto read = [name, &pixels](const std::string& value) {
+            pixels = static_cast<float>(parseNumberBetween(name, value, 0.0, maxElementPixels));
+        };
+        app.add_option_function<std::string>(name, read, text)->type_name("PIXELS")->group("Picture");
+    };
+    add("--point-size", pointSize, help::pointSize);
+    add("--line-width", lineWidth, help::lineWidth);
 }
 
 void finishSampling(const CLI::App& app, const SamplingOptions& options) {

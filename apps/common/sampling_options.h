@@ -27,5 +27,8 @@ struct SamplingOptions {
 /// --help. `options` has to outlive `app`.
 void declareSampling(CLI::App& app, SamplingOptions& options, std::uint32_t defaultCount);
 
+/// Declares --point-size and --line-width, pixels. Both numbers have to outlive `app`.
+void declareElementSizes(CLI::App& app, float& pointSize, float& lineWidth);
+
 /// Checks options that depend on each other, after parsing. Throws `UsageError`.
 void finishSampling(const CLI::App& app, const SamplingOptions& options);

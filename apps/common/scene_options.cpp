@@ -250,6 +250,7 @@ void SceneOptionReader::declarePicture(CLI::App& app) {
            "--show", [this](const std::string& text) { options_.debug = parseDebugView(text); }, help::show)
         ->type_name("LIST")
         ->group("Picture");
+    declareElementSizes(app, options_.pointSize, options_.lineWidth);
 }
 
 void SceneOptionReader::declareCamera(CLI::App& app) {

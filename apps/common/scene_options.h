@@ -84,6 +84,8 @@ struct SceneOptions {
     candela::Shadows shadows = candela::FrameSettings{}.shadows;
     bool specularAntialiasing = candela::FrameSettings{}.specularAntialiasing;
     std::uint32_t layers = candela::FrameSettings{}.layers;
+    float pointSize = candela::FrameSettings{}.pointSize;  ///< Pixels.
+    float lineWidth = candela::FrameSettings{}.lineWidth;  ///< Pixels.
     float rangeLoss = candela::GpuSceneOptions{}.rangeLoss;
     candela::SubdivisionSettings subdivision;
     candela::VertexEvaluator vertexEvaluator = candela::VertexEvaluator::automatic;

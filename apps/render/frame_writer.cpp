@@ -17,6 +17,8 @@ candela::FrameSettings frameSettings(const Options& options) {
     settings.specularAntialiasing = options.specularAntialiasing;
     settings.layers = options.layers;
     settings.environmentOcclusion.rays = options.environmentRays;
+    settings.pointSize = options.pointSize;
+    settings.lineWidth = options.lineWidth;
     settings.debugView = options.debug.view;
     settings.overlays = options.debug.overlays;
     settings.ambientOcclusion = options.ambientOcclusion;

@@ -366,6 +366,8 @@ void renderFrames(const Options& options) {
     stats.samples = options.samplingSettings().count;
     stats.vertexEvaluator = gpuScene.cageReport().evaluator;
     stats.triangles = gpuScene.triangleCount() + gpuScene.cageReport().triangles;
+    stats.lines = gpuScene.elementCount(candela::Topology::lines);
+    stats.points = gpuScene.elementCount(candela::Topology::points);
     stats.materials = gpuScene.materialCount();
     stats.lights = gpuScene.lightReport().lights;
     stats.environment = environment;

@@ -52,6 +52,8 @@ Json sceneJson(const Stats& stats) {
     Json json{{"triangles", stats.triangles}, {"materials", stats.materials}, {"lights", stats.lights}};
     json.update(countsJson(stats.contents));
     json["material_kinds"] = countsJson(stats.materialKinds);
+    json["lines"] = stats.lines;
+    json["points"] = stats.points;
     return json;
 }
 

@@ -16,7 +16,7 @@ struct Stats {
     int width = 0, height = 0;
     candela::Technique technique = candela::Technique::automatic;
     candela::BrdfModel brdf = candela::BrdfModel::course;
-    std::uint64_t triangles = 0, materials = 0, lights = 0;
+    std::uint64_t triangles = 0, materials = 0, lights = 0, lines = 0, points = 0;
     unsigned threads = 0;              ///< That parallel work used.
     std::string environment;           ///< "studio", "sky", "scene" or a file; empty without one.
     std::string tileBackend;           ///< "cpu" or "compute"; empty where another technique ran.

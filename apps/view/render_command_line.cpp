@@ -150,6 +150,10 @@ std::string renderCommandLine(const SceneOptions& options) {
     if (options.specularAntialiasing != SceneOptions{}.specularAntialiasing)
         command.option("--specular-aa", options.specularAntialiasing ? "on" : "off");
     if (options.layers != SceneOptions{}.layers) command.option("--layers", std::to_string(options.layers));
+    if (options.pointSize != SceneOptions{}.pointSize)
+        command.option("--point-size", numberText(options.pointSize));
+    if (options.lineWidth != SceneOptions{}.lineWidth)
+        command.option("--line-width", numberText(options.lineWidth));
     if (options.rangeLoss != candela::GpuSceneOptions{}.rangeLoss)
         command.option("--range-loss", numberText(options.rangeLoss));
     if (!options.debug.isDefault()) command.option("--show", debugViewText(options.debug));

@@ -4,6 +4,7 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -81,6 +82,12 @@ candela::Frame Viewport::render(candela::Renderer& renderer, const Inputs& input
     settings.specularAntialiasing = inputs.options.specularAntialiasing;
     settings.layers = inputs.options.layers;
     settings.environmentOcclusion.rays = inputs.options.environmentRays;
+    // A line of 1 pixel has gaps at a lower width.
+    const auto scaled = [&](float pixels) {
+        return std::max(pixels / static_cast<float>(inputs.divisor), std::min(pixels, 1.0f));
+    };
+    settings.pointSize = scaled(inputs.options.pointSize);
+    settings.lineWidth = scaled(inputs.options.lineWidth);
     settings.debugView = inputs.options.debug.view;
     settings.overlays = inputs.options.debug.overlays;
     settings.sample = sample;

@@ -123,6 +123,8 @@ struct FrameSettings {
     /// The maximum number of layers of transparent surfaces, 0 to `maxLayers`. What lies beyond is left out
     /// and counted (`Frame::layerCounts`).
     std::uint32_t layers = 8;
+    float pointSize = 3.0f;  ///< Side of the square that a point covers, pixels, finite and over 0.
+    float lineWidth = 1.0f;  ///< Pixels, finite and over 0.
 };
 
 }  // namespace candela

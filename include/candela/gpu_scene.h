@@ -153,6 +153,8 @@ class CANDELA_API GpuScene {
     OcclusionReport occlusionReport() const;
     /// Triangles of the meshes, times the nodes that show them; hidden ones included.
     std::uint64_t triangleCount() const;
+    /// The same of lines or points.
+    std::uint64_t elementCount(Topology topology) const;
     std::uint32_t materialCount() const;
 
     struct State;  ///< Private to the library.

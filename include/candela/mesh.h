@@ -13,10 +13,19 @@
 
 namespace candela {
 
+/// What the indices of a submesh are.
+enum class Topology {
+    triangles,  ///< Three indices each.
+    lines,      ///< Two each: `FrameSettings::lineWidth` pixels wide.
+    points,     ///< One each: squares of `FrameSettings::pointSize` pixels.
+};
+
 /// A range of a mesh's indices drawn with one material.
 struct Submesh {
-    std::uint32_t firstIndex = 0, indexCount = 0;  ///< Multiples of 3.
+    /// Whole triangles, lines or points. In a mesh of triangles alone the first index is a multiple of 3 too.
+    std::uint32_t firstIndex = 0, indexCount = 0;
     std::optional<std::uint32_t> material;  ///< Index into `Scene::materials`; none: a default `Material`.
+    Topology topology = Topology::triangles;
 };
 
 /// The material of a submesh in a variant of the scene; see `selectVariant`.
@@ -28,18 +37,23 @@ struct VariantMaterial {
     bool operator==(const VariantMaterial&) const = default;
 };
 
-/// Indexed triangles, counter-clockwise from the front. `positions` and `normals` have one element per
-/// vertex; every other vertex array has as many or is empty. Joints that mirror a vertex turn its triangles:
-/// where most joints of a skin do, clockwise is the front.
+/// Indexed triangles, counter-clockwise from the front, lines and points. `positions` and `normals` have one
+/// element per vertex; every other vertex array has as many or is empty. Joints that mirror a vertex turn its
+/// triangles: where most joints of a skin do, clockwise is the front.
+///
+/// Lines and points are seen from all sides and cast no shadows. Those with normals are lit as surfaces are,
+/// those without show their base colour and emission.
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;  ///< Metres.
-    std::vector<glm::vec3> normals;    ///< Unit length.
-    std::vector<glm::vec4> tangents;   ///< Unit direction, and the bitangent's sign (-1 or 1) in w.
+    /// Unit length. (0, 0, 0) for vertices of lines and points without normals: all vertices of a submesh
+    /// have normals, or none.
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec4> tangents;  ///< Unit direction, and the bitangent's sign (-1 or 1) in w.
     std::vector<glm::vec2> uv0, uv1;
     std::vector<glm::vec4> colors;  ///< Linear Rec.709 and alpha: multiplies the base colour.
     std::vector<std::uint32_t> indices;
-    std::vector<Submesh> submeshes;  ///< Empty: all indices are one submesh with the default material.
+    std::vector<Submesh> submeshes;  ///< Empty: all indices are triangles with the default material.
     /// Those of submeshes that have other materials in variants: for each of them also the one without a
     /// variant.
     std::vector<VariantMaterial> variantMaterials;

@@ -195,9 +195,17 @@ typedef struct candela_variant_material {
     int32_t material; /* index of an added material, -1: the default material */
 } candela_variant_material;
 
-/* Triangles. Arrays hold vertex_count elements; a NULL array is absent. Where normals are absent the host
- * makes flat ones; where a normal texture or anisotropy needs tangents and none are given, the host makes
- * them the MikkTSpace way. */
+/* What the indices of a submesh are (since 1.6). Lines and points have a width in pixels and cast no shadows;
+ * those of a mesh without normals show their base colour and emission, and no light falls on them. */
+typedef enum candela_topology {
+    CANDELA_TRIANGLES = 0, /* three indices each */
+    CANDELA_LINES = 1,     /* two each */
+    CANDELA_POINTS = 2     /* one each */
+} candela_topology;
+
+/* Triangles, and since 1.6 lines and points. Arrays hold vertex_count elements; a NULL array is absent. Where
+ * normals are absent the host makes flat ones of triangles; where a normal texture or anisotropy needs
+ * tangents and none are given, the host makes them the MikkTSpace way. */
 typedef struct candela_mesh {
     uint32_t struct_size;
     const char* name;
@@ -208,7 +216,7 @@ typedef struct candela_mesh {
     const float* uv0;       /* 2 a vertex */
     const float* uv1;       /* 2 a vertex */
     const float* colors;    /* 4 a vertex, linear Rec.709 and alpha: multiplies the base colour */
-    uint32_t index_count;   /* a multiple of 3, or the sum of face_sizes */
+    uint32_t index_count;   /* a multiple of 3, or the sum of face_sizes, or any with topologies */
     const uint32_t* indices;
     uint32_t submesh_count;
     const candela_submesh* submeshes;
@@ -227,6 +235,8 @@ typedef struct candela_mesh {
     /* since 1.6: where submeshes have other materials in variants, at most one for each of both */
     uint32_t variant_material_count;
     const candela_variant_material* variant_materials;
+    const candela_topology*
+        topologies; /* submesh_count of them; NULL: all are triangles. Not with face_sizes */
 } candela_mesh;
 
 /* ---- Subdivision cages (since 1.1) */

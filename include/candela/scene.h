@@ -162,5 +162,7 @@ CANDELA_API std::uint64_t triangleCount(const Mesh& mesh);
 /// Triangles of cages depend on their level: see `GpuScene::cageReport`. Throws `Error` (badInput) when a
 /// node names a mesh that does not exist.
 CANDELA_API std::uint64_t triangleCount(const Scene& scene);
+/// The same of lines or points.
+CANDELA_API std::uint64_t elementCount(const Scene& scene, Topology topology);
 
 }  // namespace candela

@@ -5,6 +5,7 @@
 #include "scene/geometry/axes.h"
 #include "scene/geometry/normals.h"
 #include "scene/geometry/tangents.h"
+#include "scene/geometry/topology.h"
 #include "scene/geometry/triangulate.h"
 
 #include <candela/error.h>
@@ -107,7 +108,7 @@ Submesh PolygonFaces::translated(const Submesh& run, const std::string& label) c
             joined(label, " ends at index ", end, ", but there are ", starts_.back(), " indices"));
     const std::uint32_t first = indexOf(faceBeginningAt(run.firstIndex, label + " begins at index "));
     const std::uint32_t last = indexOf(faceBeginningAt(end, label + " ends at index "));
-    return {first, last - first, run.material};
+    return {first, last - first, run.material, Topology::triangles};
 }
 
 // Lengths are computed in double precision, where the square of no float overflows or vanishes.
@@ -160,9 +161,9 @@ void checkCounts(const candela_mesh& source, const AbiReader& element) {
     const std::uint32_t count = source.index_count;
     if (count > 0 && !source.indices) element.refuse(joined("indices is NULL, but index_count is ", count));
     if (source.face_sizes) return;
-    if (count % 3 != 0)
+    if (count % 3 != 0 && !source.topologies)
         element.refuse(joined("index_count is ", count, ", but a multiple of 3 was expected"));
-    if (source.face_count > 0 && source.face_count != count / 3)
+    if (source.face_count > 0 && !source.topologies && source.face_count != count / 3)
         element.refuse(joined("face_sizes is NULL, which makes ", count / 3, " triangles, but face_count is ",
                               source.face_count));
 }
@@ -175,29 +176,45 @@ void takeIndices(const candela_mesh& source, const AbiReader& element, Mesh& mes
                                   source.vertex_count, " vertices"));
 }
 
+/// In a mesh with `topologies` a triangle may begin at any index.
 void checkRun(const Submesh& run, const std::string& label, const AbiReader& element,
-              std::uint32_t indexCount) {
+              const candela_mesh& source) {
+    const std::uint32_t corners = cornersOf(run.topology);
     const auto checkMultiple = [&](const char* member, std::uint32_t value) {
-        if (value % 3 != 0)
-            element.refuse(joined(label, ": ", member, " is ", value, ", but a multiple of 3 was expected"));
+        if (value % corners == 0) return;
+        element.refuse(
+            joined(label, ": ", member, " is ", value, ", but a multiple of ", corners, " was expected"));
     };
-    checkMultiple("first_index", run.firstIndex);
+    if (!source.topologies) checkMultiple("first_index", run.firstIndex);
     checkMultiple("index_count", run.indexCount);
     const std::uint64_t end = std::uint64_t{run.firstIndex} + run.indexCount;
-    if (end > indexCount)
-        element.refuse(joined(label, " ends at index ", end, ", but there are ", indexCount, " indices"));
+    if (end > source.index_count)
+        element.refuse(
+            joined(label, " ends at index ", end, ", but there are ", source.index_count, " indices"));
 }
 
 // A mesh without submeshes is drawn as a whole, with the default material.
 Submesh wholeMesh(const candela_mesh& source, const std::optional<PolygonFaces>& polygons) {
-    const Submesh whole{0, source.index_count, std::nullopt};
+    const Submesh whole{0, source.index_count, std::nullopt, Topology::triangles};
     return polygons ? polygons->translated(whole, "the mesh") : whole;
+}
+
+Topology topologyOf(const candela_mesh& source, std::uint32_t submesh, const std::string& label,
+                    const AbiReader& element) {
+    if (!source.topologies) return Topology::triangles;
+    const std::string member = label + ": topology";
+    const std::uint32_t number = element.enumerator(member.c_str(), source.topologies[submesh], 3);
+    if (number != CANDELA_TRIANGLES && source.face_sizes)
+        element.refuse(member + " is not that of triangles, but the mesh has face_sizes");
+    return static_cast<Topology>(number);
 }
 
 void takeSubmeshes(const candela_mesh& source, const AbiReader& element, const Scene& scene,
                    const std::optional<PolygonFaces>& polygons, Mesh& mesh) {
     if (source.submesh_count > 0 && !source.submeshes)
         element.refuse(joined("submeshes is NULL, but submesh_count is ", source.submesh_count));
+    if (source.submesh_count == 0 && source.index_count % 3 != 0 && !polygons)
+        element.refuse(joined("index_count is ", source.index_count, ", but a multiple of 3 was expected"));
     if (source.submesh_count == 0 && source.index_count > 0)
         mesh.submeshes.push_back(wholeMesh(source, polygons));
     for (std::uint32_t i = 0; i < source.submesh_count; ++i) {
@@ -205,8 +222,9 @@ void takeSubmeshes(const candela_mesh& source, const AbiReader& element, const S
         candela_submesh from{};
         std::memcpy(&from, source.submeshes + i, sizeof from);
         const Submesh run{from.first_index, from.index_count,
-                          element.reference(member.c_str(), from.material, scene.materials.size())};
-        if (!polygons) checkRun(run, label, element, source.index_count);
+                          element.reference(member.c_str(), from.material, scene.materials.size()),
+                          topologyOf(source, i, label, element)};
+        if (!polygons) checkRun(run, label, element, source);
         mesh.submeshes.push_back(polygons ? polygons->translated(run, label) : run);
     }
 }
@@ -290,9 +308,11 @@ std::optional<std::uint32_t> tangentUvSet(const Scene& scene, const Mesh& mesh) 
         return material ? tangentUvSet(scene.materials[*material]) : std::nullopt;
     };
     for (const Submesh& submesh : mesh.submeshes) {
+        if (!isTriangles(submesh)) continue;
         if (const auto set = setOf(submesh.material)) return set;
     }
     for (const VariantMaterial& entry : mesh.variantMaterials) {
+        if (!isTriangles(mesh.submeshes[entry.submesh])) continue;
         if (const auto set = setOf(entry.material)) return set;
     }
     return std::nullopt;
@@ -300,7 +320,9 @@ std::optional<std::uint32_t> tangentUvSet(const Scene& scene, const Mesh& mesh) 
 
 void fillWithPerpendiculars(Mesh& mesh) {
     for (const glm::vec3& normal : mesh.normals)
-        mesh.tangents.emplace_back(glm::vec3(anyPerpendicular(glm::dvec3(normal))), 1.0f);
+        mesh.tangents.emplace_back(
+            normal == glm::vec3(0.0f) ? glm::vec3(1, 0, 0) : glm::vec3(anyPerpendicular(glm::dvec3(normal))),
+            1.0f);
 }
 
 void addTangents(const Scene& scene, std::size_t index, Mesh& mesh, NoteList& notes) {

@@ -38,6 +38,13 @@ void checkSettings(const FrameSettings& settings) {
         refuse("occlusion of the environment by " + std::to_string(settings.environmentOcclusion.rays) +
                " rays is asked for; expected 1 to " + std::to_string(maxRays));
     }
+    const auto requireSize = [](const char* what, float pixels) {
+        if (pixels > 0.0f && std::isfinite(pixels)) return;
+        refuse(std::string(what) + " of " + std::to_string(pixels) +
+               " pixels are asked for; the number has to be finite and over 0");
+    };
+    requireSize("points", settings.pointSize);
+    requireSize("lines", settings.lineWidth);
 }
 
 namespace {

@@ -43,6 +43,12 @@ bool Frustum::meets(const glm::vec3& center, float radius) const {
     return distanceToFrustum(frustum, c.x, c.y, c.z) <= radius;
 }
 
+float Frustum::radiusOfElements(const glm::vec3& center, float radius) const {
+    constexpr float halfDiagonal = 0.70710678f;  // of a square
+    const float depth = std::max(inCameraSpace(center).z + radius, near_);
+    return radius + halfDiagonal * elementSize_ * 2.0f * (halfExtent_.y * depth + base_.y);
+}
+
 bool Frustum::meetsNearPlane(const glm::vec3& center, float radius) const {
     return inCameraSpace(center).z - radius <= near_;
 }

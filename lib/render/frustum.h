@@ -15,6 +15,10 @@ class Frustum {
 
     /// False only when the sphere lies wholly outside.
     bool meets(const glm::vec3& center, float radius) const;
+    /// `size` is the largest of points and lines that are drawn, a share of the picture's height; 0 at first.
+    void setElementSize(float size) { elementSize_ = size; }
+    /// The radius of a sphere that holds what is drawn of points and lines whose corners lie in a sphere.
+    float radiusOfElements(const glm::vec3& center, float radius) const;
     /// Does the sphere reach to the near plane or behind it?
     bool meetsNearPlane(const glm::vec3& center, float radius) const;
 
@@ -36,6 +40,7 @@ class Frustum {
     glm::vec2 base_;        ///< Half of the picture in an orthographic view; 0 in a perspective one.
     glm::vec2 shift_;       ///< `CameraView::shift`.
     glm::vec2 edgeScale_;   ///< As in `ViewFrustum`.
+    float elementSize_ = 0.0f;
 };
 
 }  // namespace candela

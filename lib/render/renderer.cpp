@@ -313,6 +313,9 @@ void Renderer::State::describeFrame(const GpuScene::State& scene, const CameraVi
                              frameUniforms(view, settings.width, settings.height,
                                            scene.options.workingFromRec709, scene.lights.counts()),
                              Frustum(view, aspect), scene.sceneState.origin});
+    frame->frustum.setElementSize(std::max(settings.pointSize, settings.lineWidth) /
+                                  static_cast<float>(settings.height));
+    frame->uniforms.elementSizes = {settings.pointSize, settings.lineWidth, 0.0f, 0.0f};
     if (scene.environment) scene.environment->describe(frame->uniforms);
     frame->uniforms.cameraForward.w = settings.specularAntialiasing ? 1.0f : 0.0f;
 }

@@ -63,6 +63,8 @@ class Host {
     bool takesEnvironments() const;
     /// Whether the host has variants, which came with version 1.6.
     bool takesVariants() const;
+    /// Whether meshes may be lines and points, which came with version 1.6.
+    bool takesLinesAndPoints() const { return takesVariants(); }
 
     /// Calls `body(index)` for each index below `count` on the threads of the host, see `parallel.h`.
     template <typename Body>

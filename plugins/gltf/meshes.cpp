@@ -9,6 +9,7 @@
 #include <set>
 
 #include "deformers.h"
+#include "elements.h"
 #include "primitives.h"
 #include "variants.h"
 #include "vertex_streams.h"
@@ -45,18 +46,20 @@ class Part {
     /// Throws `Failure` and adds nothing when the primitive cannot be drawn.
     void add(const Document& document, const tinygltf::Primitive& primitive, const Look& look,
              const VertexKey& key, const Deformers& deformers, const std::string& element) {
-        const VertexRange range = rangeOf(document, key, look.slots, deformers, element);
-        const std::vector<std::uint32_t> triangles = trianglesOf(document, primitive, range, element);
+        const VertexRange range =
+            rangeOf(document, key, look.slots, deformers, elementsOf(primitive.mode).name, element);
+        const std::vector<std::uint32_t> drawn = drawnIndices(document, primitive, range, element);
         const std::size_t first = indices_.size();
-        if (first + triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
+        if (first + drawn.size() > std::numeric_limits<std::uint32_t>::max()) {
             throw Failure{element, "makes more than 4294967295 indices"};
         }
-        for (const std::uint32_t corner : triangles) indices_.push_back(range.first + corner);
+        for (const std::uint32_t corner : drawn) indices_.push_back(range.first + corner);
         const auto submesh = static_cast<std::uint32_t>(submeshes_.size());
         submeshes_.push_back(
-            {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(triangles.size()), look.material});
+            {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(drawn.size()), look.material});
         for (const VariantMaterial& variant : look.variants)
             variantMaterials_.push_back({submesh, variant.variant, variant.material});
+        topologies_.push_back(elementsOf(primitive.mode).topology);
     }
 
     bool isEmpty() const { return submeshes_.empty(); }
@@ -78,6 +81,10 @@ class Part {
         mesh.submeshes = submeshes_.data();
         mesh.variant_material_count = static_cast<std::uint32_t>(variantMaterials_.size());
         mesh.variant_materials = variantMaterials_.data();
+        const bool hasOnlyTriangles = std::all_of(topologies_.begin(), topologies_.end(), [](auto topology) {
+            return topology == CANDELA_TRIANGLES;
+        });
+        if (!hasOnlyTriangles) mesh.topologies = topologies_.data();
         mesh.influence_count = influenceSets_ * jointsPerSet;
         mesh.joints = influences_.joints.data();
         mesh.joint_weights = influences_.weights.data();
@@ -107,8 +114,9 @@ class Part {
         return streams_[stream].empty() ? std::vector<float>() : targets_.joined(kind, vertexCount_);
     }
 
+    /// `name` is that of what uses the vertices, for notes.
     VertexRange rangeOf(const Document& document, const VertexKey& key, const UvSlots& slots,
-                        const Deformers& deformers, const std::string& element) {
+                        const Deformers& deformers, const char* name, const std::string& element) {
         const Accessors& accessors = key.streams;
         const auto known = ranges_.find(key);
         if (known != ranges_.end()) return known->second;
@@ -116,7 +124,7 @@ class Part {
         if (count > std::numeric_limits<std::uint32_t>::max() - vertexCount_) {
             throw Failure{element, "makes more than 4294967295 vertices"};
         }
-        Streams read = readStreams(document, accessors, slots, count, element);
+        Streams read = readStreams(document, accessors, slots, count, name, element);
         for (std::size_t s = 0; s < streamCount; ++s) append(std::move(read[s]), streams_[s]);
         const auto appendAll = [](auto& all, const auto& more) {
             all.insert(all.end(), more.begin(), more.end());
@@ -132,13 +140,13 @@ class Part {
 
     /// Texture coordinates and colours that are not finite become 0 and 1. The host repairs directions.
     Streams readStreams(const Document& document, const Accessors& accessors, const UvSlots& slots,
-                        std::size_t count, const std::string& element) {
+                        std::size_t count, const char* name, const std::string& element) {
         Streams read;
         for (std::size_t s = 0; s < streamCount; ++s) {
             if (accessors[s] == zeros) read[s].resize(count * componentsOf(s));
             if (accessors[s] < 0) continue;
             read[s] = readStream(document, s, accessors[s], attributeOf(s, slots), count, element);
-            if (s == position) noteBrokenVertices(read[s], element);
+            if (s == position) noteBrokenVertices(read[s], name, element);
             if (!isUv(s) && s != color) continue;
             if (!replaceNotFinite(read[s], s == color ? 1.0f : 0.0f)) continue;
             host_.note(CANDELA_NOTE_REPAIRED, element + ", attribute " + attributeOf(s, slots),
@@ -148,7 +156,7 @@ class Part {
     }
 
     /// `positions` are those of the vertices that are added next.
-    void noteBrokenVertices(std::vector<float>& positions, const std::string& element) {
+    void noteBrokenVertices(std::vector<float>& positions, const char* name, const std::string& element) {
         constexpr float maxCoordinate = 1e9f;  // the host's
         bool broken = false;
         for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -159,7 +167,7 @@ class Part {
         }
         if (!broken) return;
         host_.note(CANDELA_NOTE_MISSING, element,
-                   "triangles with a vertex that is not finite or beyond 1e9: left out");
+                   std::string(name) + "s with a vertex that is not finite or beyond 1e9: left out");
     }
 
     static void append(std::vector<float>&& from, std::vector<float>& to) {
@@ -170,42 +178,26 @@ class Part {
         }
     }
 
-    /// The triangles whose vertices exist and are finite.
-    std::vector<std::uint32_t> trianglesOf(const Document& document, const tinygltf::Primitive& primitive,
-                                           const VertexRange& range, const std::string& element) const {
-        std::vector<std::uint32_t> corners = readCorners(document, primitive, range.count, element);
-        const std::size_t surplus = primitive.mode == TINYGLTF_MODE_TRIANGLES ? corners.size() % 3 : 0;
-        if (surplus > 0 && surplus < corners.size()) {
-            corners.resize(corners.size() - surplus);
-            host_.note(CANDELA_NOTE_MISSING, element, "corners beyond the last whole triangle: left out");
-        }
-        std::vector<std::uint32_t> triangles = triangulate(primitive.mode, std::move(corners), element);
+    /// The indices of the triangles, lines or points whose vertices exist and are finite.
+    std::vector<std::uint32_t> drawnIndices(const Document& document, const tinygltf::Primitive& primitive,
+                                            const VertexRange& range, const std::string& element) const {
+        const Elements& elements = elementsOf(primitive.mode);
+        const std::string name = elements.name;
+        std::vector<std::uint32_t> drawn = readElements(document, primitive, range.count, host_, element);
         const auto exists = [&](std::uint32_t vertex) { return vertex < range.count; };
-        if (!std::all_of(triangles.begin(), triangles.end(), exists)) {
-            keepTriangles(triangles, exists);
-            host_.note(CANDELA_NOTE_MISSING, element,
-                       "triangles with a vertex that does not exist: left out");
+        if (!std::all_of(drawn.begin(), drawn.end(), exists)) {
+            keepElements(drawn, elements, exists);
+            host_.note(CANDELA_NOTE_MISSING, element, name + "s with a vertex that does not exist: left out");
         }
         if (!brokenVertices_.empty()) {
-            keepTriangles(triangles, [&](std::uint32_t vertex) {
+            keepElements(drawn, elements, [&](std::uint32_t vertex) {
                 return !brokenVertices_.contains(range.first + vertex);
             });
         }
-        if (!triangles.empty()) return triangles;
+        if (!drawn.empty()) return drawn;
         requireCornersBelow(range.count, readCorners(document, primitive, range.count, element), element);
         throw Failure{element + ", attribute POSITION",
-                      "no triangle has vertices that are finite and within 1e9"};
-    }
-
-    template <typename IsUsable>
-    static void keepTriangles(std::vector<std::uint32_t>& triangles, const IsUsable& isUsable) {
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < triangles.size(); i += 3) {
-            if (!std::all_of(&triangles[i], &triangles[i] + 3, isUsable)) continue;
-            std::copy_n(&triangles[i], 3, &triangles[kept]);
-            kept += 3;
-        }
-        triangles.resize(kept);
+                      "no " + name + " has vertices that are finite and within 1e9"};
     }
 
     const Host& host_;
@@ -215,14 +207,16 @@ class Part {
     std::vector<std::uint32_t> indices_;
     std::vector<candela_submesh> submeshes_;
     std::vector<candela_variant_material> variantMaterials_;
+    std::vector<candela_topology> topologies_;  ///< Of the submeshes.
     std::map<VertexKey, VertexRange> ranges_;
     std::uint32_t influenceSets_;
     Influences influences_;
     MorphTargets targets_;
 };
 
-/// Which vertex arrays a primitive has.
+/// Which vertex arrays a primitive has, and whether it is triangles: the host gives these normals.
 struct Presence {
+    bool isTriangles;
     std::array<bool, streamCount> streams;
     std::uint32_t influenceSets;
     std::size_t morphTargets;
@@ -230,8 +224,8 @@ struct Presence {
     auto operator<=>(const Presence&) const = default;
 };
 
-Presence presenceOf(const Accessors& accessors, const Deformers& deformers) {
-    Presence presence{{}, deformers.influenceSets, deformers.targets.size()};
+Presence presenceOf(int mode, const Accessors& accessors, const Deformers& deformers) {
+    Presence presence{hasTriangles(mode), {}, deformers.influenceSets, deformers.targets.size()};
     std::transform(accessors.begin(), accessors.end(), presence.streams.begin(),
                    [](int a) { return a != absent; });
     return presence;
@@ -283,7 +277,8 @@ class MeshImporter {
         noteMissingUvs(accessors, primitive, look.slots, element);
         const VertexKey key{accessors, deformerAccessors(primitive)};
         const Deformers& deformers = deformers_->read(primitive, element);
-        const auto [entry, isNew] = partOf_.try_emplace(presenceOf(accessors, deformers), parts_.size());
+        const auto [entry, isNew] =
+            partOf_.try_emplace(presenceOf(primitive.mode, accessors, deformers), parts_.size());
         if (isNew) parts_.emplace_back(deformers, host_);
         parts_[entry->second].add(document_, primitive, look, key, deformers, element);
     }
@@ -316,7 +311,7 @@ class MeshImporter {
     }
 
     bool isDrawn(const tinygltf::Primitive& primitive, const std::string& element) {
-        if (!hasTriangles(primitive.mode)) {
+        if (!hasTriangles(primitive.mode) && !host_.takesLinesAndPoints()) {
             ++(primitive.mode == TINYGLTF_MODE_POINTS ? points_ : lines_);
             return false;
         }
@@ -349,7 +344,8 @@ class MeshImporter {
         if (count == 0) return;
         host_.note(CANDELA_NOTE_MISSING, "",
                    std::to_string(count) + (count == 1 ? " primitive of " : " primitives of ") + what +
-                       (count == 1 ? " is" : " are") + " not drawn");
+                       (count == 1 ? " is" : " are") +
+                       " not drawn: the host is older than version 1.6 of plugin.h");
     }
 
     Document& document_;

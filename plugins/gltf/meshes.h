@@ -16,7 +16,7 @@ struct AddedMesh {
 };
 
 /// The host's meshes for each mesh of the file. A mesh becomes one, or several where its primitives differ in
-/// the attributes they have; none when it is not used, is a cage, or draws no triangles.
+/// the attributes they have; none when it is not used, is a cage, or draws nothing.
 using MeshParts = std::vector<std::vector<AddedMesh>>;
 
 /// Adds the meshes marked in `used` that are not cages, and notes what is not drawn of them: primitives that

@@ -43,6 +43,14 @@ struct Face {
     std::uint32_t line = 0;         ///< Of its statement.
 };
 
+/// A polyline ("l") or points ("p").
+struct LooseElement {
+    candela_topology topology = CANDELA_LINES;
+    std::uint32_t firstCorner = 0;  ///< It ends where the next one begins.
+    std::uint32_t state = 0;        ///< Index into `Document::states`.
+    std::uint32_t line = 0;         ///< Of its statement.
+};
+
 /// A line "t name ints/floats/strings ...", as OpenSubdiv's regression shapes have it.
 struct Tag {
     std::string name;
@@ -73,6 +81,8 @@ struct Document {
     std::vector<Vec3> normals;    ///< x may be NaN likewise.
     std::vector<Corner> corners;
     std::vector<Face> faces;
+    std::vector<Corner> looseCorners;  ///< Their vertices may be none and out of range.
+    std::vector<LooseElement> looseElements;
     std::vector<FaceState> states;
     NameIndex objects, groups,
         materials;            ///< Without a statement, the object and the group have the name "".
@@ -86,6 +96,11 @@ struct Document {
         const std::size_t end = face + 1 < faces.size() ? faces[face + 1].firstCorner : corners.size();
         return static_cast<std::uint32_t>(end - faces[face].firstCorner);
     }
+    std::uint32_t looseCornerCount(std::size_t element) const {
+        const std::size_t end =
+            element + 1 < looseElements.size() ? looseElements[element + 1].firstCorner : looseCorners.size();
+        return static_cast<std::uint32_t>(end - looseElements[element].firstCorner);
+    }
     const FaceState& stateOf(std::size_t face) const { return states[faces[face].state]; }
 };
 
@@ -94,8 +109,8 @@ class Statement;
 /// Reads the rest of a statement "t". Throws `Failure` where it does not hold what its counts announce.
 Tag parseTag(Statement& statement);
 
-/// Reads an OBJ file. What cannot be read, and content other than polygons, becomes notes. Progress goes up
-/// to `progressEnd`. Throws `Failure` for a file without geometry.
+/// Reads an OBJ file. What cannot be read, and content other than polygons, lines and points, becomes notes.
+/// Progress goes up to `progressEnd`. Throws `Failure` for a file without geometry.
 Document parseObj(const Bytes& file, const Host& host, double progressEnd);
 
 /// What becomes of the faces of a document.
@@ -107,6 +122,13 @@ enum class Surface { polygons, cages };
 /// all indices are in range. What is lost becomes notes. Throws the first fault where no face is left of
 /// some.
 void repairFaces(Document& document, Surface surface, const Host& host);
+
+/// Leaves out all lines and points, which becomes notes.
+void leaveOutLooseElements(Document& document, const Host& host);
+
+/// Notes the vertices of lines and points that are not there or have no usable coordinates, which are not
+/// drawn. Afterwards texture coordinates are usable or none.
+void repairLooseElements(Document& document, const Host& host);
 
 /// Moves an object that is small against its distance from the origin, as survey coordinates are, to the
 /// origin, and keeps its place in `Document::origin`: the precision of the file is lost otherwise. Indices

@@ -58,7 +58,7 @@ class FaceRepair {
         }
         document_.faces.resize(kept);
         document_.corners.resize(written);
-        if (kept == 0 && firstFault_) throw *firstFault_;
+        if (kept == 0 && document_.looseElements.empty() && firstFault_) throw *firstFault_;
     }
 
     void addNotes(const Host& host) const { notes_.add(host, ""); }

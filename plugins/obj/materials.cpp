@@ -10,13 +10,15 @@
 namespace candela_plugins::obj {
 namespace {
 
-/// Whether faces use each material of the document.
+/// Whether faces, lines or points use each material of the document.
 std::vector<bool> materialsInUse(const Document& document) {
     std::vector<bool> isUsed(document.materials.size());
-    for (const Face& face : document.faces) {
-        const std::uint32_t material = document.states[face.state].material;
+    const auto use = [&](std::uint32_t state) {
+        const std::uint32_t material = document.states[state].material;
         if (material != none) isUsed[material] = true;
-    }
+    };
+    for (const Face& face : document.faces) use(face.state);
+    for (const LooseElement& element : document.looseElements) use(element.state);
     return isUsed;
 }
 
@@ -168,12 +170,13 @@ class MaterialImporter {
 
 /// Gives the faces without a material one that is white, rough and double-sided, and appends it to `added`.
 void addDefault(const Document& document, const Host& host, std::vector<AddedMaterial>& added) {
-    const auto lacksMaterial = [&](const Face& face) {
-        const std::uint32_t material = document.states[face.state].material;
+    const auto lacksMaterial = [&](const auto& element) {
+        const std::uint32_t material = document.states[element.state].material;
         return material == none || added[material].index < 0;
     };
     AddedMaterial material;
-    if (std::any_of(document.faces.begin(), document.faces.end(), lacksMaterial))
+    if (std::any_of(document.faces.begin(), document.faces.end(), lacksMaterial) ||
+        std::any_of(document.looseElements.begin(), document.looseElements.end(), lacksMaterial))
         material.index = host.add(defaultMaterial("default"));
     for (AddedMaterial& known : added)
         if (known.index < 0) known = material;

@@ -124,6 +124,8 @@ void addMeshes(Document& document, const std::vector<AddedMaterial>& materials, 
     const std::vector<Part> parts = splitFaces(document, SplitAt::objectsAndGroups);
     std::size_t done = 0, cornersWithoutUv = 0;
     for (const Part& part : parts) {
+        addLooseElements(document, part, materials, host);
+        if (part.faces.empty()) continue;
         const MeshBuilder builder(document, part, materials);
         addNode(part.name, document.origin, builder.add(host), host);
         cornersWithoutUv += builder.cornersWithoutUv();

@@ -10,22 +10,27 @@
 namespace candela_plugins::obj {
 namespace {
 
-/// Reads the corners of faces: "v", "v/t", "v//n" and "v/t/n".
+/// Reads the corners of faces, lines and points: "v", "v/t", "v//n" and "v/t/n".
 class CornerReader {
   public:
     explicit CornerReader(Document& document) : document_(document) {}
 
     void readFace(Statement& statement) {
-        while (const auto word = statement.word()) document_.corners.push_back(read(statement, *word));
+        while (auto word = statement.word()) {
+            document_.corners.push_back(read(*word));
+            if (document_.corners.back().vertex >= outOfRange) noteFault(statement, nextPart(*word));
+        }
+    }
+    void readLooseElement(Statement& statement) {
+        while (const auto word = statement.word()) document_.looseCorners.push_back(read(*word));
     }
 
   private:
-    Corner read(const Statement& statement, std::string_view word) {
+    Corner read(std::string_view word) {
         Corner corner;
         const std::string_view vertex = nextPart(word), uv = nextPart(word), normal = nextPart(word);
         const std::optional<std::int64_t> index = integerIn(vertex);
         if (index) corner.vertex = resolved(*index, document_.positions.size());
-        if (corner.vertex >= outOfRange) noteFault(statement, vertex);
         corner.uv = optionalIndex(uv, document_.uvs.size());
         corner.normal = optionalIndex(normal, document_.normals.size());
         return corner;
@@ -112,7 +117,7 @@ class Parser {
         }
         decodeColors();
         notes_.add(host_, sceneFile_);
-        if (document_.faces.empty() && !hasOtherGeometry_)
+        if (document_.faces.empty() && document_.looseElements.empty() && !hasOtherGeometry_)
             throw Failure{"", "no face, line or point was found, but an OBJ file was expected"};
         return std::move(document_);
     }
@@ -132,6 +137,8 @@ class Parser {
         if (keyword == "vt") return readUv(statement);
         if (keyword == "vn") return readNormal(statement);
         if (keyword == "f" || keyword == "fo") return readFace(statement);
+        if (keyword == "l") return readLooseElement(statement, CANDELA_LINES);
+        if (keyword == "p") return readLooseElement(statement, CANDELA_POINTS);
         readOther(statement, keyword);
     }
 
@@ -276,11 +283,23 @@ class Parser {
 
     void readFace(Statement& statement) {
         requireRoom(statement, document_.corners.size());
-        if (document_.states.empty() || document_.states.back() != state_) document_.states.push_back(state_);
-        document_.faces.push_back({static_cast<std::uint32_t>(document_.corners.size()),
-                                   static_cast<std::uint32_t>(document_.states.size() - 1),
+        document_.faces.push_back({static_cast<std::uint32_t>(document_.corners.size()), currentState(),
                                    static_cast<std::uint32_t>(statement.line())});
         corners_.readFace(statement);
+    }
+
+    void readLooseElement(Statement& statement, candela_topology topology) {
+        requireRoom(statement, document_.looseCorners.size());
+        document_.looseElements.push_back({topology,
+                                           static_cast<std::uint32_t>(document_.looseCorners.size()),
+                                           currentState(), static_cast<std::uint32_t>(statement.line())});
+        corners_.readLooseElement(statement);
+    }
+
+    /// The index of the present state.
+    std::uint32_t currentState() {
+        if (document_.states.empty() || document_.states.back() != state_) document_.states.push_back(state_);
+        return static_cast<std::uint32_t>(document_.states.size() - 1);
     }
 
     void readSmoothing(Statement& statement) {
@@ -310,7 +329,6 @@ class Parser {
             const char* text;
         };
         static constexpr Geometry geometries[] = {
-            {"l", "not drawn: lines (l)"},          {"p", "not drawn: points (p)"},
             {"curv", "not drawn: curves (curv)"},   {"curv2", "not drawn: curves (curv2)"},
             {"surf", "not drawn: surfaces (surf)"}, {"bzp", "not drawn: patches (bzp)"},
             {"bsp", "not drawn: patches (bsp)"},    {"cdp", "not drawn: patches (cdp)"},

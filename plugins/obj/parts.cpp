@@ -27,13 +27,15 @@ std::vector<Part> splitFaces(const Document& document, SplitAt splitAt) {
                    [&](const FaceState& state) {
                        const std::uint32_t group = splitAt == SplitAt::objects ? 0 : state.group;
                        const std::uint32_t part = keys.indexOf({state.object, group, 0});
-                       if (part == parts.size()) parts.push_back({nameOf(document, state, splitAt), {}});
+                       if (part == parts.size()) parts.push_back({nameOf(document, state, splitAt), {}, {}});
                        return part;
                    });
     for (std::size_t face = 0; face < document.faces.size(); ++face)
         parts[partOfState[document.faces[face].state]].faces.push_back(static_cast<std::uint32_t>(face));
-    std::erase_if(parts,
-                  [](const Part& part) { return part.faces.empty(); });  // All of its faces were left out.
+    for (std::uint32_t element = 0; element < document.looseElements.size(); ++element)
+        parts[partOfState[document.looseElements[element].state]].looseElements.push_back(element);
+    // All of its faces were left out.
+    std::erase_if(parts, [](const Part& part) { return part.faces.empty() && part.looseElements.empty(); });
     return parts;
 }
 

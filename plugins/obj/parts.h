@@ -10,10 +10,11 @@
 
 namespace candela_plugins::obj {
 
-/// Faces that become one mesh or one cage.
+/// Faces that become one mesh or one cage, and lines and points that become another mesh.
 struct Part {
     std::string name;
-    std::vector<std::uint32_t> faces;  ///< In the order of the file.
+    std::vector<std::uint32_t> faces;          ///< In the order of the file.
+    std::vector<std::uint32_t> looseElements;  ///< Likewise.
 };
 
 enum class SplitAt {
@@ -28,10 +29,14 @@ std::vector<Part> splitFaces(const Document& document, SplitAt splitAt);
 /// Adds a root node at `origin` with the mesh, -1 for none, and returns its index.
 std::int32_t addNode(const std::string& name, const Vec3& origin, std::int32_t mesh, const Host& host);
 
-/// Adds the faces as polygons: a mesh and a node for each object and each of its groups. `materials` holds
-/// those of the document. Progress goes from `from` to 1.
+/// Adds the faces as polygons, and lines and points: a mesh and a node of each kind for each object and each
+/// of its groups. `materials` holds those of the document. Progress goes from `from` to 1.
 void addMeshes(Document& document, const std::vector<AddedMaterial>& materials, const Host& host,
                double from);
+
+/// Adds the lines and points of a part: a mesh and a node.
+void addLooseElements(const Document& document, const Part& part, const std::vector<AddedMaterial>& materials,
+                      const Host& host);
 
 /// Adds the faces as cages: one with its node for each object. `materials` holds those of the
 /// document. Progress goes from `from` to 1.

@@ -18,7 +18,9 @@ void importFile(const std::string& name, const Query& query, const Host& host) {
     host.progress(0.0);
     Document document = parseObj(host.readFile(name), host, documentRead);
     const bool asCages = query.subdivide || !document.tags.empty();
+    if (asCages || !host.takesLinesAndPoints()) leaveOutLooseElements(document, host);
     repairFaces(document, asCages ? Surface::cages : Surface::polygons, host);
+    repairLooseElements(document, host);
     recentre(document);
     const std::vector<AddedMaterial> materials =
         addMaterials(document, name, host, documentRead, materialsAdded);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "document.h"
 
@@ -10,14 +11,18 @@ struct Range {
     float min = 0.0f, max = 0.0f;
 };
 
-/// Of the coordinate `axis` of the vertices that faces use.
+/// Of the coordinate `axis` of the vertices that are drawn.
 Range rangeOf(const Document& document, float Vec3::*axis) {
-    const float first = document.positions[document.corners[0].vertex].*axis;
-    Range range{first, first};
-    for (const Corner& corner : document.corners) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    Range range{infinity, -infinity};
+    const auto add = [&](const Corner& corner) {
+        if (corner.vertex >= document.positions.size()) return;
+        if (std::isnan(document.positions[corner.vertex].x)) return;
         const float value = document.positions[corner.vertex].*axis;
         range = {std::min(range.min, value), std::max(range.max, value)};
-    }
+    };
+    std::for_each(document.corners.begin(), document.corners.end(), add);
+    std::for_each(document.looseCorners.begin(), document.looseCorners.end(), add);
     return range;
 }
 
@@ -34,10 +39,12 @@ float originOf(const Range& range) {
 }  // namespace
 
 void recentre(Document& document) {
-    if (document.residuals.empty() || document.corners.empty()) return;
+    if (document.residuals.empty() || (document.corners.empty() && document.looseCorners.empty())) return;
     document.residuals.resize(document.positions.size());
     for (float Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
-        const float origin = originOf(rangeOf(document, axis));
+        const Range range = rangeOf(document, axis);
+        if (range.min > range.max) return;  // No vertex is usable.
+        const float origin = originOf(range);
         document.origin.*axis = origin;
         if (origin == 0.0f) continue;
         for (std::size_t i = 0; i < document.positions.size(); ++i) {

@@ -35,8 +35,9 @@ TEST(Stats, KeysAreTheDocumentedOnes) {
     EXPECT_EQ(keys(stats), (Names{"version", "renderer", "width", "height", "technique", "brdf", "scene",
                                   "passes", "frame_ms", "counters", "threads", "tile_backend",
                                   "subdivision_evaluator", "shadows", "environment", "samples", "notes"}));
-    EXPECT_EQ(keys(stats["scene"]), (Names{"triangles", "materials", "lights", "meshes", "cages", "nodes",
-                                           "images", "cameras", "animations", "variants", "material_kinds"}));
+    EXPECT_EQ(keys(stats["scene"]),
+              (Names{"triangles", "materials", "lights", "meshes", "cages", "nodes", "images", "cameras",
+                     "animations", "variants", "material_kinds", "lines", "points"}));
     EXPECT_EQ(keys(stats["frame_ms"]), (Names{"median", "min", "max", "count"}));
     EXPECT_EQ(keys(stats["counters"]),
               (Names{"lights", "lights_visible", "pairs_lit", "pairs_evaluated", "lights_dropped"}));

@@ -64,6 +64,48 @@ float doubleArea(const Mesh& mesh, const Submesh& submesh) {
     return sum;
 }
 
+TEST(HostTopologies, AreTakenAndChecked) {
+    constexpr std::array<candela_submesh, 3> parts{{{0, 3, -1}, {3, 2, -1}, {5, 1, -1}}};
+    constexpr std::array<candela_topology, 3> topologies{CANDELA_TRIANGLES, CANDELA_LINES, CANDELA_POINTS};
+    const auto mixed = [&](candela_mesh& m) {
+        m = samples::mesh();
+        m.submesh_count = parts.size();
+        m.submeshes = parts.data();
+        m.topologies = topologies.data();
+    };
+    const Mesh lit = importedMesh(mixed);
+    ASSERT_EQ(lit.submeshes.size(), 3u);
+    EXPECT_EQ(lit.submeshes[0].topology, Topology::triangles);
+    EXPECT_EQ(lit.submeshes[1].topology, Topology::lines);
+    EXPECT_EQ(lit.submeshes[2].topology, Topology::points);
+    const auto with = [&](std::array<candela_submesh, 3> changed, const ModifyMesh& modify = {}) {
+        return [=](candela_mesh& m) {
+            static std::array<candela_submesh, 3> kept;
+            kept = changed;
+            mixed(m);
+            m.submeshes = kept.data();
+            if (modify) modify(m);
+        };
+    };
+    expectRefused(with({{{0, 3, -1}, {3, 1, -1}, {5, 1, -1}}}),
+                  "submesh 1: index_count is 1, but a multiple of 2 was expected");
+    expectRefused(with({{{0, 2, -1}, {3, 2, -1}, {5, 1, -1}}}),
+                  "submesh 0: index_count is 2, but a multiple of 3 was expected");
+    expectRefused(with({{{0, 3, -1}, {3, 2, -1}, {5, 2, -1}}}),
+                  "submesh 2 ends at index 7, but there are 6 indices");
+    static std::array<candela_topology, 3> broken = topologies;
+    broken[2] = static_cast<candela_topology>(3);
+    expectRefused(with(parts, [](candela_mesh& m) { m.topologies = broken.data(); }),
+                  "submesh 2: topology is 3, but 0 to 2 was expected");
+    static constexpr std::array<std::uint32_t, 2> faces{3, 3};
+    expectRefused(with(parts,
+                       [](candela_mesh& m) {
+                           m.face_count = 2;
+                           m.face_sizes = faces.data();
+                       }),
+                  "submesh 1: topology is not that of triangles, but the mesh has face_sizes");
+}
+
 TEST(HostPolygons, AreTriangulated) {
     const Mesh mesh = importedMesh();
     EXPECT_EQ(mesh.indices.size(), 3u * (1 + 2 + 3));

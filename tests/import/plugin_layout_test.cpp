@@ -139,7 +139,8 @@ static_assert(offsetof(candela_mesh, morph_normals) == 160);
 static_assert(offsetof(candela_mesh, morph_tangents) == 168);
 static_assert(offsetof(candela_mesh, variant_material_count) == 176);
 static_assert(offsetof(candela_mesh, variant_materials) == 184);
-static_assert(sizeof(candela_mesh) == 192);
+static_assert(offsetof(candela_mesh, topologies) == 192);
+static_assert(sizeof(candela_mesh) == 200);
 
 static_assert(offsetof(candela_cage, struct_size) == 0);
 static_assert(offsetof(candela_cage, name) == 8);

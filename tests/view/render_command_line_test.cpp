@@ -255,6 +255,16 @@ TEST(RenderCommandLine, NamesTheRaysOfTheEnvironmentWhereTheyAreNotTheDefault) {
     EXPECT_EQ(readBack(options).environmentRays, 9u);
 }
 
+TEST(RenderCommandLine, KeepsTheSizesOfPointsAndLines) {
+    SceneOptions options = someScene();
+    EXPECT_EQ(renderCommandLine(options).find("--point-size"), std::string::npos);
+    EXPECT_EQ(renderCommandLine(options).find("--line-width"), std::string::npos);
+    options.pointSize = 1.0f / 3.0f;
+    options.lineWidth = 7.5f;
+    EXPECT_EQ(readBack(options).pointSize, options.pointSize);
+    EXPECT_EQ(readBack(options).lineWidth, options.lineWidth);
+}
+
 TEST(RenderCommandLine, KeepsTheLensAndTheAnimation) {
     SceneOptions options = someScene();
     options.orthographicHeight = 1.0f / 3.0f;

@@ -50,6 +50,18 @@ void editSamples(SamplingOptions& sampling) {
     if (slideLevel("samples at rest", count, 1, std::max(most, count))) sampling.count = count;
 }
 
+/// Shown where the scene has them.
+void editElements(ViewModel& model) {
+    constexpr NumberRange range{
+        .min = 0.25f, .max = 64.0f, .format = "%.2f px", .scale = NumberRange::Scale::logarithmic};
+    if (!model.document) return;
+    const candela::GpuScene& scene = model.document->gpuScene();
+    if (scene.elementCount(candela::Topology::points) > 0)
+        slideNumber("point size", model.options.pointSize, range);
+    if (scene.elementCount(candela::Topology::lines) > 0)
+        slideNumber("line width", model.options.lineWidth, range);
+}
+
 void chooseDebugView(DebugViewOptions& options) {
     chooseOne("show", options.view, selectableViews(),
               [](candela::DebugView view) { return candela::toString(view); });
@@ -114,6 +126,7 @@ void drawDrawingPanel(ViewModel& model) {
     if (!window) return;
     chooseLighting(model);
     editSamples(model.options.sampling);
+    editElements(model);
     chooseDebugView(model.options.debug);
     ImGui::Separator();
     showText("subdivision");

@@ -136,6 +136,10 @@ void showCounters(ViewModel& model) {
     if (ImGui::BeginTable("counters", 2, ImGuiTableFlags_SizingFixedFit)) {
         showRow("lights", groupedText(model.document->lights().size()));
         showRow("triangles", groupedText(scene.triangleCount()));
+        const std::uint64_t lines = scene.elementCount(candela::Topology::lines);
+        const std::uint64_t points = scene.elementCount(candela::Topology::points);
+        if (lines > 0) showRow("lines", groupedText(lines));
+        if (points > 0) showRow("points", groupedText(points));
         if (cages.cages > 0) showRow("of cages", groupedText(cages.triangles));
         showRow("nodes", groupedText(model.document->scene().nodes.size()));
         showRow("materials", groupedText(scene.materialCount()));

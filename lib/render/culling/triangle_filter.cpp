@@ -85,7 +85,8 @@ TriangleFilter::TriangleFilter(const GpuScene::State& scene, const TriangleFilte
 }
 
 bool TriangleFilter::isFiltered(const DrawBatch& batch, const DrawCommand& command) const {
-    return batch.key.geometry.kind == DrawGeometry::Kind::meshes && command.count >= minIndices;
+    return batch.key.geometry.kind == DrawGeometry::Kind::meshes &&
+           batch.key.topology == Topology::triangles && command.count >= minIndices;
 }
 
 void TriangleFilter::addCommand(const PipelineKey& key, bool filtered, const DrawCommand& command) {

@@ -1,8 +1,11 @@
 #include "render/debug/instance_pass.h"
 
 #include "render/layout.h"
+#include "scene/geometry/topology.h"
 
 #include <array>
+#include <string>
+#include <vector>
 
 namespace candela {
 
@@ -15,6 +18,20 @@ gl::Program makeProgram(const char* textured, const char* label) {
 
 }  // namespace
 
+const gl::Program& InstancePass::Programs::of(const PipelineKey& key) {
+    const bool isTextured = key.program == PipelineKey::Program::textured;
+    if (key.topology == Topology::triangles) return isTextured ? textured : plain;
+    gl::Program& program = wide[{key.topology, key.program}];
+    if (program.name() != 0) return program;
+    const std::vector<std::string> definitions{isTextured ? "TEXTURED 1" : "TEXTURED 0",
+                                               "CORNERS " + std::to_string(cornersOf(key.topology))};
+    program = gl::Program({{"surface_instance.vert", definitions, {}},
+                           {"surface_instance.geom", definitions, {}},
+                           {"surface_instance.frag", definitions, {}}},
+                          "instances of lines and points");
+    return program;
+}
+
 InstancePass::Targets::Targets(int pixelsWide, int pixelsHigh)
     : width(pixelsWide),
       height(pixelsHigh),
@@ -25,7 +42,8 @@ InstancePass::Targets::Targets(int pixelsWide, int pixelsHigh)
 void InstancePass::prepare(int width, int height) {
     if (!programs_) {
         programs_.emplace(Programs{makeProgram("TEXTURED 0", "plain instances"),
-                                   makeProgram("TEXTURED 1", "textured instances")});
+                                   makeProgram("TEXTURED 1", "textured instances"),
+                                   {}});
     }
     const bool fits = targets_ && targets_->width == width && targets_->height == height;
     if (!fits) targets_.emplace(width, height);
@@ -69,9 +87,9 @@ void InstancePass::drawBatches(const Inputs& inputs) {
     glBindSampler(layout::BASE_COLOR_UNIT, 0);
 }
 
-void InstancePass::draw(const GpuScene::State& scene, const DrawBatch& batch) const {
+void InstancePass::draw(const GpuScene::State& scene, const DrawBatch& batch) {
     const bool textured = batch.key.program != PipelineKey::Program::plain;
-    glUseProgram(textured ? programs_->textured.name() : programs_->plain.name());
+    glUseProgram(programs_->of(batch.key).name());
     glBindVertexArray(scene.vertexArrayOf(batch.key.geometry));
     glFrontFace(batch.key.mirrored ? GL_CW : GL_CCW);
     if (batch.key.doubleSided) {

@@ -6,7 +6,9 @@
 #include "render/gpu_scene/gpu_scene_state.h"
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace candela {
 
@@ -32,10 +34,13 @@ class InstancePass {
     };
     struct Programs {
         gl::Program plain, textured;
+        std::map<std::pair<Topology, PipelineKey::Program>, gl::Program> wide;  ///< Of lines and points.
+
+        const gl::Program& of(const PipelineKey& key);
     };
     void prepare(int width, int height);
     void drawBatches(const Inputs& inputs);
-    void draw(const GpuScene::State& scene, const DrawBatch& batch) const;
+    void draw(const GpuScene::State& scene, const DrawBatch& batch);
 
     // Created when they are first needed.
     std::optional<Programs> programs_;

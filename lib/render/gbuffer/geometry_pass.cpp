@@ -2,6 +2,7 @@
 
 #include "render/culling/triangle_filter.h"
 #include "render/layout.h"
+#include "scene/geometry/topology.h"
 
 #include <array>
 #include <string>
@@ -30,23 +31,45 @@ void bindDepths(const LayerDepths& layer) {
 
 }  // namespace
 
-GeometryPass::Programs::Programs(const GBufferParts& parts) {
+GeometryPass::Programs::Programs(const GBufferParts& parts)
+    : plain_(make(PipelineKey{}, parts)),
+      textured_(make(PipelineKey{.program = PipelineKey::Program::textured}, parts)),
+      parts_(parts) {
+    if (parts.lobes) extended_ = make(PipelineKey{.program = PipelineKey::Program::extended}, parts);
+}
+
+const gl::Program& GeometryPass::Programs::of(const PipelineKey& key) {
+    PipelineKey::Program kind = key.program;
+    if (kind == PipelineKey::Program::extended && !extended_) kind = PipelineKey::Program::textured;
+    if (key.topology != Topology::triangles) {
+        gl::Program& program = wide_[{key.topology, kind, key.unlit}];
+        if (program.name() == 0)
+            program = make({.program = kind, .topology = key.topology, .unlit = key.unlit}, parts_);
+        return program;
+    }
+    if (kind == PipelineKey::Program::extended) return *extended_;
+    return kind == PipelineKey::Program::textured ? textured_ : plain_;
+}
+
+gl::Program GeometryPass::Programs::make(const PipelineKey& key, const GBufferParts& parts) {
+    const bool isPlain = key.program == PipelineKey::Program::plain;
     std::vector<std::string> definitions = definitionsOf(parts);
-    const auto program = [&](const char* vertex, const char* fragment, const char* label) {
-        return gl::Program({{vertex, definitions, {}}, {fragment, definitions, {}}}, label);
-    };
-    plain = program("surface_plain.vert", "surface_plain.frag", "plain surfaces");
-    textured = program("surface_textured.vert", "surface_textured.frag", "textured surfaces");
-    if (!parts.lobes) return;
-    definitions.emplace_back("EXTENDED 1");
-    extended = program("surface_textured.vert", "surface_textured.frag", "surfaces with more lobes");
+    if (key.program == PipelineKey::Program::extended) definitions.emplace_back("EXTENDED 1");
+    if (key.unlit) definitions.emplace_back("WITHOUT_NORMALS 1");
+    const std::string file = isPlain ? "surface_plain" : "surface_textured";
+    std::vector<gl::Stage> stages{{file + ".vert", definitions, {}}, {file + ".frag", definitions, {}}};
+    if (key.topology != Topology::triangles) {
+        definitions.push_back("CORNERS " + std::to_string(cornersOf(key.topology)));
+        stages.push_back({file + ".geom", definitions, {}});
+    }
+    return gl::Program(stages, isPlain ? "plain surfaces" : "textured surfaces");
 }
 
 GeometryPass::GeometryPass() {
     programs_.try_emplace(GBufferParts{}, GBufferParts{});
 }
 
-const GeometryPass::Programs& GeometryPass::programsFor(const GBufferTargets& targets) {
+GeometryPass::Programs& GeometryPass::programsFor(const GBufferTargets& targets) {
     const auto found = programs_.find(targets.parts);
     if (found != programs_.end()) return found->second;
     return programs_.try_emplace(targets.parts, targets.parts).first->second;
@@ -69,13 +92,8 @@ void GeometryPass::drawFragments(const Inputs& inputs) {
 }
 
 void GeometryPass::drawBatches(const Inputs& inputs) {
-    const Programs& programs = programsFor(inputs.targets);
-    if (inputs.layer != nullptr) {
-        // Transparent surfaces are never drawn by the program of plain ones.
-        setLayer(programs.textured, *inputs.layer);
-        if (programs.extended) setLayer(*programs.extended, *inputs.layer);
-        bindDepths(*inputs.layer);
-    }
+    Programs& programs = programsFor(inputs.targets);
+    if (inputs.layer != nullptr) bindDepths(*inputs.layer);
     glViewport(0, 0, inputs.targets.width, inputs.targets.height);
     glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instances.records().name());
     glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materials.records().name());
@@ -103,7 +121,7 @@ void GeometryPass::drawBatches(const Inputs& inputs) {
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
     glBindSamplers(layout::BASE_COLOR_UNIT, textureUnits.size(), nullptr);
-    if (programs.extended) glBindSamplers(layout::LOBE_TEXTURES_UNIT, layout::LOBE_TEXTURE_COUNT, nullptr);
+    if (programs.hasLobes()) glBindSamplers(layout::LOBE_TEXTURES_UNIT, layout::LOBE_TEXTURE_COUNT, nullptr);
 }
 
 void GeometryPass::bindTextures(const PipelineKey& key) {
@@ -119,13 +137,16 @@ void GeometryPass::bindLobeTextures(const GpuScene::State& scene, const Pipeline
         bind(layout::LOBE_TEXTURES_UNIT + static_cast<int>(i), textures[i]);
 }
 
-void GeometryPass::select(const Inputs& inputs, const PipelineKey& key, const Programs& programs) {
+void GeometryPass::select(const Inputs& inputs, const PipelineKey& key, Programs& programs) {
     const gl::Framebuffer& target =
         key.emissive ? inputs.targets.surfacesAndEmission : inputs.targets.surfaces;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.name());
     const bool textured = key.program != PipelineKey::Program::plain;
-    const bool extended = key.program == PipelineKey::Program::extended && programs.extended;
-    glUseProgram((extended ? *programs.extended : textured ? programs.textured : programs.plain).name());
+    const bool extended = key.program == PipelineKey::Program::extended && programs.hasLobes();
+    const gl::Program& program = programs.of(key);
+    glUseProgram(program.name());
+    // Transparent surfaces are never drawn by the program of plain ones.
+    if (inputs.layer != nullptr) setLayer(program, *inputs.layer);
     glFrontFace(key.mirrored ? GL_CW : GL_CCW);
     if (key.doubleSided) {
         glDisable(GL_CULL_FACE);

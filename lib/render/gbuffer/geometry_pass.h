@@ -6,6 +6,7 @@
 
 #include <map>
 #include <optional>
+#include <tuple>
 
 namespace candela {
 
@@ -40,15 +41,25 @@ class GeometryPass {
     /// With the fragment outputs of one set of parts of the G-buffer.
     struct Programs {
         explicit Programs(const GBufferParts& parts);
-        gl::Program plain, textured;
-        std::optional<gl::Program> extended;  ///< Where the parts have lobes; else these are not written.
+        const gl::Program& of(const PipelineKey& key);
+        bool hasLobes() const { return extended_.has_value(); }
+
+      private:
+        /// That of a key's program, topology and light.
+        static gl::Program make(const PipelineKey& key, const GBufferParts& parts);
+
+        gl::Program plain_, textured_;
+        std::optional<gl::Program> extended_;  ///< Where the parts have lobes; else these are not written.
+        /// Of lines and points. Compiled when they are first needed.
+        std::map<std::tuple<Topology, PipelineKey::Program, bool>, gl::Program> wide_;
+        GBufferParts parts_;
     };
 
-    const Programs& programsFor(const GBufferTargets& targets);
+    Programs& programsFor(const GBufferTargets& targets);
     void drawBatches(const Inputs& inputs);
     static void bindTextures(const PipelineKey& key);
     static void bindLobeTextures(const GpuScene::State& scene, const PipelineKey& key);
-    static void select(const Inputs& inputs, const PipelineKey& key, const Programs& programs);
+    static void select(const Inputs& inputs, const PipelineKey& key, Programs& programs);
 
     std::map<GBufferParts, Programs> programs_;  ///< Compiled when they are first needed.
 };

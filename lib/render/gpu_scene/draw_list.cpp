@@ -1,5 +1,6 @@
 #include "render/gpu_scene/draw_list.h"
 
+#include "scene/geometry/topology.h"
 #include "scene/model/material_textures.h"
 
 #include <algorithm>
@@ -74,6 +75,11 @@ bool needsDetail(const Scene& scene, const Mesh& mesh) {
     });
 }
 
+GLenum modeOf(Topology topology) {
+    if (topology == Topology::triangles) return GL_TRIANGLES;
+    return topology == Topology::lines ? GL_LINES : GL_POINTS;
+}
+
 }  // namespace
 
 GpuMeshes::Detail detailOf(const Scene& scene) {
@@ -106,7 +112,7 @@ bool DrawSelection::emits(SurfaceSet set) const {
 
 void DrawSelection::draw(const DrawBatch& batch) {
     glMultiDrawElementsIndirect(
-        GL_TRIANGLES, GL_UNSIGNED_INT,
+        modeOf(batch.key.topology), GL_UNSIGNED_INT,
         reinterpret_cast<const void*>(std::uintptr_t{batch.firstCommand} * sizeof(DrawCommand)),
         static_cast<GLsizei>(batch.commandCount), 0);
 }
@@ -122,6 +128,8 @@ void DrawList::addMesh(std::uint32_t instance, const DrawGeometry& geometry, con
         draw.material = submesh.material.value_or(static_cast<std::uint32_t>(materials.size()));
         draw.geometry = geometry;
         draw.hasColors = colorsOf(mesh) == Colors::perVertex;
+        draw.topology = submesh.topology;
+        draw.unlit = isUnlit(mesh, submesh);
         add(draw, materials, images);
     }
 }
@@ -140,31 +148,31 @@ void DrawList::addCage(std::uint32_t instance, std::uint32_t surface, std::span<
 
 void DrawList::add(Draw draw, std::span<const Material> materials, GpuImages& images) {
     materialKeys_.resize(materials.size() + 1);
-    std::optional<PipelineKey>& key = materialKeys_[draw.material][draw.hasColors ? 1 : 0];
-    if (!key) {
-        key = materialKey(materialOf(materials, draw.material), draw.hasColors, images);
-    }
+    const VertexKind vertices{draw.hasColors, draw.unlit};
+    std::optional<PipelineKey>& key = materialKeys_[draw.material][vertices.index()];
+    if (!key) key = materialKey(materialOf(materials, draw.material), vertices, images);
     const auto index = static_cast<std::uint32_t>(draws_.size());
     firstDraw_.resize(draw.instance + 1, index);
     draws_.push_back(draw);
     mark(draws_.back());
 }
 
-PipelineKey DrawList::materialKey(const Material& material, bool hasColors, GpuImages& images) {
+PipelineKey DrawList::materialKey(const Material& material, const VertexKind& vertices, GpuImages& images) {
     PipelineKey key;
     key.doubleSided = material.doubleSided;
-    if (isPlain(material, hasColors ? Colors::perVertex : Colors::none, occlusionTextures_)) return key;
+    const Colors colors = vertices.hasColors ? Colors::perVertex : Colors::none;
+    if (!vertices.unlit && isPlain(material, colors, occlusionTextures_)) return key;
     key.program = PipelineKey::Program::textured;
-    key.emissive = isEmissive(material);
-    key.transparent = isTransparent(material, hasColors ? Colors::perVertex : Colors::none);
-    key.backdrop = backdropOf(material);
+    key.emissive = vertices.unlit || isEmissive(material);
+    key.transparent = isTransparent(material, colors);
+    if (!vertices.unlit) key.backdrop = backdropOf(material);
     const std::span<const MaterialTexture> textures = materialTextures();
     for (std::size_t i = 0; i < key.textures.size(); ++i) {
         const std::optional<Texture>& texture = textures[i].of(material);
         const bool isRead = i != occlusionIndex || (texture && occlusionTextures_ == OcclusionTextures::read);
         if (isRead) key.textures[i] = images.get(texture, textures[i].content);
     }
-    if (!isExtended(material)) return key;
+    if (vertices.unlit || !isExtended(material)) return key;
     key.program = PipelineKey::Program::extended;
     key.lobeTextures = lobeSet(lobeTexturesOf(material, images));
     return key;
@@ -229,9 +237,9 @@ void DrawList::setWinding(std::uint32_t instance, Winding winding) {
 void DrawList::setMaterial(std::uint32_t index, const Material& material, GpuImages& images) {
     if (index >= materialKeys_.size()) return;
     MaterialKeys keys = materialKeys_[index];
-    for (const Colors colors : {Colors::none, Colors::perVertex}) {
-        std::optional<PipelineKey>& key = keys[colors == Colors::perVertex ? 1 : 0];
-        if (key) key = materialKey(material, colors == Colors::perVertex, images);
+    for (const VertexKind& vertices : vertexKinds) {
+        std::optional<PipelineKey>& key = keys[vertices.index()];
+        if (key) key = materialKey(material, vertices, images);
     }
     if (keys == materialKeys_[index]) return;
     materialKeys_[index] = keys;
@@ -264,9 +272,15 @@ void DrawList::setRanges(std::uint32_t instance, std::span<const IndexRange> ran
 }
 
 PipelineKey DrawList::keyOf(const Draw& draw) const {
-    PipelineKey key = *materialKeys_[draw.material][draw.hasColors ? 1 : 0];
+    PipelineKey key = *materialKeys_[draw.material][VertexKind{draw.hasColors, draw.unlit}.index()];
     key.mirrored = draw.mirrored;
     key.geometry = draw.geometry;
+    key.topology = draw.topology;
+    key.unlit = draw.unlit;
+    if (draw.topology != Topology::triangles) {
+        key.doubleSided = true;
+        key.mirrored = false;
+    }
     return key;
 }
 
@@ -277,8 +291,10 @@ DrawGeometry DrawList::geometryOf(std::uint32_t instance) const {
 
 std::vector<DrawnPart> DrawList::partsOf(std::uint32_t instance) const {
     std::vector<DrawnPart> parts;
-    for (std::uint32_t i = firstDraw_[instance]; i < firstDraw_[instance + 1]; ++i)
+    for (std::uint32_t i = firstDraw_[instance]; i < firstDraw_[instance + 1]; ++i) {
+        if (draws_[i].topology != Topology::triangles) continue;
         parts.push_back({{draws_[i].command.firstIndex, draws_[i].command.count}, draws_[i].material});
+    }
     return parts;
 }
 

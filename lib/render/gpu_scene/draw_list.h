@@ -6,10 +6,12 @@
 #include "render/gpu_scene/lobe_records.h"
 
 #include <candela/gpu_scene.h>
+#include <candela/mesh.h>
 
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <span>
@@ -61,12 +63,14 @@ struct PipelineKey {
     Backdrop backdrop = Backdrop::none;
     Program program = Program::plain;
     bool doubleSided = false;
-    bool mirrored = false;  ///< The instance's matrix reverses the winding.
+    bool mirrored = false;                    ///< The instance's matrix reverses the winding.
+    Topology topology = Topology::triangles;  ///< Lines and points are double-sided and not mirrored.
+    bool unlit = false;                       ///< Lines and points without normals.
     /// Base colour, metallic-roughness, normal, emission; unset for plain. Then occlusion, unset where no
     /// material has it or nothing reads it.
     std::array<SampledTexture, 5> textures{};
     std::uint32_t lobeTextures = 0;  ///< Of `extended`: index for `DrawList::lobeTextures`.
-    DrawGeometry geometry;
+    DrawGeometry geometry{};
 
     auto operator<=>(const PipelineKey&) const = default;
 
@@ -166,6 +170,7 @@ class DrawList {
 
     /// What an instance draws.
     DrawGeometry geometryOf(std::uint32_t instance) const;
+    /// Its triangles.
     std::vector<DrawnPart> partsOf(std::uint32_t instance) const;
 
     /// The textures of the further lobes of draws with a key.
@@ -200,19 +205,27 @@ class DrawList {
         std::uint32_t instance, material, part = 0;
         DrawGeometry geometry;
         bool hasColors = false;  ///< The mesh has vertex colours.
+        Topology topology = Topology::triangles;
+        bool unlit = false;
         bool mirrored = false;
         bool pending = false;  ///< Waits for `group`.
         Group* group = nullptr;
     };
-    /// The key of a material's draws, but for winding and geometry: without and with vertex colours. None
-    /// where there is no such draw.
-    using MaterialKeys = std::array<std::optional<PipelineKey>, 2>;
+    /// What of a draw's vertices its key depends on, and the index of its `MaterialKeys`.
+    struct VertexKind {
+        bool hasColors, unlit;
+        std::size_t index() const { return (hasColors ? 1u : 0u) + (unlit ? 2u : 0u); }
+    };
+    static constexpr VertexKind vertexKinds[] = {{false, false}, {true, false}, {false, true}, {true, true}};
+    /// The keys of a material's draws, but for winding, topology and geometry. None where there is no such
+    /// draw.
+    using MaterialKeys = std::array<std::optional<PipelineKey>, std::size(vertexKinds)>;
 
     /// Uploads the records: draws of the same indices and material one after the other, so that one command
     /// draws them.
     void placeRecords();
     void add(Draw draw, std::span<const Material> materials, GpuImages& images);
-    PipelineKey materialKey(const Material& material, bool hasColors, GpuImages& images);
+    PipelineKey materialKey(const Material& material, const VertexKind& vertices, GpuImages& images);
     std::uint32_t lobeSet(const LobeTextures& textures);
     std::span<Draw> drawsOf(std::uint32_t instance);
     void mark(Draw& draw);

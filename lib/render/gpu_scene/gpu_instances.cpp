@@ -2,6 +2,7 @@
 
 #include "base/error_context.h"
 #include "render/layout.h"
+#include "scene/geometry/topology.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -73,6 +74,7 @@ GpuInstances::GpuInstances(const Scene& scene)
         if (!scene.nodes[i].mesh) continue;
         meshOfNode_[i] = static_cast<std::uint32_t>(instances_.size());
         instances_.push_back({i, scene.nodes[i].mesh, 0});
+        hasElements_.push_back(!hasOnlyTriangles(scene.meshes[*scene.nodes[i].mesh]));
     }
     std::uint32_t cageInstances = 0;
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
@@ -80,6 +82,7 @@ GpuInstances::GpuInstances(const Scene& scene)
         cageOfNode_[i] = static_cast<std::uint32_t>(instances_.size());
         instances_.push_back({i, std::nullopt, cageInstances++});
     }
+    hasElements_.resize(instances_.size());
     spheres_.resize(instances_.size());
     windings_.resize(instances_.size(), Winding::kept);
     hidden_.resize(instances_.size());

@@ -81,8 +81,9 @@ class GpuInstances {
         changed_.push_back(index);
     }
     bool isVisible(std::uint32_t index, const Frustum& frustum) const {
-        const BoundingSphere& sphere = spheres_[index];
-        return !hidden_[index] && frustum.meets(sphere.center, sphere.radius);
+        if (hidden_[index]) return false;
+        const auto& [center, radius] = spheres_[index];
+        return frustum.meets(center, hasElements_[index] ? frustum.radiusOfElements(center, radius) : radius);
     }
 
     /// World space.
@@ -105,6 +106,7 @@ class GpuInstances {
     std::vector<std::uint32_t> meshOfNode_, cageOfNode_;
     std::vector<BoundingSphere> spheres_;  ///< World.
     std::vector<Winding> windings_;
+    std::vector<bool> hasElements_;  ///< Lines or points.
     std::vector<bool> hidden_, isChanged_;
     std::vector<std::uint32_t> changed_;
     RecordBuffer<glm::vec4> records_;

@@ -5,6 +5,7 @@
 
 #include <candela/error.h>
 
+#include <string>
 #include <utility>
 
 namespace candela {
@@ -101,7 +102,14 @@ OcclusionReport GpuScene::occlusionReport() const {
 }
 
 std::uint64_t GpuScene::triangleCount() const {
-    return state().triangles;
+    return elementCount(Topology::triangles);
+}
+
+std::uint64_t GpuScene::elementCount(Topology topology) const {
+    const auto index = static_cast<std::size_t>(topology);
+    if (index >= state().elements.size())
+        throw Error(ErrorKind::badInput, "", "there is no topology " + std::to_string(index));
+    return state().elements[index];
 }
 
 std::uint32_t GpuScene::materialCount() const {

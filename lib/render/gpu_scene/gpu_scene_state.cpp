@@ -84,7 +84,8 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
     : binding(context.state().binding),
       options(checked(sceneOptions)),
       sceneState(editableParts(scene)),
-      triangles(candela::triangleCount(scene)),
+      elements{candela::elementCount(scene, Topology::triangles),
+               candela::elementCount(scene, Topology::lines), candela::elementCount(scene, Topology::points)},
       transforms(sceneState),
       meshes(scene.meshes, detailOf(scene),
              context.isSoftware() ? GpuMeshes::Access::deviceAndCpu : GpuMeshes::Access::device),
@@ -93,7 +94,7 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
       lights(options.workingFromRec709),
       cages(context, sceneState, options),
       deformations(context, scene, sceneState, detailOf(scene), options.vertexEvaluator),
-      instances(sceneState) {
+      instances(scene) {
     if (scene.environment) draws.setOcclusionTextures(OcclusionTextures::read, sceneState.materials, images);
     addDraws(scene);
     images.releaseSources();

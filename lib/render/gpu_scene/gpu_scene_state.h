@@ -15,6 +15,7 @@
 
 #include <candela/gpu_scene.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -86,7 +87,7 @@ struct GpuScene::State {
     /// What edits need of the scene: materials, and which nodes cast shadows, as they are now; images without
     /// pixels; meshes without vertices. The nodes' transforms as they are now are in `transforms`.
     Scene sceneState;
-    std::uint64_t triangles = 0;
+    std::array<std::uint64_t, 3> elements;  ///< Drawn triangles, lines and points.
     /// Created by the first frame that traces rays.
     std::unique_ptr<OcclusionScene> occlusion;
     std::uint64_t alphaVersion = 1;  ///< Grows when a material that masks or blends by alpha changes.

@@ -1,6 +1,7 @@
 #include "scene/geometry/normals.h"
 
 #include "base/error_context.h"
+#include "scene/geometry/topology.h"
 #include "scene/validate/scene_rules.h"
 
 #include <glm/geometric.hpp>
@@ -69,10 +70,12 @@ std::vector<glm::vec3> flatNormalOffsets(const Mesh& mesh, const MorphTarget& ta
     moved.indices = mesh.indices;
     for (std::size_t i = 0; i < moved.positions.size(); ++i) moved.positions[i] += target.offsets[i];
     std::vector<glm::vec3> offsets(mesh.indices.size(), glm::vec3(0.0f));
-    for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
-        const std::optional<glm::vec3> normal = geometricNormal(moved, corner - corner % 3);
-        if (normal) offsets[corner] = *normal - mesh.normals[corner];
-    }
+    forEachTriangle(mesh, [&](std::size_t first) {
+        const std::optional<glm::vec3> normal = geometricNormal(moved, first);
+        if (!normal) return;
+        for (std::size_t corner = first; corner < first + 3; ++corner)
+            offsets[corner] = *normal - mesh.normals[corner];
+    });
     return offsets;
 }
 
@@ -80,13 +83,19 @@ std::vector<glm::vec3> flatNormalOffsets(const Mesh& mesh, const MorphTarget& ta
 
 void generateFlatNormals(Mesh& mesh) {
     const ErrorContext element("mesh", {}, mesh.name);
-    requireTriangles(mesh, element);
+    requireIndices(mesh, element);
     const std::size_t vertices = mesh.positions.size();
-    std::vector<glm::vec3> normals(mesh.indices.size());
-    for (std::size_t corner = 0; corner < mesh.indices.size(); corner += 3) {
+    if (!hasTriangles(mesh)) {
+        mesh.normals.assign(vertices, glm::vec3(0.0f));
+        mesh.tangents.clear();
+        for (MorphTarget& target : mesh.morphTargets) target.normalOffsets.clear();
+        return;
+    }
+    std::vector<glm::vec3> normals(mesh.indices.size(), glm::vec3(0.0f));
+    forEachTriangle(mesh, [&](std::size_t corner) {
         const glm::vec3 normal = geometricNormal(mesh, corner).value_or(up);
         normals[corner] = normals[corner + 1] = normals[corner + 2] = normal;
-    }
+    });
     copyToCorners(mesh.uv0, mesh, vertices, element);
     copyToCorners(mesh.uv1, mesh, vertices, element);
     copyToCorners(mesh.colors, mesh, vertices, element);
@@ -102,7 +111,7 @@ void generateFlatNormals(Mesh& mesh) {
 
 std::uint32_t replaceZeroNormals(Mesh& mesh) {
     const ErrorContext element("mesh", {}, mesh.name);
-    requireTriangles(mesh, element);
+    requireIndices(mesh, element);
     element.require(mesh.normals.size() == mesh.positions.size(), "there must be one normal per vertex");
     std::vector<bool> missing(mesh.normals.size());
     std::uint32_t count = 0;
@@ -113,14 +122,16 @@ std::uint32_t replaceZeroNormals(Mesh& mesh) {
         ++count;
     }
     if (count == 0) return 0;
-    for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
-        const std::uint32_t vertex = mesh.indices[corner];
-        if (!missing[vertex]) continue;
-        const std::optional<glm::vec3> normal = geometricNormal(mesh, corner - corner % 3);
-        if (!normal) continue;
-        mesh.normals[vertex] = *normal;
-        missing[vertex] = false;
-    }
+    forEachTriangle(mesh, [&](std::size_t first) {
+        for (std::size_t corner = first; corner < first + 3; ++corner) {
+            const std::uint32_t vertex = mesh.indices[corner];
+            if (!missing[vertex]) continue;
+            const std::optional<glm::vec3> normal = geometricNormal(mesh, first);
+            if (!normal) continue;
+            mesh.normals[vertex] = *normal;
+            missing[vertex] = false;
+        }
+    });
     return count;
 }
 

@@ -4,6 +4,7 @@
 #include "base/thread_pool.h"
 #include "scene/geometry/axes.h"
 #include "scene/geometry/tangent_groups.h"
+#include "scene/geometry/topology.h"
 #include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace candela {
 
@@ -176,12 +178,13 @@ std::vector<std::uint32_t> splitVertices(Mesh& mesh, const std::vector<std::uint
 
 glm::vec4 anyTangent(const glm::vec3& normal) {
     const glm::dvec3 axis = unitOrZero(glm::dvec3(normal));
+    if (axis == glm::dvec3(0.0)) return {1.0f, 0.0f, 0.0f, 1.0f};
     return {glm::vec3(anyPerpendicular(axis)), 1.0f};
 }
 
 void requireArrays(const Mesh& mesh, std::uint32_t uvSet) {
     const ErrorContext element("mesh", {}, mesh.name);
-    requireTriangles(mesh, element);
+    requireIndices(mesh, element);
     const std::size_t vertices = mesh.positions.size();
     element.require(uvSet <= 1, "tangents need set 0 or 1 of texture coordinates");
     element.require(mesh.normals.size() == vertices, "tangents need one normal per vertex");
@@ -195,10 +198,30 @@ void requireArrays(const Mesh& mesh, std::uint32_t uvSet) {
     requireMorphTargets(shape, element);
 }
 
+/// Of a mesh with lines or points too, whose indices stay.
+void generateForTriangles(Mesh& mesh, std::uint32_t uvSet) {
+    std::vector<std::uint32_t> all = mesh.indices, corners;
+    forEachTriangle(mesh, [&](std::size_t first) {
+        corners.insert(corners.end(), all.begin() + static_cast<std::ptrdiff_t>(first),
+                       all.begin() + static_cast<std::ptrdiff_t>(first + 3));
+    });
+    std::vector<Submesh> submeshes = std::exchange(mesh.submeshes, {});
+    mesh.indices = std::move(corners);
+    generateTangents(mesh, uvSet);
+    corners = std::move(mesh.indices);
+    mesh.submeshes = std::move(submeshes);
+    std::size_t next = 0;
+    forEachTriangle(mesh, [&](std::size_t first) {
+        for (std::size_t corner = first; corner < first + 3; ++corner) all[corner] = corners[next++];
+    });
+    mesh.indices = std::move(all);
+}
+
 }  // namespace
 
 void generateTangents(Mesh& mesh, std::uint32_t uvSet) {
     requireArrays(mesh, uvSet);
+    if (!hasOnlyTriangles(mesh)) return generateForTriangles(mesh, uvSet);
     const std::vector<glm::vec2>& uv = uvSet == 0 ? mesh.uv0 : mesh.uv1;
     const TangentGroups groups = tangentGroups(mesh, uv);
     const std::vector<glm::vec3> sums = sumTerms(mesh, uv, groups);

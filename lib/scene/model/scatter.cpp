@@ -2,6 +2,7 @@
 #include <candela/scene.h>
 
 #include "base/error_context.h"
+#include "scene/geometry/topology.h"
 #include "scene/model/deformation.h"
 #include "scene/validate/scene_rules.h"
 
@@ -139,7 +140,7 @@ class Surfaces {
                             normalMatrix * (mesh.normals[a] + mesh.normals[b] + mesh.normals[c]));
             }
         };
-        forEachRun(mesh, add);
+        forEachTriangleRun(mesh, add);
     }
 
     /// A mesh that a skin or morph targets move. A triangle keeps the side on which its normals are at rest.
@@ -148,7 +149,7 @@ class Surfaces {
         points.reserve(posed.points.size());
         for (const glm::vec3& point : posed.points)
             points.push_back(transformed(posed.worldFromPoints, point));
-        forEachRun(mesh, [&](std::size_t first, std::size_t count) {
+        forEachTriangleRun(mesh, [&](std::size_t first, std::size_t count) {
             for (std::size_t i = first; i + 2 < first + count; i += 3) {
                 const std::uint32_t a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
                 const glm::vec3 rest =
@@ -158,13 +159,6 @@ class Surfaces {
                 addTriangle(points[a], points[b], points[c], side < 0.0f ? -facing : facing);
             }
         });
-    }
-
-    /// The runs of indices that a mesh draws.
-    template <typename Add>
-    static void forEachRun(const Mesh& mesh, const Add& add) {
-        if (mesh.submeshes.empty()) return add(0, mesh.indices.size());
-        for (const Submesh& submesh : mesh.submeshes) add(submesh.firstIndex, submesh.indexCount);
     }
 
     void addCage(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world) {

@@ -1,5 +1,6 @@
 #include <candela/scene.h>
 
+#include "scene/geometry/topology.h"
 #include "scene/model/animation.h"
 #include "scene/model/deformation.h"
 #include "scene/validate/scene_rules.h"
@@ -94,16 +95,32 @@ std::vector<glm::mat4> worldTransforms(const Scene& scene, double time) {
 }
 
 std::uint64_t triangleCount(const Mesh& mesh) {
-    if (mesh.submeshes.empty()) return mesh.indices.size() / 3;
     std::uint64_t count = 0;
-    for (const Submesh& submesh : mesh.submeshes) count += submesh.indexCount / 3;
+    forEachTriangleRun(mesh, [&](std::size_t, std::size_t indices) { count += indices / 3; });
     return count;
 }
 
+namespace {
+
+std::uint64_t elementCount(const Mesh& mesh, Topology topology) {
+    if (topology == Topology::triangles) return triangleCount(mesh);
+    std::uint64_t count = 0;
+    for (const Submesh& submesh : mesh.submeshes) {
+        if (submesh.topology == topology) count += submesh.indexCount / cornersOf(topology);
+    }
+    return count;
+}
+
+}  // namespace
+
 std::uint64_t triangleCount(const Scene& scene) {
+    return elementCount(scene, Topology::triangles);
+}
+
+std::uint64_t elementCount(const Scene& scene, Topology topology) {
     std::vector<std::uint64_t> ofMesh;
     ofMesh.reserve(scene.meshes.size());
-    for (const Mesh& mesh : scene.meshes) ofMesh.push_back(triangleCount(mesh));
+    for (const Mesh& mesh : scene.meshes) ofMesh.push_back(elementCount(mesh, topology));
     std::uint64_t count = 0;
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];

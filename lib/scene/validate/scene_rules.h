@@ -61,8 +61,9 @@ void validateDeformations(const Scene& scene);
 /// The world positions at time 0. All else has passed.
 void validatePositions(const Scene& scene);
 
-/// That the indices of a mesh are whole triangles and name vertices of the mesh, at most 2^32 - 1 of each.
-void requireTriangles(const Mesh& mesh, const ErrorContext& element);
+/// That the indices of a mesh name vertices of the mesh, at most 2^32 - 1 of each, and are whole triangles in
+/// a mesh of nothing else.
+void requireIndices(const Mesh& mesh, const ErrorContext& element);
 
 /// That joints, joint weights and morph targets have as many elements as the vertices require, and that their
 /// numbers are in range.

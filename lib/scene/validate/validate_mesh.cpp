@@ -1,4 +1,5 @@
 #include "base/error_context.h"
+#include "scene/geometry/topology.h"
 #include "scene/validate/scene_rules.h"
 
 #include <algorithm>
@@ -30,7 +31,10 @@ void validateArrays(const Mesh& mesh, const ErrorContext& element) {
     element.requireEachFinite("texture coordinate 0 of vertex", mesh.uv0);
     element.requireEachFinite("texture coordinate 1 of vertex", mesh.uv1);
     element.requireEachFinite("colour", mesh.colors);
-    element.requireEach("normal", mesh.normals, "does not have unit length", isUnit);
+    const bool mayLackNormals = !hasOnlyTriangles(mesh);
+    element.requireEach("normal", mesh.normals, "does not have unit length", [&](const glm::vec3& normal) {
+        return isUnit(normal) || (mayLackNormals && normal == glm::vec3(0.0f));
+    });
     element.requireEach("tangent", mesh.tangents, "must have unit length and -1 or 1 in w",
                         [](const glm::vec4& tangent) {
                             return isUnit(glm::vec3(tangent)) && (tangent.w == 1.0f || tangent.w == -1.0f);
@@ -44,15 +48,41 @@ void requireMaterial(std::optional<std::uint32_t> material, const Mesh& mesh, co
     requireUvs({.set0 = !mesh.uv0.empty(), .set1 = !mesh.uv1.empty()}, *material, scene, element);
 }
 
+void requireWholeElements(const Submesh& submesh, const Mesh& mesh, const ErrorContext& element) {
+    if (hasOnlyTriangles(mesh)) {
+        return element.require(submesh.firstIndex % 3 == 0 && submesh.indexCount % 3 == 0,
+                               "a submesh's first index and index count must be multiples of 3");
+    }
+    element.require(submesh.topology <= Topology::points, "a submesh's topology is none of the enumeration");
+    element.require(submesh.indexCount % cornersOf(submesh.topology) == 0,
+                    isTriangles(submesh) ? "a submesh of triangles must have a multiple of 3 indices"
+                                         : "a submesh of lines must have an even number of indices");
+}
+
+/// Of meshes with lines or points, whose indices and vertices have been checked.
+void requireNormals(const Submesh& submesh, const Mesh& mesh, const ErrorContext& element) {
+    const bool unlit = isUnlit(mesh, submesh);
+    for (std::uint32_t i = 0; i < submesh.indexCount; ++i) {
+        const std::uint32_t vertex = mesh.indices[submesh.firstIndex + i];
+        if ((mesh.normals[vertex] == glm::vec3(0.0f)) == unlit) continue;
+        if (isTriangles(submesh))
+            element.refuse("vertex " + std::to_string(vertex) + " of a triangle must have a normal");
+        element.refuse(
+            "a submesh of lines or points must have normals at all of its vertices or at none, but "
+            "vertex " +
+            std::to_string(vertex) + " differs from the first");
+    }
+}
+
 void validateSubmesh(const Submesh& submesh, const Mesh& mesh, const Scene& scene,
                      const ErrorContext& element) {
-    element.require(submesh.firstIndex % 3 == 0 && submesh.indexCount % 3 == 0,
-                    "a submesh's first index and index count must be multiples of 3");
+    requireWholeElements(submesh, mesh, element);
     const std::uint64_t end = std::uint64_t{submesh.firstIndex} + submesh.indexCount;
     if (end > mesh.indices.size()) {
         element.refuse("a submesh ends at index " + std::to_string(end) + ", but there are " +
                        std::to_string(mesh.indices.size()));
     }
+    if (!hasOnlyTriangles(mesh)) requireNormals(submesh, mesh, element);
     if (submesh.indexCount == 0)
         element.requireIndex("material", submesh.material, scene.materials.size());
     else
@@ -78,10 +108,11 @@ void validateVariants(const Mesh& mesh, const Scene& scene, const ErrorContext& 
 
 }  // namespace
 
-void requireTriangles(const Mesh& mesh, const ErrorContext& element) {
+void requireIndices(const Mesh& mesh, const ErrorContext& element) {
     element.require(mesh.positions.size() <= maxCount && mesh.indices.size() <= maxCount,
                     "has more vertices or indices than 32 bits can count");
-    element.require(mesh.indices.size() % 3 == 0, "the number of its indices must be a multiple of 3");
+    element.require(mesh.indices.size() % 3 == 0 || !hasOnlyTriangles(mesh),
+                    "the number of its indices must be a multiple of 3");
     const std::size_t vertices = mesh.positions.size();
     const auto beyond = std::find_if(mesh.indices.begin(), mesh.indices.end(),
                                      [vertices](std::uint32_t index) { return index >= vertices; });
@@ -91,7 +122,7 @@ void requireTriangles(const Mesh& mesh, const ErrorContext& element) {
 }
 
 void validateMesh(const Mesh& mesh, const Scene& scene, const ErrorContext& element) {
-    requireTriangles(mesh, element);
+    requireIndices(mesh, element);
     validateArrays(mesh, element);
     const DeformableVertices shape(mesh);
     requireInfluences(shape, element);

@@ -47,26 +47,57 @@ TEST(Mesh, indexedStripAndFan) {
     EXPECT_EQ(scene.meshes.at(1).indices, (Indices{3, 2, 4, 2, 1, 4}));
 }
 
-TEST(Mesh, pointsAndLinesAreNoted) {
+/// Of a file whose only primitive has this mode and the vertices of `addFiveVertices`.
+candela::Mesh meshOfMode(const std::string& mode) {
     GltfFile file;
-    addTriangle(file);
-    const std::string attributes = R"({"attributes":{"POSITION":0,"NORMAL":1},"mode":)";
-    std::string primitives;
-    for (const char* mode : {"0", "1", "2", "3", "4"}) primitives += attributes + mode + "},";
-    primitives.pop_back();
-    file.add("meshes", "{\"primitives\":[" + primitives + "]}");
-    file.add("nodes", R"({"mesh":0})");
-    const candela::ImportedScene imported = load(file);
-    EXPECT_EQ(candela::triangleCount(imported.scene), 1u);
-    EXPECT_TRUE(hasNote(imported, "1 primitive of points is not drawn"));
-    EXPECT_TRUE(hasNote(imported, "3 primitives of lines are not drawn"));
+    addFiveVertices(file);
+    file.addMeshNode(R"("attributes":{"POSITION":0},"mode":)" + mode);
+    return load(file).scene.meshes.at(0);
 }
 
-TEST(Mesh, ofLinesOnlyGivesANodeWithoutMesh) {
-    const candela::ImportedScene imported = load(triangleFile(R"("mode":1)"));
-    EXPECT_TRUE(imported.scene.meshes.empty());
-    ASSERT_EQ(imported.scene.nodes.size(), 1u);
-    EXPECT_FALSE(imported.scene.nodes[0].mesh.has_value());
+TEST(Mesh, pointsAndLines) {
+    const candela::Mesh points = meshOfMode("0"), strip = meshOfMode("3"), loop = meshOfMode("2");
+    EXPECT_EQ(points.indices, (Indices{0, 1, 2, 3, 4}));
+    EXPECT_EQ(points.submeshes.at(0).topology, candela::Topology::points);
+    EXPECT_EQ(strip.indices, (Indices{0, 1, 1, 2, 2, 3, 3, 4}));
+    EXPECT_EQ(loop.indices, (Indices{0, 1, 1, 2, 2, 3, 3, 4, 4, 0}));
+    for (const candela::Mesh& mesh : {strip, loop})
+        EXPECT_EQ(mesh.submeshes.at(0).topology, candela::Topology::lines);
+    for (const candela::Mesh& mesh : {points, strip, loop})
+        EXPECT_EQ(mesh.normals, std::vector<glm::vec3>(5, glm::vec3(0.0f))) << "they are unlit";
+}
+
+TEST(Mesh, linesOfAListAreWhole) {
+    GltfFile file;
+    addFiveVertices(file);
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1},"mode":1)");
+    const candela::ImportedScene imported = load(file);
+    const candela::Mesh& mesh = imported.scene.meshes.at(0);
+    EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 3}));
+    EXPECT_EQ(mesh.normals, std::vector<glm::vec3>(5, glm::vec3(0, 0, 1))) << "they are lit";
+    EXPECT_TRUE(hasNote(imported, "mesh 0, primitive 0: corners beyond the last whole line: left out"));
+}
+
+TEST(Mesh, linesWithVerticesThatDoNotExistAreLeftOut) {
+    GltfFile file;
+    addFiveVertices(file);
+    file.addData<std::uint8_t>("SCALAR", {0, 1, 9, 2, 3});
+    file.addMeshNode(R"("attributes":{"POSITION":0},"indices":2,"mode":3)");
+    const candela::ImportedScene imported = load(file);
+    EXPECT_EQ(imported.scene.meshes.at(0).indices, (Indices{0, 1, 2, 3}));
+    EXPECT_TRUE(hasNote(imported, "lines with a vertex that does not exist: left out"));
+}
+
+TEST(Mesh, trianglesAndLinesOfAMeshAreDrawnByOneNodeEach) {
+    GltfFile file;
+    addTriangle(file);
+    const std::string attributes = R"({"attributes":{"POSITION":0},"mode":)";
+    file.add("meshes", "{\"primitives\":[" + attributes + "0}," + attributes + "3}," + attributes + "4}]}");
+    file.add("nodes", R"({"mesh":0})");
+    const candela::Scene scene = load(file).scene;
+    EXPECT_EQ(candela::elementCount(scene, candela::Topology::triangles), 1u);
+    EXPECT_EQ(candela::elementCount(scene, candela::Topology::lines), 2u);
+    EXPECT_EQ(candela::elementCount(scene, candela::Topology::points), 3u);
 }
 
 TEST(Mesh, primitivesBecomeSubmeshesAndShareVertices) {

@@ -62,6 +62,14 @@ TEST(OldHost, cannotImportCages) {
     EXPECT_NE(host.failure.find("older than version 1.1"), std::string::npos) << host.failure;
 }
 
+TEST(OldHost, getsNoLinesAndPoints) {
+    GltfFile file = triangleFile();
+    file.addMeshNode(R"("attributes":{"POSITION":0},"mode":3)");
+    OldHost host(file.glb());
+    EXPECT_EQ(importInto(host), CANDELA_OK) << host.failure;
+    EXPECT_EQ(host.nextIndex, 3) << "a mesh and two nodes";
+}
+
 TEST(OldHost, importsFilesWithoutCages) {
     OldHost host(triangleFile().glb());
     EXPECT_EQ(importInto(host), CANDELA_OK) << host.failure;

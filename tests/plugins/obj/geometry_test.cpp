@@ -209,17 +209,39 @@ TEST(ObjGeometry, numbersDoNotDependOnTheLocale) {
 
 TEST(ObjGeometry, unsupportedStatementsAreCountedInOneNoteEach) {
     const auto imported = loadObj(squareVertices() +
-                                  "f 1 2 3\nl 1 2\nl 2 3\np 1\nvp 0.1\ncstype bezier\ndeg 3\n"
+                                  "f 1 2 3\nvp 0.1\ncstype bezier\ndeg 3\n"
                                   "curv 0 1 1 2 3 4\nparm u 0 1\nend\nlod 2\nwhatever 1 2\n");
-    EXPECT_TRUE(hasNote(imported, "not drawn: lines (l) (2 times, first in line 6)"));
-    EXPECT_TRUE(hasNote(imported, "not drawn: points (p) (once, in line 8)"));
-    EXPECT_TRUE(hasNote(imported, "not drawn: curves (curv) (once, in line 12)"));
-    EXPECT_TRUE(hasNote(imported, "not known: whatever (once, in line 16)"));
-    EXPECT_EQ(imported.report.notes.size(), 4u);
+    EXPECT_TRUE(hasNote(imported, "not drawn: curves (curv) (once, in line 9)"));
+    EXPECT_TRUE(hasNote(imported, "not known: whatever (once, in line 13)"));
+    EXPECT_EQ(imported.report.notes.size(), 2u);
 }
 
-TEST(ObjGeometry, linesOnlyGiveAnEmptyScene) {
-    EXPECT_TRUE(loadObj("v 0 0 0\nv 1 0 0\nl 1 2\n").scene.meshes.empty());
+TEST(ObjGeometry, linesAndPoints) {
+    const auto imported =
+        loadObj(squareVertices() + "vt 0.5 0.25\no wire\nl 1/1 2 -1\np 3 9\np 4\nf 1 2 3\nl 9 1\n");
+    ASSERT_EQ(imported.scene.meshes.size(), 2u);
+    const candela::Mesh& mesh = imported.scene.meshes[0];
+    EXPECT_EQ(mesh.name, "wire");
+    EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 1, 2, 3, 2}));
+    ASSERT_EQ(mesh.submeshes.size(), 2u);
+    EXPECT_EQ(mesh.submeshes[0].topology, candela::Topology::lines);
+    EXPECT_EQ(mesh.submeshes[0].indexCount, 4u);
+    EXPECT_EQ(mesh.submeshes[1].topology, candela::Topology::points);
+    EXPECT_EQ(mesh.submeshes[1].indexCount, 2u);
+    EXPECT_EQ(mesh.normals, std::vector<glm::vec3>(mesh.positions.size(), glm::vec3(0.0f)));
+    EXPECT_EQ(imported.scene.nodes.size(), 2u);
+    EXPECT_TRUE(hasNote(imported, "left out of lines (l): vertices that are not there (once, in line 11)"));
+    EXPECT_TRUE(hasNote(imported, "left out of points (p): vertices that are not there (once, in line 8)"));
+}
+
+TEST(ObjGeometry, linesFarFromTheOriginKeepTheirDigits) {
+    const auto imported = loadObj("v 500000.25 0 0\nv 500001.25 0 0\nl 1 2\n");
+    EXPECT_EQ(imported.scene.meshes.at(0).positions[1].x - imported.scene.meshes[0].positions[0].x, 1.0f);
+}
+
+TEST(ObjGeometry, cagesLeaveOutLines) {
+    EXPECT_TRUE(
+        hasNote(loadObj(cube() + "l 1 2\n", {}, "?subdivide"), "not drawn: lines (l) (once, in line 15)"));
 }
 
 TEST(ObjGeometry, aLargeFileIsReadInLinearTime) {

@@ -62,8 +62,10 @@ Image makeImage(std::uint32_t width, std::uint32_t height,
 }
 
 std::uint32_t place(Scene& scene, Mesh mesh, const Material& material, const glm::mat4& transform) {
-    mesh.submeshes = {{0, static_cast<std::uint32_t>(mesh.indices.size()),
-                       static_cast<std::uint32_t>(scene.materials.size())}};
+    if (mesh.submeshes.empty())
+        mesh.submeshes.push_back({0, static_cast<std::uint32_t>(mesh.indices.size()), std::nullopt});
+    for (Submesh& submesh : mesh.submeshes)
+        submesh.material = static_cast<std::uint32_t>(scene.materials.size());
     Node node;
     node.mesh = static_cast<std::uint32_t>(scene.meshes.size());
     node.transform = transform;

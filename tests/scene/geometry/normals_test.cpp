@@ -46,6 +46,20 @@ TEST(FlatNormals, EachTriangleHasItsOwn) {
     EXPECT_EQ(mesh.submeshes[1].material, 7u);
 }
 
+TEST(FlatNormals, AreThoseOfTriangles) {
+    Mesh mesh = roof();
+    mesh.submeshes = {{0, 2, {}, Topology::lines}, {2, 1, {}, Topology::points}, {3, 3, {}}};
+    generateFlatNormals(mesh);
+    ASSERT_EQ(mesh.normals.size(), 6u);
+    for (std::size_t corner = 0; corner < 6; ++corner)
+        EXPECT_EQ(mesh.normals[corner], corner < 3 ? glm::vec3(0.0f) : glm::vec3(1, 0, 0));
+    Mesh points = roof();
+    points.submeshes = {{0, 6, {}, Topology::points}};
+    generateFlatNormals(points);
+    EXPECT_EQ(points.indices, roof().indices) << "they keep their vertices";
+    EXPECT_EQ(points.normals, std::vector<glm::vec3>(4, glm::vec3(0.0f)));
+}
+
 TEST(FlatNormals, KeepWhatDeformsTheVertices) {
     Mesh mesh = roof();
     mesh.influenceCount = 2;

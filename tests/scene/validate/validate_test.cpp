@@ -44,6 +44,37 @@ TEST(Validate, Images) {
     });
 }
 
+TEST(Validate, LinesAndPoints) {
+    Scene scene = sampleScene();
+    const auto add = [&](Topology topology, std::uint32_t count) {
+        Mesh& mesh = scene.meshes[0];
+        mesh.submeshes.push_back({static_cast<std::uint32_t>(mesh.indices.size()), count, {}, topology});
+        for (std::uint32_t i = 0; i < count; ++i) mesh.indices.push_back(i % 2);
+    };
+    add(Topology::points, 1);
+    add(Topology::lines, 2);
+    EXPECT_NO_THROW(validate(scene));
+    const auto last = [](Scene& s) -> Submesh& { return s.meshes[0].submeshes.back(); };
+    expectMessages(scene, {{"mesh 0 'wheel': a submesh of lines must have an even number of indices",
+                            [&](Scene& s) { last(s).indexCount = 1; }},
+                           {"mesh 0 'wheel': a submesh of triangles must have a multiple of 3 indices",
+                            [&](Scene& s) { last(s).topology = Topology::triangles; }},
+                           {"mesh 0 'wheel': a submesh's topology is none of the enumeration",
+                            [&](Scene& s) { last(s).topology = unknown<Topology>(); }},
+                           {"mesh 0 'wheel': vertex 0 of a triangle must have a normal",
+                            [](Scene& s) { s.meshes[0].normals[0] = glm::vec3(0.0f); }}});
+    const std::vector<glm::vec3> normals(scene.meshes[0].normals.size(), glm::vec3(0.0f));
+    std::erase_if(scene.meshes[0].submeshes,
+                  [](const Submesh& s) { return s.topology == Topology::triangles; });
+    scene.meshes[0].normals = normals;
+    EXPECT_NO_THROW(validate(scene)) << "none of its lines and points have normals";
+    expectMessages(scene, {{"mesh 0 'wheel': a submesh of lines or points must have normals at all of its "
+                            "vertices or at none, but vertex 1 differs from the first",
+                            [](Scene& s) {
+                                s.meshes[0].normals[1] = {0, 0, 1};
+                            }}});
+}
+
 TEST(Validate, Materials) {
     expectMessages({
         {"material 0 'wall': its base colour is 1.5, but 0 to 1 was expected",

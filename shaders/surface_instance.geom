@@ -1,0 +1,26 @@
+// Lines and points for the instance pass, between surface_instance.vert and surface_instance.frag.
+
+#include "lib/wide_primitive.glsl"
+
+layout(location = 0) in uint cornerInstance[];
+#if TEXTURED == 1
+layout(location = 1) in vec4 cornerUvs[];
+layout(location = 2) in float cornerAlpha[];
+layout(location = 3) in uint cornerMaterial[];
+#endif
+
+layout(location = 0) flat out uint instance;
+#if TEXTURED == 1
+layout(location = 1) out vec4 uvs;
+layout(location = 2) out float vertexAlpha;
+layout(location = 3) flat out uint material;
+#endif
+
+void writeVertex(float t, vec3 offset) {
+    instance = cornerInstance[0];
+#if TEXTURED == 1
+    uvs = mix(cornerUvs[0], cornerUvs[LAST_CORNER], t);
+    vertexAlpha = mix(cornerAlpha[0], cornerAlpha[LAST_CORNER], t);
+    material = cornerMaterial[0];
+#endif
+}
