@@ -19,7 +19,7 @@ struct Light {
     glm::vec3 color{1.0f};   ///< Linear Rec.709, 0 or more.
     float intensity = 1.0f;  ///< Luminous intensity in candela; for a directional light illuminance in lux.
     std::optional<float>
-        range;  ///< Metres, over 0. None: the renderer sets one from its irradiance threshold.
+        range;  ///< Metres, over 0. None: the renderer sets one: `GpuSceneOptions::rangeLoss`.
     float innerConeAngle = 0.0f;             ///< Spot: radians, 0 or more, less than `outerConeAngle`.
     float outerConeAngle = 0.785398f;        ///< Spot: radians, at most pi / 2.
     glm::vec3 position{0.0f};                ///< In the node's frame.

@@ -104,7 +104,7 @@ struct Iridescence {
 
 /// Light that passes through the surface and is refracted (KHR_materials_transmission).
 struct Transmission {
-    float factor = 0.0f;             ///< 0 to 1: the share of the light that is not reflected.
+    float factor = 0.0f;             ///< 0 to 1: of the light that is not reflected, the share that passes.
     std::optional<Texture> texture;  ///< R.
 
     bool operator==(const Transmission&) const = default;

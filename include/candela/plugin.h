@@ -184,7 +184,7 @@ typedef struct candela_material {
 
 /* A run of a mesh's indices drawn with one material. */
 typedef struct candela_submesh {
-    uint32_t first_index, index_count; /* whole triangles, or whole polygons where the mesh has face_sizes */
+    uint32_t first_index, index_count; /* of whole triangles, polygons, lines or points */
     int32_t material; /* index of an added material, -1: the default material (white, rough, no metal) */
 } candela_submesh;
 
@@ -366,7 +366,7 @@ typedef struct candela_light {
     candela_light_type type;
     float color[3];         /* linear Rec.709, 0 or more */
     float intensity;        /* candela for point and spot lights, lux for a directional light; 0 or more */
-    float range;            /* metres; 0: the renderer derives one from its irradiance threshold */
+    float range;            /* metres; 0: the renderer derives one beyond which little is lost */
     float inner_cone_angle; /* spot: radians, 0 or more and less than outer_cone_angle */
     float outer_cone_angle; /* spot: radians, at most pi / 2 */
     float position[3];      /* in the node's space; directional: ignored */

@@ -28,7 +28,7 @@ class CANDELA_API Renderer {
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
-    /// Draws `scene` from `view`: geometry pass, lighting pass and the environment, or the debug view instead
+    /// Draws `scene` from `view`: geometry, lights, environment and layers, or the debug view instead
     /// of light. Applies the edits made to the scene since its last frame. Throws `Error`: badInput when the
     /// view or the settings break what they state or the scene belongs to another context, limit when the
     /// size or the lists of lights are beyond the device.

@@ -81,9 +81,9 @@ CANDELA_API PosedPoints poseMesh(const Scene& scene, std::uint32_t node, const s
 CANDELA_API PosedPoints poseCage(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
                                  double time = 0.0);
 
-/// The world-space box around the triangles and cage faces that node `node` itself shows at `time`; `world`
+/// The world-space box around the meshes and cage faces that node `node` itself shows at `time`; `world`
 /// comes from `worldTransforms` of that time. A limit surface lies within the box of its cage. Vertices that
-/// no face uses do not count. Empty for a node that shows nothing, as one whose matrix flattens everything to
+/// nothing uses do not count. Empty for a node that shows nothing, as one whose matrix flattens everything to
 /// a line or a point. Throws `Error` (badInput) as `poseMesh` and `poseCage`.
 CANDELA_API Bounds nodeBounds(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
                               double time = 0.0);

@@ -106,7 +106,7 @@ class LobeDrawingTest : public GBufferTest {
         const GBufferTargets targets(size, size, {.lobes = true});
         DrawSelection draws;
         state.cull(frustum, draws);
-        GeometryPass().render({state, draws, targets, LoadOp::clear});
+        GeometryPass().render({state, draws, targets, LoadOp::clear, SurfaceSet::all});
         GBufferCopy copy;
         copy.reset(targets);
         const std::size_t at = static_cast<std::size_t>(middle * size + middle);
