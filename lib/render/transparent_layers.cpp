@@ -13,10 +13,10 @@ gl::PixelRectangle transparentRectangle(const GpuScene::State& scene, const Draw
                                         const Frustum& frustum, glm::vec2 size) {
     glm::vec2 low = size, high(0.0f);
     for (const std::uint32_t instance : draws.transparentInstances()) {
-        const BoundingSphere& sphere = scene.instances.sphere(instance);
+        const glm::vec3 center = scene.instances.sphere(instance).center;
+        const float radius = scene.instances.drawnRadius(instance, frustum);
         Frustum::Rectangle bounds{{0.0f, 0.0f}, {1.0f, 1.0f}};
-        if (!frustum.meetsNearPlane(sphere.center, sphere.radius))
-            bounds = frustum.projectedBounds(sphere.center, sphere.radius);
+        if (!frustum.meetsNearPlane(center, radius)) bounds = frustum.projectedBounds(center, radius);
         low = glm::min(low, bounds.min * size - 1.0f);
         high = glm::max(high, bounds.max * size + 1.0f);
     }

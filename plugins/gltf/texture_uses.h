@@ -16,7 +16,7 @@ struct TextureUse {
     const tinygltf::Value* transform = nullptr;  ///< KHR_texture_transform.
 };
 
-/// The textures of lobes and media, in the order of `lobeTextureUses`.
+/// The textures of lobes and media, in the order of `lobeTextureMembers`.
 enum LobeTexture : std::size_t {
     specularTexture,
     specularColorTexture,

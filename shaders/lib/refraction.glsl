@@ -30,8 +30,10 @@ Refraction refractionOf(uint material, vec4 uvs, LobeFrame surface, vec3 positio
     Refraction refraction = Refraction(vec2(0.0), roughness * clamp(2.0 * ior - 2.0, 0.0, 1.0), 0.0, vec3(1.0));
     if (!gl_FrontFacing || path <= 0.0) return refraction;
     refraction.transmittance = exp(-absorption.rgb * path);
-    refraction.offset = exitOffset(surface, position, ior, path);
+    // Far beyond any picture, and half of what a half float holds.
+    refraction.offset = clamp(exitOffset(surface, position, ior, path), vec2(-32768.0), vec2(32768.0));
     // KHR_materials_dispersion: the indices of red and blue differ by as much from that of green.
+    if (volume.y <= 0.0) return refraction;
     float halfSpread = (ior - 1.0) * 0.025 * volume.y;
     vec2 blue = exitOffset(surface, position, ior + halfSpread, path);
     refraction.spread = length(blue - refraction.offset) / max(length(refraction.offset), 1.0e-3);

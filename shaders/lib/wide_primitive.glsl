@@ -1,10 +1,10 @@
-// Geometry shaders that draw lines (CORNERS 2) as rectangles and points (CORNERS 1) as squares of a width in pixels. Lines in a core profile are
+// Geometry shaders that draw lines (WIDE_CORNERS 2) as rectangles and points (WIDE_CORNERS 1) as squares of a width in pixels. Lines in a core profile are
 // one pixel wide on most devices, and cover other pixels on each. A line ends half of its width beyond its last corner, so that lines that meet
 // at an angle leave no gap. The includer defines writeVertex.
 
 #include "lib/frame.glsl"
 
-#if CORNERS == 2
+#if WIDE_CORNERS == 2
 layout(lines) in;
 layout(triangle_strip, max_vertices = 8) out;
 #else
@@ -15,7 +15,7 @@ layout(triangle_strip, max_vertices = 4) out;
 // The programs of surfaces and of instances write the same depth for the same vertex.
 invariant gl_Position;
 
-const int LAST_CORNER = CORNERS - 1;
+const int LAST_CORNER = WIDE_CORNERS - 1;
 
 // Writes what the fragment shader reads at the share `t` of the way from the first corner to the last. `offset` is the way in the world from
 // there to the vertex, metres.
@@ -45,7 +45,7 @@ vec2 partInFront(vec4 a, vec4 b) {
     return vec2(fromA < 0.0 ? crossing : 0.0, fromB < 0.0 ? crossing : 1.0);
 }
 
-#if CORNERS == 2
+#if WIDE_CORNERS == 2
 void main() {
     vec4 a = gl_in[0].gl_Position, b = gl_in[1].gl_Position;
     vec2 part = partInFront(a, b);

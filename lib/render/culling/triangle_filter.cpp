@@ -18,6 +18,9 @@ namespace {
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 /// Meshes of fewer indices are drawn as they are: one command draws many of them.
 constexpr std::uint32_t minIndices = 3 * 64;
+/// What the filter takes of a frame at most, 4 bytes an index and 16 a vertex; further draws stay as they
+/// are.
+constexpr std::size_t maxIndices = std::size_t{1} << 25, maxVertices = std::size_t{1} << 23;
 constexpr std::uint32_t verticesPerShare = 8192, trianglesPerShare = 4096;
 static_assert(verticesPerShare % filterPadding == 0);
 
@@ -89,6 +92,14 @@ bool TriangleFilter::isFiltered(const DrawBatch& batch, const DrawCommand& comma
            batch.key.topology == Topology::triangles && command.count >= minIndices;
 }
 
+bool TriangleFilter::hasRoomFor(const DrawCommand& command) const {
+    const std::uint32_t instance = scene_.draws.instanceOfRecord(command.baseInstance);
+    const MeshPlace& place = scene_.meshes.places()[*scene_.instances[instance].mesh];
+    const std::size_t count = command.instanceCount;
+    return indexCount_ + count * command.count <= maxIndices &&
+           vertexCount_ + count * (place.vertexCount + filterPadding) <= maxVertices;
+}
+
 void TriangleFilter::addCommand(const PipelineKey& key, bool filtered, const DrawCommand& command) {
     if (runs_.empty() || runs_.back().filtered != filtered || runs_.back().key != key)
         runs_.push_back({key, filtered, static_cast<std::uint32_t>(commands_.size()), 0});
@@ -131,7 +142,7 @@ void TriangleFilter::plan(const DrawSelection& selection) {
     vertexCount_ = indexCount_ = 0;
     for (const DrawBatch& batch : selection.batches()) {
         for (const DrawCommand& command : selection.commands(batch)) {
-            if (!isFiltered(batch, command)) {
+            if (!isFiltered(batch, command) || !hasRoomFor(command)) {
                 addCommand(batch.key, false, command);
                 continue;
             }

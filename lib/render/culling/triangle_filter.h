@@ -30,8 +30,8 @@ class TriangleFilter {
     explicit TriangleFilter(const GpuScene::State& scene,
                             const TriangleFilterKernel& kernel = *triangleFilterKernels().front());
 
-    /// Fills the runs for the selection as `frame` sees it. Small meshes and vertices that are not those of
-    /// the scene's meshes stay as they are. Until the next call.
+    /// Fills the runs for the selection as `frame` sees it. Small meshes, what memory is not taken for
+    /// and vertices that are not those of the scene's meshes stay as they are. Until the next call.
     void filter(const DrawSelection& selection, const layout::FrameUniforms& frame);
 
     std::span<const Run> runs() const { return runs_; }
@@ -61,6 +61,7 @@ class TriangleFilter {
     };
 
     bool isFiltered(const DrawBatch& batch, const DrawCommand& command) const;
+    bool hasRoomFor(const DrawCommand& command) const;
     void plan(const DrawSelection& selection);
     void planDraw(const PipelineKey& key, const DrawCommand& command);
     void addCommand(const PipelineKey& key, bool filtered, const DrawCommand& command);

@@ -19,12 +19,12 @@ gl::Program makeProgram(const char* textured, const char* label) {
 }  // namespace
 
 const gl::Program& InstancePass::Programs::of(const PipelineKey& key) {
-    const bool isTextured = key.program == PipelineKey::Program::textured;
+    const bool isTextured = key.program != PipelineKey::Program::plain;
     if (key.topology == Topology::triangles) return isTextured ? textured : plain;
     gl::Program& program = wide[{key.topology, key.program}];
     if (program.name() != 0) return program;
     const std::vector<std::string> definitions{isTextured ? "TEXTURED 1" : "TEXTURED 0",
-                                               "CORNERS " + std::to_string(cornersOf(key.topology))};
+                                               "WIDE_CORNERS " + std::to_string(cornersOf(key.topology))};
     program = gl::Program({{"surface_instance.vert", definitions, {}},
                            {"surface_instance.geom", definitions, {}},
                            {"surface_instance.frag", definitions, {}}},

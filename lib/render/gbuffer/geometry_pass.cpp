@@ -59,7 +59,7 @@ gl::Program GeometryPass::Programs::make(const PipelineKey& key, const GBufferPa
     const std::string file = isPlain ? "surface_plain" : "surface_textured";
     std::vector<gl::Stage> stages{{file + ".vert", definitions, {}}, {file + ".frag", definitions, {}}};
     if (key.topology != Topology::triangles) {
-        definitions.push_back("CORNERS " + std::to_string(cornersOf(key.topology)));
+        definitions.push_back("WIDE_CORNERS " + std::to_string(cornersOf(key.topology)));
         stages.push_back({file + ".geom", definitions, {}});
     }
     return gl::Program(stages, isPlain ? "plain surfaces" : "textured surfaces");

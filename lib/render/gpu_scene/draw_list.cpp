@@ -32,9 +32,8 @@ Backdrop backdropOf(const Material& material) {
     return material.roughness > 0.0f && material.ior > 1.0f ? Backdrop::blurred : Backdrop::sharp;
 }
 
-/// Whether the surface lets anything through. An alpha of 1 everywhere blends nothing.
-bool isTransparent(const Material& material, Colors colors) {
-    if (transmits(material)) return true;
+/// An alpha of 1 everywhere blends nothing.
+bool blends(const Material& material, Colors colors) {
     return material.alphaMode == AlphaMode::blend &&
            (material.baseColor.a < 1.0f || material.baseColorTexture || colors == Colors::perVertex);
 }
@@ -164,7 +163,7 @@ PipelineKey DrawList::materialKey(const Material& material, const VertexKind& ve
     if (!vertices.unlit && isPlain(material, colors, occlusionTextures_)) return key;
     key.program = PipelineKey::Program::textured;
     key.emissive = vertices.unlit || isEmissive(material);
-    key.transparent = isTransparent(material, colors);
+    key.transparent = blends(material, colors) || (!vertices.unlit && transmits(material));
     if (!vertices.unlit) key.backdrop = backdropOf(material);
     const std::span<const MaterialTexture> textures = materialTextures();
     for (std::size_t i = 0; i < key.textures.size(); ++i) {

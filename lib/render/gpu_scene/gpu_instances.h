@@ -81,9 +81,13 @@ class GpuInstances {
         changed_.push_back(index);
     }
     bool isVisible(std::uint32_t index, const Frustum& frustum) const {
-        if (hidden_[index]) return false;
+        return !hidden_[index] && frustum.meets(spheres_[index].center, drawnRadius(index, frustum));
+    }
+
+    /// Of a sphere around the instance's that holds what is drawn, the width of lines and points included.
+    float drawnRadius(std::uint32_t index, const Frustum& frustum) const {
         const auto& [center, radius] = spheres_[index];
-        return frustum.meets(center, hasElements_[index] ? frustum.radiusOfElements(center, radius) : radius);
+        return hasElements_[index] ? frustum.radiusOfElements(center, radius) : radius;
     }
 
     /// World space.

@@ -2,6 +2,8 @@
 
 #include "render/layout.h"
 
+#include <candela/error.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -127,6 +129,13 @@ void LayerPass::drawTriangle(const gl::Program& program, const gl::Framebuffer& 
 }
 
 std::uint64_t LayerPass::countFragments(const std::function<void()>& draw) const {
+    GLint active = 0;
+    glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &active);
+    if (active != 0) {
+        throw Error(ErrorKind::badInput, "",
+                    "a query of GL_SAMPLES_PASSED is active while transparent surfaces are drawn, whose "
+                    "fragments are counted by one; the host has to end it before");
+    }
     glBeginQuery(GL_SAMPLES_PASSED, query_.name());
     draw();
     glEndQuery(GL_SAMPLES_PASSED);

@@ -123,6 +123,7 @@ Scene overlapping() {
         masked.baseColorTexture = Texture{};
         masked.baseColorTexture->minFilter = masked.baseColorTexture->magFilter = Filter::nearest;
         masked.alphaMode = AlphaMode::mask;
+        if (node == 9) masked.clearcoat.factor = 0.5f;
         masked.doubleSided = true;
         Mesh sheet = makeQuad(1.0f);
         if (node == 10) sheet.colors.assign(4, glm::vec4(1, 1, 1, 0.4f));  // Below the cutoff everywhere.
