@@ -68,6 +68,8 @@ CameraView withFarPlane(const CameraView& view, const GpuScene::State& scene, fl
 
 Renderer::State::State(const Context& context)
     : binding(context.state().binding),
+      drawsBeforeQueries(context.renderer().find("zink") != std::string::npos &&
+                         context.renderer().find("llvmpipe") != std::string::npos),
       timer(clockOf(context)),
       lighting(context),
       display(context.isSoftware() ? DisplayPass::Baking::always : DisplayPass::Baking::never),

@@ -114,6 +114,9 @@ struct Renderer::State {
     void displayFrame(const DisplayTransform& transform, const FrameTarget& target);
 
     std::shared_ptr<gl::ContextBinding> binding;
+    /// Whether what a query counts is drawn once before it: a pipeline that is compiled within a query
+    /// corrupts the heap of Mesa's zink over lavapipe (22.3).
+    bool drawsBeforeQueries;
     gl::PassTimer timer;
     GeometryPass geometry;
     Lighting lighting;

@@ -49,10 +49,12 @@ void Renderer::State::drawLayers(const GpuScene::State& scene) {
                                     scene.triangleFilter.get()};
     };
     const LayerDepths all{targets->depth, nullptr};
-    std::uint64_t fragments = layers->countFragments([&] {
+    const auto drawAll = [&] {
         const gl::Scissor within(rectangle);
         geometry.drawFragments(inputsOf(0, all));
-    });
+    };
+    if (drawsBeforeQueries) drawAll();
+    std::uint64_t fragments = layers->countFragments(drawAll);
     std::uint32_t count = 0;
     while (fragments > 0 && count < frame->settings.layers) {
         const LayerDepths depths{targets->depth, count == 0 ? nullptr : &layers->targets(count - 1).depth};

@@ -26,7 +26,9 @@ void setLayer(const gl::Program& program, const LayerDepths& layer) {
 
 void bindDepths(const LayerDepths& layer) {
     glBindTextureUnit(layout::OPAQUE_DEPTH_UNIT, layer.opaque.name());
-    if (layer.before != nullptr) glBindTextureUnit(layout::LAYER_BEFORE_UNIT, layer.before->name());
+    // Of the first layer it is not read.
+    const gl::Texture& before = layer.before != nullptr ? *layer.before : layer.opaque;
+    glBindTextureUnit(layout::LAYER_BEFORE_UNIT, before.name());
 }
 
 }  // namespace

@@ -91,8 +91,8 @@ std::uint64_t LayerPass::keep(std::uint32_t index) {
     const gl::Scissor within(rectangle_);
     constexpr std::array<GLfloat, 4> nothing{0.0f, 0.0f, 0.0f, 0.0f};
     glClearNamedFramebufferfv(layer.framebuffer.name(), GL_COLOR, 0, nothing.data());
-    return countFragments(
-        [&] { drawTriangle(programOf("layer_store.frag", Backdrop::none), layer.framebuffer); });
+    const gl::Program& program = programOf("layer_store.frag", Backdrop::none);
+    return countFragments([&] { drawTriangle(program, layer.framebuffer); });
 }
 
 void LayerPass::copyBackdrop(const gl::Texture& radiance, Backdrop backdrop) {

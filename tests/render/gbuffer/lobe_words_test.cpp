@@ -44,7 +44,9 @@ ExtendedLobes<float> randomLobes(std::uint32_t i, const glm::vec3& normal) {
     return lobes;
 }
 
-void expectLobes(const ExtendedLobes<float>& actual, const ExtendedLobes<float>& expected) {
+/// `codes`: the tolerance of colours, in codes of the G-buffer.
+void expectLobes(const ExtendedLobes<float>& actual, const ExtendedLobes<float>& expected,
+                 float codes = 0.51f) {
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(std::sqrt(actual.f0[c]), std::sqrt(expected.f0[c]), halfCode) << "F0, channel " << c;
     EXPECT_NEAR(actual.f90, expected.f90, halfCode);
@@ -54,14 +56,14 @@ void expectLobes(const ExtendedLobes<float>& actual, const ExtendedLobes<float>&
         EXPECT_GT(std::abs(glm::dot(actual.anisotropyDirection, expected.anisotropyDirection)),
                   std::cos(directionError));
     }
-    expectColor(actual.sheenColor, expected.sheenColor);
+    expectColor(actual.sheenColor, expected.sheenColor, codes);
     EXPECT_NEAR(actual.sheenRoughness, expected.sheenRoughness, halfRoughnessCode);
     EXPECT_NEAR(actual.clearcoat, expected.clearcoat, halfCode);
     EXPECT_NEAR(actual.clearcoatRoughness, expected.clearcoatRoughness, halfRoughnessCode);
     expectNormal(actual.clearcoatNormal, expected.clearcoatNormal);
     EXPECT_NEAR(actual.transmission, expected.transmission, halfCode);
     EXPECT_NEAR(actual.diffuseTransmission, expected.diffuseTransmission, halfCode);
-    expectColor(actual.diffuseTransmissionColor, expected.diffuseTransmissionColor);
+    expectColor(actual.diffuseTransmissionColor, expected.diffuseTransmissionColor, codes);
 }
 
 TEST(LobeWords, packingKeepsRandomLobesWithinHalfACode) {
@@ -230,7 +232,8 @@ TEST_F(LobeDrawingTest, texturesMultiplyTheirChannels) {
     expected.transmission.factor *= share;
     expected.diffuseTransmission.factor *= share;
     expected.diffuseTransmission.color *= linear;
-    expectLobes(lobesOf(scene), expectedOf(expected));
+    // A device's own sampler may decode sRGB with an error of about a code.
+    expectLobes(lobesOf(scene), expectedOf(expected), context().isSoftware() ? 0.51f : 1.5f);
 }
 
 TEST_F(LobeDrawingTest, anisotropyTextureTurnsItsDirection) {
