@@ -122,20 +122,23 @@ TEST(ThreadPool, ServesSeveralCallers) {
 TEST(ThreadPool, AdvancesALoopWhileAnotherRuns) {
     ThreadPool pool(2);
     std::atomic<bool> release = false;
+    std::atomic<int> started = 0;
     std::thread slow([&] {
         pool.run(2, [&](std::size_t, unsigned) {
+            ++started;
             while (!release) std::this_thread::sleep_for(1ms);
         });
     });
+    while (started < 2) std::this_thread::sleep_for(1ms);
     int calls = 0;
     const std::thread::id own = std::this_thread::get_id();
-    // Ends although every other thread of the pool may be busy with the slow loop.
+    // Ends although every other thread of the pool is busy with the slow loop.
     pool.run(10, [&](std::size_t, unsigned) {
         if (std::this_thread::get_id() == own) ++calls;
     });
     release = true;
     slow.join();
-    EXPECT_GT(calls, 0);
+    EXPECT_EQ(calls, 10);
 }
 
 TEST(SharedThreadPool, HasTheSizeThatIsSet) {
