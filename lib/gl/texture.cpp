@@ -77,16 +77,18 @@ BufferTexture::BufferTexture(GLenum format, const char* label)
     upload(std::span<const std::byte>{});
 }
 
-void BufferTexture::reserve(std::size_t size) {
+void BufferTexture::requireTexels(std::size_t texels) {
     GLint maxTexels = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &maxTexels);
-    const std::size_t texels = size / bytesPerTexel(format_);
-    if (texels > static_cast<std::size_t>(maxTexels)) {
-        throw Error(ErrorKind::limit, "",
-                    std::to_string(texels) +
-                        " texels of scene data are asked for, but this device's buffer textures hold " +
-                        std::to_string(maxTexels) + " at most");
-    }
+    if (texels <= static_cast<std::size_t>(maxTexels)) return;
+    throw Error(ErrorKind::limit, "",
+                std::to_string(texels) +
+                    " texels of scene data are asked for, but this device's buffer textures hold " +
+                    std::to_string(maxTexels) + " at most");
+}
+
+void BufferTexture::reserve(std::size_t size) {
+    requireTexels(size / bytesPerTexel(format_));
     const std::size_t before = buffer_.capacity();
     buffer_.reserve(std::max<std::size_t>(size, bytesPerTexel(format_)));
     if (buffer_.capacity() != before) glTextureBuffer(texture_.name(), format_, buffer_.name());

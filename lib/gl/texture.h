@@ -42,6 +42,8 @@ class BufferTexture {
 
     /// Makes room for `size` bytes of undefined content. Throws as `upload` does.
     void reserve(std::size_t size);
+    /// Throws `Error` (limit) where the device's buffer textures hold fewer.
+    static void requireTexels(std::size_t texels);
 
     GLuint name() const { return texture_.name(); }
     GLuint buffer() const { return buffer_.name(); }

@@ -208,7 +208,7 @@ PairCounts Frame::countPairs() const {
 ShadowCounts Frame::shadowCounts() const {
     Renderer::State& state = this->state();
     const DrawnFrame& frame = *state.frame;
-    if (!frame.traced.shadows || !state.lighting.tracesInShaders(frame.technique, frame.settings.tileBackend))
+    if (!frame.traced.shadows || !state.lighting.shadesInShaders(frame.technique, frame.settings.tileBackend))
         return state.shadowCounts;
     const gl::StateGuard guard(*state.binding, user);
     const std::shared_ptr<GpuScene::State> scene = this->scene();

@@ -103,7 +103,7 @@ void Renderer::State::createPasses(const FrameSettings& settings, Technique tech
         debugView.emplace();
     }
     if (hasLines(settings.overlays) && !overlays) overlays.emplace();
-    const bool inShaders = lighting.tracesInShaders(technique, settings.tileBackend);
+    const bool inShaders = lighting.shadesInShaders(technique, settings.tileBackend);
     if (traced.environment && inShaders && !environmentOcclusionPass)
         environmentOcclusionPass.emplace(lighting.raysPerInvocation());
 }
@@ -160,7 +160,7 @@ void Renderer::State::light(const GpuScene::State& scene, ShadedSurfaces& shaded
     LightingTechnique& technique = lighting.technique(frame->technique, frame->settings.tileBackend);
     findVisibility(scene, shaded, passes);
     const LightingInputs inputs = lightingInputs(scene, shaded);
-    lighting.bind(inputs);
+    if (lighting.shadesInShaders(frame->technique, frame->settings.tileBackend)) lighting.bind(inputs);
     technique.render(inputs, passes);
     if (inputs.environment == nullptr || technique.drawsEnvironment()) return;
     const gl::PassTimer::Scope pass(passes, "environment");
@@ -181,7 +181,7 @@ void Renderer::State::findVisibility(const GpuScene::State& scene, ShadedSurface
         const gl::PassTimer::Scope pass(passes, "ambient occlusion");
         shaded.visibility = traceVisibility(scene, shaded);
     } else if (from.parts.occlusion &&
-               lighting.tracesInShaders(frame->technique, frame->settings.tileBackend)) {
+               lighting.shadesInShaders(frame->technique, frame->settings.tileBackend)) {
         shaded.visibility.texture = &from.words[from.indexOf(layout::OCCLUSION_OUTPUT)];
     } else if (from.parts.occlusion) {
         shaded.visibility.bytes = shaded.copy.occlusion().data();
@@ -208,7 +208,7 @@ const std::uint8_t* Renderer::State::traceOnCpu(const GpuScene::State& scene,
 
 EnvironmentVisibility Renderer::State::traceVisibility(const GpuScene::State& scene, ShadedSurfaces& shaded) {
     const EnvironmentRays rays = environmentRays(scene);
-    if (environmentOcclusionPass && lighting.tracesInShaders(frame->technique, frame->settings.tileBackend))
+    if (environmentOcclusionPass && lighting.shadesInShaders(frame->technique, frame->settings.tileBackend))
         return {&environmentOcclusionPass->render(*shaded.targets, *scene.occlusion->shaderForm(), rays),
                 nullptr};
     return {nullptr, traceOnCpu(scene, frame->uniforms, rays, shaded.targets->parts, shaded.copy)};
@@ -373,7 +373,7 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
     if (parts.shadowWord) {
         const gl::PassTimer::Scope pass(timer, "shadows");
         scene.updateOcclusion();
-        if (lighting.tracesInShaders(technique, settings.tileBackend)) scene.occlusion->updateShaderForm();
+        if (lighting.shadesInShaders(technique, settings.tileBackend)) scene.occlusion->updateShaderForm();
     }
     parts.lobes = isLit && showsLobes(scene);
     selectTargets(settings.width, settings.height, parts);

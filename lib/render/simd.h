@@ -202,6 +202,19 @@ inline float minOfLanes(Floats v) {
     return a < b ? a : b;
 }
 
+/// A bit for each lane whose mask is set, the first lane lowest.
+inline std::uint32_t laneBits(Ints mask) {
+#if defined(__AVX512F__)
+    return _mm512_movepi32_mask((__m512i)mask);
+#elif defined(__AVX2__)
+    return static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)mask));
+#else
+    std::uint32_t bits = 0;
+    for (int lane = 0; lane < laneCount; ++lane) bits |= (mask[lane] != 0 ? 1u : 0u) << lane;
+    return bits;
+#endif
+}
+
 /// table[index] in each lane.
 inline Floats lookUp(const float* table, Ints index) {
 #if defined(__AVX512F__)

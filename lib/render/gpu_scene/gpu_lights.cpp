@@ -1,5 +1,6 @@
 #include "render/gpu_scene/gpu_lights.h"
 
+#include "base/thread_pool.h"
 #include "render/layout.h"
 #include "render/sampling/sample_sequence.h"
 #include "scene/model/light_range.h"
@@ -56,7 +57,62 @@ constexpr float minRange = 1.0e-15f, maxRange = 1.0e15f;
 // Of a light that lights nothing.
 constexpr float unlitRange = 1.0e-3f;
 
+// Lights that one worker converts at a time.
+constexpr std::size_t lightsPerChunk = 8192;
+
+std::span<const WorldLight> chunkOf(std::span<const WorldLight> lights, std::size_t index) {
+    const std::size_t first = index * lightsPerChunk;
+    return lights.subspan(first, std::min(lightsPerChunk, lights.size() - first));
+}
+
+bool isLocal(const WorldLight& light) {
+    return light.type != LightType::directional;
+}
+
+bool isSphere(const WorldLight& light) {
+    return light.radius > 0.0f && isLocal(light);
+}
+
+bool isRangeless(const WorldLight& light) {
+    return !(light.range > 0.0f) && isLocal(light);
+}
+
 }  // namespace
+
+/// Numbers of consecutive lights; with those of all chunks before, the places of their records.
+struct GpuLights::Chunk {
+    LightCounts counts;
+    std::uint32_t lights = 0, rangeless = 0, spheres = 0;
+    std::uint32_t faulty = UINT32_MAX;  ///< The first light with a fault.
+
+    void add(const WorldLight& light) {
+        ++lights;
+        counts.points += light.type == LightType::point;
+        counts.spots += light.type == LightType::spot;
+        counts.directionals += light.type == LightType::directional;
+        counts.shadowed += light.castsShadow;
+        rangeless += isRangeless(light);
+        spheres += isSphere(light);
+    }
+    void add(const Chunk& other) {
+        lights += other.lights;
+        counts.points += other.counts.points;
+        counts.spots += other.counts.spots;
+        counts.directionals += other.counts.directionals;
+        counts.shadowed += other.counts.shadowed;
+        rangeless += other.rangeless;
+        spheres += other.spheres;
+        faulty = std::min(faulty, other.faulty);
+    }
+    std::size_t local() const {
+        return static_cast<std::size_t>(counts.points) + static_cast<std::size_t>(counts.spots);
+    }
+    /// Are the records in the order of the lights?
+    bool isOrdered() const {
+        const auto all = static_cast<int>(lights);
+        return counts.points == all || counts.spots == all || counts.directionals == all;
+    }
+};
 
 void LightReaches::reserve(std::size_t size) {
     for (auto* column : {&x, &y, &z, &range}) column->reserve(size + padding);
@@ -66,8 +122,9 @@ void LightReaches::resize(std::size_t size) {
     for (auto* column : {&x, &y, &z, &range}) column->resize(size + padding, 0.0f);
 }
 
-GpuLights::GpuLights(const glm::dmat3& workingFromRec709)
+GpuLights::GpuLights(const glm::dmat3& workingFromRec709, LightUpload when)
     : workingFromRec709_(workingFromRec709),
+      when_(when),
       records_(GL_RGBA32F, layout::LIGHT_TEXELS, "lights"),
       cones_(GL_RGBA32F, 1, "spot cones") {}
 
@@ -99,7 +156,7 @@ void GpuLights::placeSpheres(std::uint32_t sample) {
     for (const Sphere& sphere : spheres_) {
         const glm::vec3 position =
             sphere.center + sphere.radius * glm::vec3(lightPoint(sample, sphere.index));
-        if (isFinite(position)) writePosition(recordOf_[sphere.index], position);
+        if (isFinite(position)) writePosition(recordOf(sphere.index), position);
     }
 }
 
@@ -108,18 +165,16 @@ void GpuLights::setSample(std::uint32_t sample) {
     sample_ = sample;
 }
 
+/// Those of a light without a range are for `assignRanges` to write.
 void GpuLights::writeLocal(std::uint32_t record, const WorldLight& light) {
-    writePosition(record, light.position);
-    const std::span<glm::vec4> texels = records_.edit(record);
-    texels[0].w = 0.0f;
+    const float range = isRangeless(light) ? 0.0f : glm::clamp(light.range, minRange, maxRange);
+    reaches_.x[record] = light.position.x;
+    reaches_.y[record] = light.position.y;
+    reaches_.z[record] = light.position.z;
+    reaches_.range[record] = range;
+    const std::span<glm::vec4> texels = records_.fill(record);
+    texels[0] = glm::vec4(light.position, isRangeless(light) ? 0.0f : 1.0f / (range * range));
     texels[1] = intensityTexel(light);
-    reaches_.range[record] = 0.0f;
-    isRangeless_[record] = !(light.range > 0.0f);
-    if (isRangeless_[record]) {
-        rangeless_.push_back(record);
-    } else {
-        writeRange(record, glm::clamp(light.range, minRange, maxRange));
-    }
 }
 
 void GpuLights::assignRanges(const RangeRule& rule) {
@@ -145,80 +200,107 @@ void GpuLights::assignRanges(const RangeRule& rule) {
     rangelessMoved_ = false;
 }
 
-void GpuLights::writeDirectional(std::uint32_t record, const WorldLight& light) {
-    const std::span<glm::vec4> texels = records_.edit(record);
-    texels[0] = glm::vec4(-light.direction, 0.0f);
-    texels[1] = intensityTexel(light);
+void GpuLights::writeDirectional(std::span<glm::vec4> record, const WorldLight& light) const {
+    record[0] = glm::vec4(-light.direction, 0.0f);
+    record[1] = intensityTexel(light);
 }
 
-void GpuLights::writeCone(std::uint32_t record, const WorldLight& light) {
-    cones_.edit(record - static_cast<std::uint32_t>(counts_.points))[0] = coneRecord(light);
+void GpuLights::reserve(const Chunk& all) {
+    const auto makeRoom = [this](RecordBuffer<glm::vec4>& buffer, std::size_t records) {
+        if (when_ == LightUpload::atOnce)
+            buffer.reserve(records);
+        else
+            buffer.reserveMemory(records);
+    };
+    makeRoom(records_, all.lights);
+    makeRoom(cones_, static_cast<std::size_t>(all.counts.spots));
+    reaches_.reserve(all.local());
+    if (!all.isOrdered()) recordOf_.reserve(all.lights);
+    rangeless_.reserve(all.rangeless);
+    if (all.rangeless > 0) isRangeless_.reserve(all.local());
+    spheres_.reserve(all.spheres);
 }
 
-void GpuLights::reserve(const LightCounts& counts) {
-    const auto local = static_cast<std::size_t>(counts.points) + static_cast<std::size_t>(counts.spots);
-    const std::size_t all = local + static_cast<std::size_t>(counts.directionals);
-    records_.reserve(all);
-    cones_.reserve(static_cast<std::size_t>(counts.spots));
-    reaches_.reserve(local);
-    recordOf_.reserve(all);
-    rangeless_.reserve(local);
-    spheres_.reserve(local);
-    isRangeless_.reserve(local);
+void GpuLights::resize(const Chunk& all) {
+    records_.resize(all.lights);
+    cones_.resize(static_cast<std::size_t>(all.counts.spots));
+    reaches_.resize(all.local());
+    recordOf_.resize(all.isOrdered() ? 0 : all.lights);
+    rangeless_.resize(all.rangeless);
+    spheres_.resize(all.spheres);
+}
+
+void GpuLights::write(std::span<const WorldLight> lights, Chunk to) {
+    for (const WorldLight& light : lights) {
+        std::uint32_t record = 0;
+        if (light.type == LightType::directional) {
+            record = static_cast<std::uint32_t>(counts_.points + counts_.spots + to.counts.directionals);
+            writeDirectional(records_.fill(record), light);
+        } else {
+            const bool isSpot = light.type == LightType::spot;
+            record = static_cast<std::uint32_t>(isSpot ? counts_.points + to.counts.spots : to.counts.points);
+            if (isSpot) cones_.fill(coneOf(record))[0] = coneRecord(light);
+            writeLocal(record, light);
+        }
+        if (!recordOf_.empty()) recordOf_[to.lights] = record;
+        if (isRangeless(light)) rangeless_[to.rangeless] = record;
+        if (isSphere(light)) spheres_[to.spheres] = {to.lights, light.position, light.radius};
+        to.add(light);
+    }
+}
+
+std::vector<GpuLights::Chunk> GpuLights::countLights(std::span<const WorldLight> lights, ThreadPool& pool) {
+    std::vector<Chunk> chunks((lights.size() + lightsPerChunk - 1) / lightsPerChunk);
+    pool.run(chunks.size(), [&](std::size_t i, unsigned) {
+        const std::span<const WorldLight> chunk = chunkOf(lights, i);
+        for (std::size_t k = 0; k < chunk.size(); ++k) {
+            if (chunks[i].faulty == UINT32_MAX && fault(chunk[k]) != nullptr)
+                chunks[i].faulty = static_cast<std::uint32_t>(i * lightsPerChunk + k);
+            chunks[i].add(chunk[k]);
+        }
+    });
+    return chunks;
+}
+
+GpuLights::Chunk GpuLights::sumUp(std::vector<Chunk>& chunks) {
+    Chunk sum;
+    for (Chunk& chunk : chunks) {
+        const Chunk own = chunk;
+        chunk = sum;
+        sum.add(own);
+    }
+    return sum;
 }
 
 void GpuLights::set(std::span<const WorldLight> lights, const RangeRule& rule) {
-    LightCounts counts;
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        if (const char* text = fault(lights[i]))
-            throw Error(ErrorKind::badInput, "", "light " + std::to_string(i) + ": " + text);
-        counts.points += lights[i].type == LightType::point;
-        counts.spots += lights[i].type == LightType::spot;
-        counts.directionals += lights[i].type == LightType::directional;
-        counts.shadowed += lights[i].castsShadow;
+    const std::shared_ptr<ThreadPool> pool = ThreadPool::shared();
+    std::vector<Chunk> chunks = countLights(lights, *pool);
+    const Chunk all = sumUp(chunks);
+    if (all.faulty != UINT32_MAX) {
+        throw Error(ErrorKind::badInput, "",
+                    "light " + std::to_string(all.faulty) + ": " + fault(lights[all.faulty]));
     }
-    reserve(counts);
+    reserve(all);
     // From here on nothing throws.
-    counts_ = counts;
+    counts_ = all.counts;
     report_ = {.lights = lights.size()};
-    records_.resize(lights.size());
-    cones_.resize(static_cast<std::size_t>(counts.spots));
-    reaches_.resize(static_cast<std::size_t>(counts.points + counts.spots));
-    recordOf_.clear();
-    rangeless_.clear();
-    spheres_.clear();
     sample_ = 0;
-    isRangeless_.assign(reaches_.size(), false);
-    auto point = 0u, spot = static_cast<std::uint32_t>(counts.points);
-    auto directional = static_cast<std::uint32_t>(counts.points + counts.spots);
-    for (const WorldLight& light : lights) {
-        if (light.type == LightType::point) {
-            writeLocal(point, light);
-            recordOf_.push_back(point++);
-        } else if (light.type == LightType::spot) {
-            writeCone(spot, light);
-            writeLocal(spot, light);
-            recordOf_.push_back(spot++);
-        } else {
-            writeDirectional(directional, light);
-            recordOf_.push_back(directional++);
-        }
-        if (light.radius > 0.0f && light.type != LightType::directional)
-            spheres_.push_back(
-                {static_cast<std::uint32_t>(recordOf_.size() - 1), light.position, light.radius});
-    }
+    resize(all);
+    pool->run(chunks.size(), [&](std::size_t i, unsigned) { write(chunkOf(lights, i), chunks[i]); });
+    isRangeless_.assign(rangeless_.empty() ? 0 : reaches_.size(), false);
+    for (const std::uint32_t record : rangeless_) isRangeless_[record] = true;
     if (hasRangeless()) assignRanges(rule);
     upload();
 }
 
 void GpuLights::move(std::uint32_t index, const WorldLight& light) {
     if (fault(light) != nullptr) return;
-    const std::uint32_t record = recordOf_[index];
+    const std::uint32_t record = recordOf(index);
     if (light.type == LightType::directional) {
-        writeDirectional(record, light);
+        writeDirectional(records_.edit(record), light);
         return;
     }
-    if (light.type == LightType::spot) writeCone(record, light);
+    if (light.type == LightType::spot) cones_.edit(coneOf(record))[0] = coneRecord(light);
     glm::vec3 position = light.position;
     const auto sphere = std::ranges::lower_bound(spheres_, index, {}, &Sphere::index);
     if (sphere != spheres_.end() && sphere->index == index) {
@@ -226,12 +308,21 @@ void GpuLights::move(std::uint32_t index, const WorldLight& light) {
         position += sphere->radius * glm::vec3(lightPoint(sample_, index));
     }
     writePosition(record, position);
-    rangelessMoved_ = rangelessMoved_ || isRangeless_[record];
+    rangelessMoved_ = rangelessMoved_ || (hasRangeless() && isRangeless_[record]);
 }
 
 std::size_t GpuLights::upload() {
+    if (when_ == LightUpload::whenBound) {
+        cones_.countEdited();
+        return records_.countEdited();
+    }
     cones_.upload();
     return records_.upload();
+}
+
+const gl::BufferTexture& GpuLights::uploaded(RecordBuffer<glm::vec4>& buffer) const {
+    if (when_ == LightUpload::whenBound) buffer.upload();
+    return buffer.texture();
 }
 
 }  // namespace candela

@@ -13,6 +13,8 @@
 
 namespace candela {
 
+class ThreadPool;
+
 struct LightCounts {
     int points = 0, spots = 0, directionals = 0;
     int shadowed = 0;  ///< Of all of these: those that cast shadows.
@@ -37,13 +39,19 @@ struct RangeRule {
     double maxLoss = 0.0;  ///< As `rangeIrradiance` takes it.
 };
 
+/// When lights are uploaded.
+enum class LightUpload {
+    atOnce,     ///< By `set` and `upload`.
+    whenBound,  ///< By `records` and `cones`: on devices where frames may be lit from the copy in memory.
+};
+
 /// The lights as the shaders read them: points first, then spots, then directional lights.
 class GpuLights {
   public:
-    explicit GpuLights(const glm::dmat3& workingFromRec709);
+    GpuLights(const glm::dmat3& workingFromRec709, LightUpload when);
 
-    /// Replaces all lights and uploads them. Throws `Error`: badInput naming a light whose numbers break what
-    /// `WorldLight` states, limit when the device can not hold as many; nothing is changed then.
+    /// Replaces all lights, on all cores. Throws `Error`: badInput naming the first light whose numbers break
+    /// what `WorldLight` states, limit when the device can not hold as many; nothing is changed then.
     void set(std::span<const WorldLight> lights, const RangeRule& rule);
     /// Moves and rotates one of the lights of the last `set`, whose other values do not change. A light whose
     /// new position is not finite, because a world matrix overflows, stays where it is.
@@ -58,40 +66,55 @@ class GpuLights {
     bool rangelessMoved() const { return rangelessMoved_; }
     /// Gives the lights without a range the ranges of the rule.
     void assignRanges(const RangeRule& rule);
-    /// Uploads the lights changed since the last call. Returns how many those are.
+    /// Uploads the lights changed since the last call, or marks them for `records`. Returns how many those
+    /// are.
     std::size_t upload();
 
     const LightCounts& counts() const { return counts_; }
     bool anyCastsShadow() const { return counts_.shadowed > 0; }
     /// Where the points and spots reach, in the order of the records.
     const LightReaches& reaches() const { return reaches_; }
-    /// The records as they were uploaded: LIGHT_TEXELS texels a light, and a cone of one texel a spot.
+    /// The records: LIGHT_TEXELS texels a light, and a cone of one texel a spot.
     std::span<const glm::vec4> recordData() const { return records_.texels(); }
     std::span<const glm::vec4> coneData() const { return cones_.texels(); }
     const LightReport& report() const { return report_; }
 
-    const gl::BufferTexture& records() const { return records_.texture(); }
-    const gl::BufferTexture& cones() const { return cones_.texture(); }
+    /// On the device. Throws `Error` (limit) with `LightUpload::whenBound` where it has no memory for them.
+    const gl::BufferTexture& records() const { return uploaded(records_); }
+    const gl::BufferTexture& cones() const { return uploaded(cones_); }
 
   private:
-    void reserve(const LightCounts& counts);
+    struct Chunk;
+
+    static std::vector<Chunk> countLights(std::span<const WorldLight> lights, ThreadPool& pool);
+    /// Replaces the numbers of each chunk by those of the chunks before it. Returns those of all.
+    static Chunk sumUp(std::vector<Chunk>& chunks);
+    const gl::BufferTexture& uploaded(RecordBuffer<glm::vec4>& buffer) const;
+    void reserve(const Chunk& all);
+    void resize(const Chunk& all);
+    /// Writes the lights of a chunk to the records and lists from where `to` counts on.
+    void write(std::span<const WorldLight> lights, Chunk to);
     void writeLocal(std::uint32_t record, const WorldLight& light);
+    std::uint32_t recordOf(std::uint32_t index) const { return recordOf_.empty() ? index : recordOf_[index]; }
     void writePosition(std::uint32_t record, const glm::vec3& position);
     /// Writes the positions of `spheres_` in a sample.
     void placeSpheres(std::uint32_t sample);
-    void writeDirectional(std::uint32_t record, const WorldLight& light);
-    void writeCone(std::uint32_t record, const WorldLight& light);
+    void writeDirectional(std::span<glm::vec4> record, const WorldLight& light) const;
+    std::uint32_t coneOf(std::uint32_t record) const {
+        return record - static_cast<std::uint32_t>(counts_.points);
+    }
     void writeRange(std::uint32_t record, float range);
     float brightestChannel(std::uint32_t record) const;
     glm::vec4 intensityTexel(const WorldLight& light) const;
 
     glm::dmat3 workingFromRec709_;
+    LightUpload when_;
     LightCounts counts_;
     LightReport report_;
     LightReaches reaches_;
-    std::vector<std::uint32_t> recordOf_;   ///< Of each light of the last `set`.
+    std::vector<std::uint32_t> recordOf_;   ///< Of each light; empty where records are in the same order.
     std::vector<std::uint32_t> rangeless_;  ///< Records of the lights without a range.
-    std::vector<bool> isRangeless_;         ///< Of each record of a point or spot light.
+    std::vector<bool> isRangeless_;         ///< Of each point or spot record; empty where all have a range.
     bool rangelessMoved_ = false;
     /// A light with a radius.
     struct Sphere {
@@ -101,7 +124,8 @@ class GpuLights {
     };
     std::vector<Sphere> spheres_;  ///< Sorted by index.
     std::uint32_t sample_ = 0;     ///< In which their positions are.
-    RecordBuffer<glm::vec4> records_, cones_;
+    /// With `LightUpload::whenBound` the device's copies are brought up to date when they are asked for.
+    mutable RecordBuffer<glm::vec4> records_, cones_;
 };
 
 }  // namespace candela

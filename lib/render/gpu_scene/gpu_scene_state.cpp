@@ -91,7 +91,7 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
              context.isSoftware() ? GpuMeshes::Access::deviceAndCpu : GpuMeshes::Access::device),
       images(scene.images, context.isSoftware() ? ColorDecoding::exact : ColorDecoding::device),
       materials(scene, options.workingFromRec709),
-      lights(options.workingFromRec709),
+      lights(options.workingFromRec709, context.isSoftware() ? LightUpload::whenBound : LightUpload::atOnce),
       cages(context, sceneState, options),
       deformations(context, scene, sceneState, detailOf(scene), options.vertexEvaluator),
       instances(scene) {
@@ -185,6 +185,8 @@ void GpuScene::State::playAnimations(std::span<const std::uint32_t> animations) 
 void GpuScene::State::setLights(std::span<const WorldLight> worldLights) {
     lights.set(worldLights, rangeRule());
     lightsFollowNodes_ = false;
+    sceneState.lights = {};
+    nodeLights_ = {};
 }
 
 void GpuScene::State::setCagePoints(std::uint32_t node, std::span<const glm::vec3> points) {

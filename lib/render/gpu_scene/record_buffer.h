@@ -25,38 +25,48 @@ class RecordBuffer {
     /// Makes room for as many records, without changing any. Throws `Error` (limit) when the device has none;
     /// nothing is changed then.
     void reserve(std::size_t records) {
+        reserveMemory(records);
+        reserveDevice(records);
+    }
+    /// As `reserve`, but `upload` makes the room on the device, and may throw `Error` (limit) then.
+    void reserveMemory(std::size_t records) {
+        gl::BufferTexture::requireTexels(records * texelsPerRecord_);
         texels_.reserve(records * texelsPerRecord_);
-        if (records <= capacity_) return;
-        gl::BufferTexture larger(format_, label_);
-        larger.upload(std::span<const Texel>(std::vector<Texel>(records * texelsPerRecord_)));
-        texture_ = std::move(larger);
-        capacity_ = records;
-        allChanged_ = true;
     }
     /// Sets the number of records, for which there is room; all are to be written.
     void resize(std::size_t records) {
         texels_.resize(records * texelsPerRecord_);
-        allChanged_ = true;
+        allEdited_ = true;
     }
     /// A record to be written; it is uploaded next time.
     std::span<Texel> edit(std::uint32_t record) {
-        if (!allChanged_) changed_.push_back(record);
+        if (!allEdited_) edited_.push_back(record);
         // From here on one upload of all takes less than sorting what has changed.
-        if (changed_.size() > texels_.size() / texelsPerRecord_ / 2) allChanged_ = true;
-        return std::span(texels_).subspan(record * texelsPerRecord_, texelsPerRecord_);
+        if (edited_.size() > size() / 2) allEdited_ = true;
+        return recordOf(record);
     }
+    /// A record after `resize`, before anything else. Different records may be written by different threads.
+    std::span<Texel> fill(std::uint32_t record) { return recordOf(record); }
 
-    /// Returns how many records have changed; all, where most have.
+    /// Returns how many records were edited since the last call; all, where most were.
+    std::size_t countEdited() {
+        std::ranges::sort(edited_);
+        const auto repeated = std::ranges::unique(edited_);
+        edited_.erase(repeated.begin(), repeated.end());
+        const std::size_t count = allEdited_ ? size() : edited_.size();
+        allChanged_ = allChanged_ || allEdited_ || changed_.size() + edited_.size() > size() / 2;
+        if (!allChanged_) changed_.insert(changed_.end(), edited_.begin(), edited_.end());
+        edited_.clear();
+        allEdited_ = false;
+        return count;
+    }
+    /// Returns what `countEdited` would.
     std::size_t upload() {
-        std::size_t count = 0;
+        const std::size_t count = countEdited();
+        reserveDevice(size());
         if (allChanged_) {
-            count = texels_.size() / texelsPerRecord_;
-            write(0, count);
+            write(0, size());
         } else {
-            std::ranges::sort(changed_);
-            const auto repeated = std::ranges::unique(changed_);
-            changed_.erase(repeated.begin(), repeated.end());
-            count = changed_.size();
             writeChanged();
         }
         allChanged_ = false;
@@ -65,8 +75,21 @@ class RecordBuffer {
     }
 
   private:
+    std::size_t size() const { return texels_.size() / texelsPerRecord_; }
+    std::span<Texel> recordOf(std::uint32_t record) {
+        return std::span(texels_).subspan(record * texelsPerRecord_, texelsPerRecord_);
+    }
+    void reserveDevice(std::size_t records) {
+        if (records <= capacity_) return;
+        gl::BufferTexture larger(format_, label_);
+        larger.reserve(records * texelsPerRecord_ * sizeof(Texel));
+        texture_ = std::move(larger);
+        capacity_ = records;
+        allChanged_ = true;
+    }
     /// Records between two changed ones are sent along where that takes less than another call.
     void writeChanged() {
+        std::ranges::sort(changed_);
         constexpr std::uint32_t maxGap = 32;
         for (std::size_t first = 0; first < changed_.size();) {
             std::size_t last = first;
@@ -87,10 +110,11 @@ class RecordBuffer {
     GLenum format_;
     const char* label_;
     std::size_t texelsPerRecord_;
-    std::size_t capacity_ = 0;  ///< Records.
+    std::size_t capacity_ = 0;  ///< Records on the device.
     std::vector<Texel> texels_;
-    std::vector<std::uint32_t> changed_;
-    bool allChanged_ = false;
+    std::vector<std::uint32_t> edited_;   ///< Since the last `countEdited`.
+    std::vector<std::uint32_t> changed_;  ///< Until then, since the last upload.
+    bool allEdited_ = false, allChanged_ = false;
     gl::BufferTexture texture_;
 };
 

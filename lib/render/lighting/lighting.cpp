@@ -39,7 +39,7 @@ CpuTiles& Lighting::otherCpuTiles() {
     return *otherTiles_;
 }
 
-bool Lighting::tracesInShaders(Technique technique, TileBackend backend) const {
+bool Lighting::shadesInShaders(Technique technique, TileBackend backend) const {
     return technique != Technique::tiles || tileBackend(backend) != TileBackend::cpu;
 }
 

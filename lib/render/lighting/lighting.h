@@ -37,13 +37,13 @@ class Lighting {
     /// All 0 in a frame without shadows. The rays are those of the technique `tiles` on the CPU.
     std::vector<float> shadowedPerPixel(const LightingInputs& inputs);
 
-    /// Do shaders trace the occlusion rays of the technique? `backend` as above.
-    bool tracesInShaders(Technique technique, TileBackend backend) const;
+    /// Do shaders light pixels and trace the occlusion rays of the technique? `backend` as above.
+    bool shadesInShaders(Technique technique, TileBackend backend) const;
 
     /// How many rays one invocation of a shader traces at most.
     std::uint32_t raysPerInvocation() const { return static_cast<std::uint32_t>(limit_.traced); }
 
-    /// Binds the textures that all techniques read.
+    /// Binds the textures that all techniques read which shade in shaders.
     void bind(const LightingInputs& inputs);
 
   private:

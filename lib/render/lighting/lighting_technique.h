@@ -22,8 +22,8 @@ class GpuEnvironment;
 class OcclusionScene;
 class PairCounter;
 
-/// What a lighting technique works on. The frame's uniform block and the textures of `bindForLighting` are
-/// bound.
+/// What a lighting technique works on. The frame's uniform block is bound, and for techniques that shade in
+/// shaders the textures of `bindForLighting`.
 struct LightingInputs {
     const GBufferTargets& targets;
     const GpuLights& lights;

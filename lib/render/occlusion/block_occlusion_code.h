@@ -23,18 +23,6 @@ struct BlockVectors {
     Vec3 lanes(int first) const { return {load(x + first), load(y + first), load(z + first)}; }
 };
 
-inline std::uint32_t laneBits(Ints mask) {
-#if defined(__AVX512F__)
-    return _mm512_movepi32_mask((__m512i)mask);
-#elif defined(__AVX2__)
-    return static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)mask));
-#else
-    std::uint32_t bits = 0;
-    for (int lane = 0; lane < laneCount; ++lane) bits |= (mask[lane] != 0 ? 1u : 0u) << lane;
-    return bits;
-#endif
-}
-
 /// The rays of a block from one light, in the world or in the space of an instance.
 struct BlockRays {
     LightSource light;

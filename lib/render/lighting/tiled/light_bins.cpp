@@ -9,6 +9,8 @@ namespace {
 
 /// Fewer lights are binned by one worker: starting the others takes longer.
 constexpr std::uint32_t minLightsForThreads = 1024;
+/// Several a worker, since lights in view take longer than others and may follow each other.
+constexpr std::uint32_t chunksPerWorker = 4;
 
 template <typename Visit>
 void forEachTile(const VisibleLight& light, int columns, Visit visit) {
@@ -29,7 +31,7 @@ std::size_t LightBins::tileCount() const {
 void LightBins::count(const TileFrame& frame, std::uint32_t first, std::uint32_t end,
                       const TileKernel& kernel, ThreadPool& pool) {
     const std::uint32_t lights = end - first;
-    const std::uint32_t chunks = lights < minLightsForThreads ? 1 : pool.size();
+    const std::uint32_t chunks = lights < minLightsForThreads ? 1 : pool.size() * chunksPerWorker;
     const std::uint32_t perChunk = (lights + chunks - 1) / chunks;
     chunks_.resize(chunks);
     // All memory is allocated here: the loop body allocates nothing.
@@ -37,12 +39,16 @@ void LightBins::count(const TileFrame& frame, std::uint32_t first, std::uint32_t
         Chunk& chunk = chunks_[c];
         chunk.first = first + std::min(c * perChunk, lights);
         chunk.end = first + std::min((c + 1) * perChunk, lights);
-        if (chunk.visible.size() < chunk.end - chunk.first) chunk.visible.resize(chunk.end - chunk.first);
+        const std::size_t size = chunk.end - chunk.first;
+        if (chunk.room < size) {
+            chunk.visible = std::make_unique_for_overwrite<VisibleLight[]>(size);
+            chunk.room = size;
+        }
         chunk.next.resize(tileCount());
     }
     pool.run(chunks, [&](std::size_t c, unsigned) {
         Chunk& chunk = chunks_[c];
-        chunk.visibleCount = kernel.cull(frame, chunk.first, chunk.end, chunk.visible.data());
+        chunk.visibleCount = kernel.cull(frame, chunk.first, chunk.end, chunk.visible.get());
         std::ranges::fill(chunk.next, 0u);
         for (std::size_t i = 0; i < chunk.visibleCount; ++i)
             forEachTile(chunk.visible[i], columns_, [&](std::size_t tile) { ++chunk.next[tile]; });

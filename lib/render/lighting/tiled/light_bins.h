@@ -4,6 +4,7 @@
 #include "render/lighting/tiled/tile_kernel.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -37,8 +38,9 @@ class LightBins {
     /// Consecutive lights that one worker culls. Chunks follow each other, so that lists stay sorted.
     struct Chunk {
         std::uint32_t first = 0, end = 0;
-        std::vector<VisibleLight> visible;
-        std::size_t visibleCount = 0;
+        /// Room for all of them; only what is written takes memory.
+        std::unique_ptr<VisibleLight[]> visible;
+        std::size_t room = 0, visibleCount = 0;
         std::vector<std::uint32_t> next;  ///< For each tile the count, then the position of its next light.
     };
 

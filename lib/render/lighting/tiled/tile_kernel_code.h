@@ -153,13 +153,11 @@ std::size_t cull(const TileFrame& frame, std::uint32_t first, std::uint32_t end,
         const Floats range = load(frame.reach[3] + i);
         const Floats x = dot(way, splat3(frame.right)), y = dot(way, splat3(frame.up)),
                      depth = dot(way, splat3(frame.forward));
-        const Ints visible = distanceToFrustum(frustum, x, y, depth) <= range;
-#if defined(__AVX512F__)
-        if (_mm512_movepi32_mask((__m512i)visible) == 0) continue;
-#endif
-        for (int lane = 0; lane < laneCount; ++lane) {
+        std::uint32_t visible = laneBits(distanceToFrustum(frustum, x, y, depth) <= range);
+        for (; visible != 0; visible &= visible - 1) {
+            const int lane = __builtin_ctz(visible);
             const std::uint32_t index = i + static_cast<std::uint32_t>(lane);
-            if (visible[lane] == 0 || index >= end) continue;
+            if (index >= end) break;
             out[count++] =
                 visibleLight(index, tilesUnder(grid, frustum, x[lane], y[lane], depth[lane], range[lane]));
         }
