@@ -1,5 +1,6 @@
 #include "bench_options.h"
 
+#include "bench_scene.h"
 #include "common/parse.h"
 #include "common/scene_environment.h"
 #include "common/shadow_stats.h"
@@ -84,6 +85,17 @@ std::vector<std::uint32_t> parseSamples(const std::string& text) {
     return counts;
 }
 
+std::vector<candela::TileBackend> parseTileBackends(const std::string& text) {
+    std::vector<candela::TileBackend> backends;
+    for (const std::string& part : splitAtCommas(text)) {
+        const candela::TileBackend backend = parseTileBackend(part);
+        if (std::ranges::find(backends, backend) != backends.end())
+            throw UsageError("--tiles \"" + text + "\": " + part + " is given twice");
+        backends.push_back(backend);
+    }
+    return backends;
+}
+
 bool hasEnvironment(const BenchOptions& options) {
     return options.environment.source != EnvironmentOption::Source::own;
 }
@@ -92,13 +104,16 @@ void checkTogether(const BenchOptions& options) {
     if (options.json.empty()) throw UsageError("--json is missing: name the file to write the results to");
     if (options.scene.empty()) throw UsageError("--scene \"\": expected a name or a file");
     const bool measuresLights = !options.lights.empty() || options.compares || options.plot || options.view ||
-                                options.baseline == Baseline::with || !options.shadows.empty() ||
+                                options.baseline == Baseline::with || options.measuresCeiling ||
+                                !options.shadows.empty() ||
                                 options.samples != std::vector<std::uint32_t>{1} || hasEnvironment(options);
     if ((options.scene == cageScene || isCrowd(options.scene)) && measuresLights)
         throw UsageError("--scene " + options.scene +
                          " measures no lights: leave --lights, --technique all, --shadows, --samples, "
                          "--environment, --plot, "
-                         "--view and --baseline out");
+                         "--view, --ceiling and --baseline out");
+    if (isTriangles(options.scene) && options.scene.find(',') != options.scene.npos)
+        throw UsageError("--scene " + options.scene + ": give the number of lights by --lights");
     if (options.baseline == Baseline::with && hasEnvironment(options))
         throw UsageError("--baseline draws no environment: leave --environment out");
     if (options.baseline == Baseline::with && options.brdf != candela::BrdfModel::course)
@@ -110,6 +125,7 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
                    "plaza, cloud, rooms, outside (the plaza's lights, all behind the camera),\n"
                    "hidden (the plaza and as many lights again that reach no visible surface),\n"
                    "cages (moving and refining a subdivision cage, against OpenSubdiv),\n"
+                   "triangles:N (N triangles, 1 to 50000000, from many pixels to less than one),\n"
                    "crowd:N (moving N skinned characters, against copies of their vertices), or a\n"
                    "file. Default: plaza")
         ->type_name("NAME|FILE");
@@ -127,9 +143,10 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
            "which also compares their pictures. Default: auto")
         ->type_name("LIST|all");
     app.add_option_function<std::string>(
-           "--tiles", [&](const std::string& text) { options.tileBackend = parseTileBackend(text); },
-           "What runs the technique tiles: auto (by device), cpu or compute. Default: auto")
-        ->type_name("WORD");
+           "--tiles", [&](const std::string& text) { options.tileBackends = parseTileBackends(text); },
+           "What runs the technique tiles: auto (by device), cpu or compute; of several,\n"
+           "separated by commas, the last draws what pictures are compared with. Default:\nauto")
+        ->type_name("LIST");
     app.add_option_function<std::string>(
            "--shadows", [&](const std::string& text) { options.shadows = parseShadowList(text); },
            std::string("on, off, or both, drawn alternately, so that their ratio is that of one run.\n"
@@ -161,6 +178,11 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
         "textbook_fullscreen), bare, which draws the geometry alone, and with --shadows\n"
         "on a cube shadow map a light, for at most a minute. One that cannot draw the\n"
         "scene is reported as failed");
+    app.add_flag("--ceiling", options.measuresCeiling,
+                 "Also measure how many pairs of pixel and light the device's compute shaders shade\n"
+                 "at most, with everything in registers, and what share of it each technique reaches");
+    app.add_flag_callback(
+        "--markdown", [&] { options.table = TableFormat::markdown; }, "Print the table in Markdown");
     app.add_option_function<std::string>(
            "--size",
            [&](const std::string& text) { std::tie(options.width, options.height) = parseSize(text); },

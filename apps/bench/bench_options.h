@@ -16,6 +16,9 @@
 /// Whether the textbook programs and the bare one are measured too.
 enum class Baseline { without, with };
 
+/// What is printed.
+enum class TableFormat { plain, markdown };
+
 /// The scene that measures a moving subdivision cage, and no lights.
 constexpr const char* cageScene = "cages";
 
@@ -25,7 +28,7 @@ struct BenchOptions {
     std::vector<std::uint64_t> lights;   ///< Empty: 4096, or the lights of a file.
     std::vector<candela::Technique> techniques{candela::Technique::automatic};
     bool compares = false;  ///< --technique all: pictures are compared and must agree.
-    candela::TileBackend tileBackend = candela::TileBackend::automatic;
+    std::vector<candela::TileBackend> tileBackends{candela::TileBackend::automatic};
     /// `on` and `off` as given; `off` without --shadows.
     std::vector<candela::Shadows> shadows;
     std::vector<std::uint32_t> samples{1};  ///< A pixel; each measured.
@@ -33,6 +36,8 @@ struct BenchOptions {
     std::uint32_t environmentRays = candela::FrameSettings{}.environmentOcclusion.rays;
     candela::BrdfModel brdf = candela::BrdfModel::course;
     Baseline baseline = Baseline::without;
+    bool measuresCeiling = false;
+    TableFormat table = TableFormat::plain;
     int width = 1280, height = 720;
     int frames = 20;
     std::optional<std::string> view;  ///< Of the built-in config's default display.

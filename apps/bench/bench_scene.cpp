@@ -59,11 +59,19 @@ void addHidden(std::vector<candela::WorldLight>& lights) {
 
 }  // namespace
 
+bool isTriangles(const std::string& scene) {
+    return scene.starts_with("triangles:");
+}
+
 BenchScene loadBenchScene(const candela::PluginRegistry& plugins, const BenchOptions& options,
                           std::optional<std::uint64_t> lights) {
     const std::string count = std::to_string(lights.value_or(4096));
     if (std::ranges::find(proceduralScenes, options.scene) != proceduralScenes.end()) {
         return makeBenchScene(options.scene, importScene(plugins, options.scene + ":" + count).scene,
+                              options);
+    }
+    if (isTriangles(options.scene)) {
+        return makeBenchScene(options.scene, importScene(plugins, options.scene + "," + count).scene,
                               options);
     }
     if (options.scene == "outside" || options.scene == "hidden") {

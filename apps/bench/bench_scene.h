@@ -19,6 +19,9 @@ struct BenchScene {
     std::optional<std::size_t> referenceLights;
 };
 
+/// Does `scene` name a scene of so many triangles: "triangles:N"?
+bool isTriangles(const std::string& scene);
+
 /// Loads the scene of the options with `lights` lights; without a number with 4096, or with the lights of the
 /// file. Throws `candela::Error`.
 BenchScene loadBenchScene(const candela::PluginRegistry& plugins, const BenchOptions& options,

@@ -22,7 +22,7 @@ class CandelaProgram final : public Program {
         scene_.setLights(scene.lights);
         view_ = scene.view;
         settings_ = {options.width, options.height, options.brdf, drawing.technique};
-        settings_.tileBackend = options.tileBackend;
+        settings_.tileBackend = drawing.tileBackend;
         settings_.shadows = drawing.shadows;
         settings_.environmentOcclusion.rays = options.environmentRays;
         sampling_.count = drawing.samples;
@@ -54,6 +54,7 @@ class CandelaProgram final : public Program {
         result.lightsVisible = pairs.lightsVisible;
         result.lightsDropped = pairs.lightsDropped;
         result.lightListBytes = pairs.lightListBytes;
+        result.triangles = scene_.triangleCount();
         result.picture = medianOf([&] {
             const candela::Frame& frame = render();
             if (accumulator_)

@@ -35,8 +35,21 @@ GLuint compileStage(GLenum stage, const std::string& text) {
     glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<std::size_t>(length));
     glDeleteShader(shader);
-    throw candela::Error(candela::ErrorKind::environment, "textbook shader",
+    throw candela::Error(candela::ErrorKind::environment, "benchmark shader",
                          "this device can not compile it: " + log);
+}
+
+/// Deletes the stages.
+GLuint linked(const std::vector<GLuint>& stages) {
+    const GLuint program = glCreateProgram();
+    for (const GLuint stage : stages) glAttachShader(program, stage);
+    glLinkProgram(program);
+    for (const GLuint stage : stages) glDeleteShader(stage);
+    GLint isLinked = GL_FALSE;
+    glGetProgramiv(program, GL_LINK_STATUS, &isLinked);
+    if (isLinked == GL_TRUE) return program;
+    glDeleteProgram(program);
+    throw candela::Error(candela::ErrorKind::environment, "benchmark shader", "this device can not link it");
 }
 
 }  // namespace
@@ -62,19 +75,12 @@ Screen::~Screen() {
 }
 
 GLuint makeProgram(const std::string& vertexText, const std::string& fragmentText) {
-    const GLuint program = glCreateProgram();
-    const GLuint vertex = compileStage(GL_VERTEX_SHADER, vertexText),
-                 fragment = compileStage(GL_FRAGMENT_SHADER, fragmentText);
-    glAttachShader(program, vertex);
-    glAttachShader(program, fragment);
-    glLinkProgram(program);
-    glDeleteShader(vertex);
-    glDeleteShader(fragment);
-    GLint linked = GL_FALSE;
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (linked == GL_TRUE) return program;
-    glDeleteProgram(program);
-    throw candela::Error(candela::ErrorKind::environment, "textbook shader", "this device can not link it");
+    return linked(
+        {compileStage(GL_VERTEX_SHADER, vertexText), compileStage(GL_FRAGMENT_SHADER, fragmentText)});
+}
+
+GLuint makeComputeProgram(const std::string& text) {
+    return linked({compileStage(GL_COMPUTE_SHADER, text)});
 }
 
 SceneGeometry::SceneGeometry(const candela::Scene& scene) {

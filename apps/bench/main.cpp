@@ -1,12 +1,14 @@
 /// candela-bench: measures the lighting techniques and compares their radiance. See --help and
 /// docs/benchmarks.md.
 
+#include "arithmetic_ceiling.h"
 #include "bench_options.h"
 #include "bench_scene.h"
 #include "cage_bench.h"
 #include "common/output_file.h"
 #include "common/program.h"
 #include "crowd_bench.h"
+#include "markdown_table.h"
 #include "measure.h"
 #include "programs.h"
 #include "results.h"
@@ -42,6 +44,27 @@ std::vector<candela::Technique> techniquesFor(const BenchScene& scene, const Ben
     return techniques;
 }
 
+/// A technique, and what runs it where it is `tiles`.
+struct TechniqueRun {
+    candela::Technique technique;
+    candela::TileBackend backend;
+};
+
+bool isTiles(candela::Technique technique) {
+    return technique == candela::Technique::tiles || technique == candela::Technique::automatic;
+}
+
+/// The techniques in order, `tiles` with the first of the backends; `tiles` with the others follows.
+std::vector<TechniqueRun> runsOf(const std::vector<candela::Technique>& techniques,
+                                 const std::vector<candela::TileBackend>& backends) {
+    std::vector<TechniqueRun> runs;
+    for (const candela::Technique technique : techniques) runs.push_back({technique, backends.front()});
+    const auto tiles = std::ranges::find_if(techniques, isTiles);
+    if (tiles == techniques.end()) return runs;
+    for (std::size_t i = 1; i < backends.size(); ++i) runs.push_back({*tiles, backends[i]});
+    return runs;
+}
+
 using ProgramMaker = std::function<std::unique_ptr<Program>()>;
 
 /// A row of the report before it is measured.
@@ -66,11 +89,13 @@ class Bench {
 
     void measureScene(const BenchScene& scene) {
         const std::vector<candela::Technique> techniques = techniquesFor(scene, options_);
-        // The last technique is the reference of all: `fullscreen` where it is affordable.
+        // The last one is the reference of all: `fullscreen` where it is affordable, or the last of several
+        // backends of `tiles`.
+        const std::vector<TechniqueRun> runs = runsOf(techniques, options_.tileBackends);
         references_.clear();
         const std::size_t first = results_.size();
-        for (auto technique = techniques.rbegin(); technique != techniques.rend(); ++technique) {
-            const std::vector<Result> rows = measureRows(scene, candelaRows(scene, *technique));
+        for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
+            const std::vector<Result> rows = measureRows(scene, candelaRows(scene, *run));
             results_.insert(results_.begin() + static_cast<std::ptrdiff_t>(first), rows.begin(), rows.end());
         }
         if (options_.baseline == Baseline::with) addBaselines(scene, Result(results_[first]));
@@ -81,11 +106,11 @@ class Bench {
 
   private:
     /// Of one technique, with shadows, without, or both, and with each number of samples.
-    std::vector<Row> candelaRows(const BenchScene& scene, candela::Technique technique) const {
+    std::vector<Row> candelaRows(const BenchScene& scene, const TechniqueRun& run) const {
         std::vector<Row> rows;
         for (const candela::Shadows shadows : options_.shadows)
             for (const std::uint32_t samples : options_.samples)
-                rows.push_back(candelaRow(scene, {technique, shadows, samples}));
+                rows.push_back(candelaRow(scene, {run.technique, shadows, samples, run.backend}));
         return rows;
     }
 
@@ -143,8 +168,10 @@ class Bench {
             std::vector<Subject> subjects;
             for (const Row& row : rows) subjects.push_back(subjectOf(row));
             std::vector<Result> results = measure(subjects, scene, options_);
-            for (std::size_t i = 0; i < rows.size(); ++i)
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                results[i].backendShown = options_.tileBackends.size() > 1;
                 checkImage(results[i], subjects[i].program->radiance(), scene);
+            }
             return results;
         } catch (const candela::Error& error) {
             std::vector<Result> results;
@@ -175,7 +202,8 @@ class Bench {
         const auto reference = references_.find(key);
         if (reference != references_.end())
             return compareImages(result, rgb, reference->second, allowedDifference(result.technique, scene));
-        if (isCandela(result) && (options_.compares || options_.baseline == Baseline::with))
+        if (isCandela(result) &&
+            (options_.compares || options_.baseline == Baseline::with || options_.tileBackends.size() > 1))
             references_[key] = ReferenceImage{result.technique, std::move(rgb)};
     }
 
@@ -235,11 +263,16 @@ void runBench(const BenchOptions& options) {
     if (counts.empty()) counts.emplace_back();
     for (const auto& count : counts) bench.measureScene(loadBenchScene(plugins, options, count));
     bench.clearProgress();
-    writeText(options.json, resultsJson(context.renderer(), setupJson(options), bench.results()));
+    std::optional<Ceiling> ceiling;
+    if (options.measuresCeiling) ceiling = measureCeiling(context, options.brdf);
+    writeText(options.json, resultsJson(context.renderer(), setupJson(options), bench.results(), ceiling));
     if (options.plot) writeText(*options.plot, plotSvg(context.renderer(), bench.results()));
-    if (!options.quiet)
+    if (!options.quiet) {
         std::cout << context.renderer() << ", " << options.width << "x" << options.height << "\n"
-                  << resultsTable(bench.results());
+                  << (options.table == TableFormat::markdown ? "\n" + markdownTable(bench.results(), ceiling)
+                                                             : resultsTable(bench.results()))
+                  << (ceiling ? ceilingText(*ceiling) : "");
+    }
     requireCandelaResults(bench.results());
 }
 

@@ -12,6 +12,7 @@ struct CandelaDrawing {
     candela::Technique technique;
     candela::Shadows shadows;  ///< `on` or `off`.
     std::uint32_t samples;     ///< A pixel.
+    candela::TileBackend tileBackend = candela::TileBackend::automatic;
 };
 
 /// candela itself.

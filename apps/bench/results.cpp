@@ -1,6 +1,9 @@
 #include "results.h"
 
+#include "bench_scene.h"
 #include "common/scene_environment.h"
+#include "markdown_table.h"
+#include "result_text.h"
 
 #include <candela/threads.h>
 #include <candela/version.h>
@@ -40,29 +43,6 @@ void put(Json& row, const char* name, const std::optional<Value>& value) {
     if (value) row[name] = *value;
 }
 
-std::string fixedText(const std::optional<double>& value, int digits) {
-    if (!value) return "-";
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(digits) << *value;
-    return text.str();
-}
-
-std::string millionsText(const std::optional<std::uint64_t>& value) {
-    return value ? fixedText(static_cast<double>(*value) * 1.0e-6, 2) : "-";
-}
-
-/// Millions of lit pairs a second of the lighting pass.
-std::string rateText(const Result& result) {
-    if (!result.pairsLit || !result.lighting || *result.lighting <= 0.0) return "-";
-    return fixedText(static_cast<double>(*result.pairsLit) / *result.lighting * 1.0e-3, 1);
-}
-
-std::string shareText(const Result& result) {
-    if (!result.pairsLit || !result.pairsEvaluated || *result.pairsEvaluated == 0) return "-";
-    return fixedText(
-        100.0 * static_cast<double>(*result.pairsLit) / static_cast<double>(*result.pairsEvaluated), 0);
-}
-
 Json failedRow(const Result& result) {
     Json row{{"scene", result.scene},
              {"lights", result.lights},
@@ -92,7 +72,8 @@ std::optional<double> singleFrames(const Result& many, const std::vector<Result>
     if (many.error || many.samples == 1) return std::nullopt;
     const auto one = std::ranges::find_if(results, [&](const Result& other) {
         return !other.error && other.samples == 1 && isOfSameLights(other, many) &&
-               other.technique == many.technique && other.shadows == many.shadows;
+               other.technique == many.technique && other.tileBackend == many.tileBackend &&
+               other.shadows == many.shadows;
     });
     if (one == results.end() || one->picture.value_or(0.0) <= 0.0 || !many.picture) return std::nullopt;
     return *many.picture / *one->picture;
@@ -103,7 +84,8 @@ std::optional<ShadowCost> shadowCost(const Result& on, const std::vector<Result>
     if (on.error || on.shadows != candela::Shadows::on) return std::nullopt;
     const auto off = std::ranges::find_if(results, [&](const Result& other) {
         return !other.error && other.shadows == candela::Shadows::off && isOfSameLights(other, on) &&
-               other.technique == on.technique && other.samples == on.samples;
+               other.technique == on.technique && other.tileBackend == on.tileBackend &&
+               other.samples == on.samples;
     });
     if (off == results.end() || off->frame <= 0.0 || off->lighting.value_or(0.0) <= 0.0) return std::nullopt;
     ShadowCost cost{on.frame / off->frame, *on.lighting / *off->lighting, {}, {}};
@@ -131,8 +113,13 @@ Json shadowMapsJson(const ShadowMaps& maps) {
             {"triangles_per_light", maps.triangles / maps.lights}};
 }
 
+Json ceilingJson(const Ceiling& ceiling) {
+    if (ceiling.error) return {{"error", *ceiling.error}};
+    return {{"pairs_per_second", ceiling.pairsPerSecond}};
+}
+
 // The first eleven keys are a contract: other programs read them.
-Json rowOf(const Result& result, const std::vector<Result>& results) {
+Json rowOf(const Result& result, const std::vector<Result>& results, const std::optional<Ceiling>& ceiling) {
     if (result.error) return failedRow(result);
     Json row{{"scene", result.scene},
              {"lights", result.lights},
@@ -153,6 +140,7 @@ Json rowOf(const Result& result, const std::vector<Result>& results) {
     put(row, "lights_visible", result.lightsVisible);
     put(row, "lights_dropped", result.lightsDropped);
     put(row, "light_list_bytes", result.lightListBytes);
+    put(row, "triangles", result.triangles);
     put(row, "picture_ms", result.picture);
     put(row, "set_lights_ms", result.setLights);
     if (result.reference) {
@@ -166,6 +154,7 @@ Json rowOf(const Result& result, const std::vector<Result>& results) {
     if (result.samples > 1) row["samples"] = result.samples;
     if (const auto frames = singleFrames(result, results)) row["single_frames"] = *frames;
     if (result.shadowMaps) row["shadow_maps"] = shadowMapsJson(*result.shadowMaps);
+    put(row, "ceiling_share", ceilingShare(result, ceiling));
     if (result.difference)
         row["difference"] = {{"from", result.difference->from},
                              {"max", result.difference->max},
@@ -191,6 +180,14 @@ std::string samplesText(const Result& result, const std::vector<Result>& results
     if (!frames) return "";
     return rowName(result) + ", " + std::to_string(result.lights) + " lights: the time of " +
            fixedText(*frames, 2) + " frames of one sample\n";
+}
+
+/// Of scenes that measure the geometry pass.
+std::string geometryText(const Result& result) {
+    if (!isTriangles(result.scene) || !result.triangles || !result.geometry) return "";
+    const auto triangles = static_cast<double>(*result.triangles);
+    return rowName(result) + ", " + std::to_string(result.lights) + " lights: geometry takes " +
+           fixedText(*result.geometry * 1.0e6 / triangles, 2) + " ns a triangle of the scene\n";
 }
 
 std::string shadowText(const Result& result, const std::vector<Result>& results) {
@@ -247,7 +244,9 @@ bool isCandela(const Result& result) {
 }
 
 std::string rowName(const Result& result) {
-    return result.technique + (result.shadows == candela::Shadows::on ? ", shadows" : "") +
+    return result.technique +
+           (result.backendShown && result.tileBackend ? " on " + *result.tileBackend : "") +
+           (result.shadows == candela::Shadows::on ? ", shadows" : "") +
            (result.samples > 1 ? ", " + std::to_string(result.samples) + " samples" : "");
 }
 
@@ -268,18 +267,21 @@ std::string setupJson(const BenchOptions& options) {
 }
 
 std::string resultsJson(const std::string& renderer, const std::string& setup,
-                        const std::vector<Result>& results) {
+                        const std::vector<Result>& results, const std::optional<Ceiling>& ceiling) {
     Json rows = Json::array();
-    for (const Result& result : results) rows.push_back(rowOf(result, results));
-    const Json json{{"renderer", renderer}, {"setup", Json::parse(setup)}, {"results", std::move(rows)}};
+    for (const Result& result : results) rows.push_back(rowOf(result, results, ceiling));
+    Json json{{"renderer", renderer}, {"setup", Json::parse(setup)}};
+    if (ceiling) json["ceiling"] = ceilingJson(*ceiling);
+    json["results"] = std::move(rows);
     constexpr int indent = 2;
     return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string resultsTable(const std::vector<Result>& results) {
     std::ostringstream table;
+    std::array widths{9, 9, 20, 10, 10, 10, 10, 11, 11, 6, 8, 10};
+    for (const Result& r : results) widths[0] = std::max(widths[0], static_cast<int>(r.scene.size()));
     const auto line = [&](const std::array<std::string, 12>& cells) {
-        constexpr std::array widths{9, 9, 20, 10, 10, 10, 10, 11, 11, 6, 8, 10};
         for (std::size_t i = 0; i < cells.size(); ++i) {
             table << (i == 0 || i == 2 ? std::left : std::right) << std::setw(widths[i]) << cells[i] << ' ';
         }
@@ -304,6 +306,7 @@ std::string resultsTable(const std::vector<Result>& results) {
                   << "\n";
             continue;
         }
+        table << geometryText(result);
         if (result.reference) table << referenceText(result);
         if (isCandela(result)) table << baselineText(result, results);
         table << shadowText(result, results) << samplesText(result, results);

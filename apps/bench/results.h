@@ -1,5 +1,6 @@
 #pragma once
 
+#include "arithmetic_ceiling.h"
 #include "bench_options.h"
 #include "common/shadow_stats.h"
 
@@ -41,14 +42,16 @@ struct Result {
     /// The reason why the program could not draw the scene; all that follows is then unset.
     std::optional<std::string> error;
     std::optional<std::string> tileBackend;  ///< What ran `tiles`: "cpu" or "compute".
+    bool backendShown = false;               ///< Where `tiles` was measured on more than one.
     int frames = 0;                          ///< Number of frames that the medians are taken over.
     double frame = 0.0;
     std::optional<double> geometry, lighting, display;
     /// With an environment: its rays; its light where shaders add it; what is seen of it.
     std::optional<double> ambientOcclusion, environment, background;
     std::optional<std::uint64_t> pairsLit, pairsEvaluated, lightsVisible, lightsDropped, lightListBytes;
-    std::optional<double> picture;    ///< Wall clock of a frame, read-back included.
-    std::optional<double> setLights;  ///< Wall clock of one `GpuScene::setLights` with all lights.
+    std::optional<std::uint64_t> triangles;  ///< Of the scene, in view or not.
+    std::optional<double> picture;           ///< Wall clock of a frame, read-back included.
+    std::optional<double> setLights;         ///< Wall clock of one `GpuScene::setLights` with all lights.
     std::optional<Difference> difference;
     std::optional<ReferenceLights> reference;
     std::optional<double> copy;            ///< A memcpy of the array of lights.
@@ -63,9 +66,9 @@ std::string setupJson(const BenchOptions& options);
 
 /// {"renderer", "setup", "results": [...]}. A failed result has "error" in place of measurements. Times and
 /// pairs that a program does not have are 0; further keys that were not measured are left out. `setup` is the
-/// text of `setupJson`.
+/// text of `setupJson`. With a ceiling also "ceiling", and "ceiling_share" in the rows that shaders have lit.
 std::string resultsJson(const std::string& renderer, const std::string& setup,
-                        const std::vector<Result>& results);
+                        const std::vector<Result>& results, const std::optional<Ceiling>& ceiling = {});
 
 /// The results as a table, and ratios derived from them; docs/benchmarks.md explains the columns.
 std::string resultsTable(const std::vector<Result>& results);

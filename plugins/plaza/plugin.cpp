@@ -16,9 +16,10 @@ struct ProceduralScene {
 };
 
 constexpr std::array proceduralScenes{
-    ProceduralScene{"plaza", makePlaza}, ProceduralScene{"cloud", makeCloud},
-    ProceduralScene{"rooms", makeRooms}, ProceduralScene{"sculpture", makeSculpture},
-    ProceduralScene{"crowd", makeCrowd}, ProceduralScene{"colonnade", makeColonnade}};
+    ProceduralScene{"plaza", makePlaza},        ProceduralScene{"cloud", makeCloud},
+    ProceduralScene{"rooms", makeRooms},        ProceduralScene{"sculpture", makeSculpture},
+    ProceduralScene{"crowd", makeCrowd},        ProceduralScene{"colonnade", makeColonnade},
+    ProceduralScene{"triangles", makeTriangles}};
 
 constexpr auto schemes = [] {
     std::array<const char*, proceduralScenes.size() + 1> names{};
@@ -56,9 +57,8 @@ constexpr candela_plugin plugin{
     "plaza",
     "0.1.0",
     "procedural scenes under N point lights: plaza:N a square with 256 spheres, "
-    "cloud:N a sphere of small lights, "
-    "rooms:N a floor of 256 rooms, sculpture:N the square with a subdivided ring, "
-    "colonnade:N rows of columns, crowd:N N walking characters",
+    "cloud:N a sphere of small lights, rooms:N 256 rooms, sculpture:N a subdivided ring, "
+    "colonnade:N columns, crowd:N N walking characters, triangles:N,L N triangles and L lights",
     &importer,
     nullptr};
 

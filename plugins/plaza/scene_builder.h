@@ -28,9 +28,15 @@ constexpr double hashedFraction(std::uint32_t index, std::uint32_t property) {
     return static_cast<double>(bits >> 8) / 16777216.0;
 }
 
-/// Reads a whole number from 0 to 16,000,000 written in digits alone. Throws `Failure` that names
-/// `element` and shows `example` when `text` is anything else.
-std::uint32_t parseCount(const std::string& text, const std::string& element, const std::string& example);
+/// Both ends included.
+struct CountRange {
+    std::uint32_t min = 0, max = 16'000'000;
+};
+
+/// Reads a whole number of the range written in digits alone. Throws `Failure` that names `element` and shows
+/// `example` when `text` is anything else.
+std::uint32_t parseCount(const std::string& text, const std::string& element, const std::string& example,
+                         const CountRange& range = {});
 
 /// Linear interpolation: `low` at fraction 0, `high` at fraction 1.
 double between(double low, double high, double fraction);

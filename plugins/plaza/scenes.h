@@ -30,4 +30,10 @@ void makeRooms(const Host& host, const std::string& arguments);
 /// twisted by 540 degrees. Two of its four edges are infinitely sharp, the other two are smooth.
 void makeSculpture(const Host& host, const std::string& arguments);
 
+/// "triangles:N" or "triangles:N,L": N triangles, 1 to 50,000,000, under L lights, 4096 by default. A quarter
+/// are mounds of the ground, the others 256 rocks; those of a mesh are of one size, which between meshes of a
+/// kind differs up to 64 times. What does not divide evenly are splinters turned in all directions. No mesh
+/// is instanced. Throws `Failure` where memory is short.
+void makeTriangles(const Host& host, const std::string& arguments);
+
 }  // namespace candela_plugins::plaza

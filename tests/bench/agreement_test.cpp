@@ -38,6 +38,16 @@ TEST_P(BenchScenes, TheBaselineAgrees) {
 INSTANTIATE_TEST_SUITE_P(All, BenchScenes, testing::Values("plaza", "cloud", "rooms", "outside", "hidden"),
                          [](const auto& scene) { return std::string(scene.param); });
 
+TEST(BenchAgreement, OfManySmallTriangles) {
+    const Json bench = benchOf({"--scene", "triangles:20000", "--lights", "64", "--technique", "all"});
+    ASSERT_EQ(bench["results"].size(), 3u);
+    for (const Json& result : bench["results"]) {
+        EXPECT_EQ(result["scene"], "triangles:20000");
+        EXPECT_EQ(result["triangles"], 20000);
+        EXPECT_EQ(result["lights"], 64);
+    }
+}
+
 TEST(BenchAgreement, WithTheGltfModel) {
     benchOf({"--lights", "64", "--technique", "all", "--brdf", "gltf"});
 }

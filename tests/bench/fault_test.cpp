@@ -17,6 +17,12 @@ TEST(BenchFault, MissingScene) {
     EXPECT_TRUE(folder.names().empty());
 }
 
+TEST(BenchFault, TooManyTriangles) {
+    const TemporaryFolder folder;
+    expectFault(runIn(folder, {"--scene", "triangles:50000001", "--json", "r.json"}), "triangles:50000001,4",
+                "whole number from 1 to 50000000");
+}
+
 TEST(BenchFault, MissingOutputFolder) {
     const TemporaryFolder folder;
     expectFault(runIn(folder, {"--json", "nowhere/r.json"}), "nowhere/r.json", "does not exist");

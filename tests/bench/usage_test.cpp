@@ -41,7 +41,10 @@ TEST(BenchUsage, EveryErrorIsNamed) {
         BadUsage{{"--json", "r.json", "--tiles", "gpu"}, "auto, cpu, compute"},
         BadUsage{{"--json", "r.json", "--threads", "--tiles", "-1"}, "whole number from 0 to 1024"},
         BadUsage{{"--json", "r.json", "--subdivision-evaluator", "gpu"}, "auto, cpu, compute"},
+        BadUsage{{"--json", "r.json", "--tiles", "cpu,cpu"}, "twice"},
+        BadUsage{{"--json", "r.json", "--scene", "cages", "--ceiling"}, "--ceiling"},
         BadUsage{{"--json", "r.json", "--scene", ""}, "--scene"},
+        BadUsage{{"--json", "r.json", "--scene", "triangles:9,4"}, "--lights"},
     };
     const TemporaryFolder folder;
     for (const BadUsage& mistake : mistakes) {
@@ -54,9 +57,11 @@ TEST(BenchUsage, EveryErrorIsNamed) {
 TEST(BenchUsage, HelpNamesEveryOption) {
     const CommandResult result = runCommand({"--help"});
     expectSuccess(result);
-    for (const char* option : {"--scene", "--lights", "--technique", "--size", "--frames", "--json", "--plot",
-                               "--baseline", "--device", "--environment", "--plugin-path", "--brdf", "--view",
-                               "--quiet", "--threads", "--subdivision-evaluator", "--shadows", "--version"})
+    for (const char* option : {"--scene",   "--lights",      "--technique",   "--size",
+                               "--frames",  "--json",        "--plot",        "--baseline",
+                               "--device",  "--environment", "--plugin-path", "--brdf",
+                               "--view",    "--quiet",       "--threads",     "--subdivision-evaluator",
+                               "--shadows", "--ceiling",     "--markdown",    "--version"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 
