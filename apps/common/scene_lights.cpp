@@ -14,7 +14,7 @@ candela::Bounds sceneBounds(const candela::Scene& scene, double time) {
     const std::vector<glm::mat4> world = candela::worldTransforms(scene, time);
     candela::Bounds box = candela::worldBounds(scene, world, time);
     if (!box.empty()) return box;
-    for (const candela::WorldLight& light : candela::worldLights(scene, world)) {
+    for (const candela::WorldLight& light : candela::worldLights(scene, world, time)) {
         if (light.type == candela::LightType::directional) continue;
         box.min = glm::min(box.min, light.position);
         box.max = glm::max(box.max, light.position);
@@ -41,7 +41,7 @@ const char* const defaultLightsNote =
 std::vector<candela::WorldLight> lightsWithDefaults(const candela::Scene& scene, double time,
                                                     const candela::CameraView& view, double exposure) {
     std::vector<candela::WorldLight> lights =
-        candela::worldLights(scene, candela::worldTransforms(scene, time));
+        candela::worldLights(scene, candela::worldTransforms(scene, time), time);
     const std::array<candela::WorldLight, 3> added = candela::defaultLights(view, exposure);
     lights.insert(lights.end(), added.begin(), added.end());
     return lights;

@@ -106,12 +106,19 @@ std::string variantLabel(const candela::Scene& scene, std::uint32_t index) {
     return labelOf(index, scene.variants[index]);
 }
 
+float lastKeyTime(const candela::Animation& animation) {
+    float last = 0.0f;
+    for (const candela::AnimationChannel& channel : animation.channels)
+        last = std::max(last, channel.times.back());
+    for (const candela::PropertyChannel& channel : animation.properties)
+        last = std::max(last, channel.times.back());
+    return last;
+}
+
 double lastKeyTime(const candela::Scene& scene) {
     float last = 0.0f;
     for (const candela::Animation& animation : scene.animations) {
-        if (!animation.plays) continue;
-        for (const candela::AnimationChannel& channel : animation.channels)
-            last = std::max(last, channel.times.back());
+        if (animation.plays) last = std::max(last, lastKeyTime(animation));
     }
     return last;
 }
@@ -245,7 +252,8 @@ void CameraSelection::useLensOptions(candela::CameraView& view) const {
 
 candela::CameraView CameraSelection::at(double time) const {
     if (fixed_) return *fixed_;
-    candela::CameraView view = candela::cameraView(scene_, camera_, candela::worldTransforms(scene_, time));
+    candela::CameraView view =
+        candela::cameraView(scene_, camera_, candela::worldTransforms(scene_, time), time);
     useLensOptions(view);
     return view;
 }

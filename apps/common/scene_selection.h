@@ -34,6 +34,9 @@ void selectVariant(candela::Scene& scene, const std::optional<std::string>& vari
 /// A variant as lists and messages show it: 0 "Red".
 std::string variantLabel(const candela::Scene& scene, std::uint32_t index);
 
+/// The last key of an animation, in seconds; 0 without any.
+float lastKeyTime(const candela::Animation& animation);
+
 /// The last key of the animations that play, in seconds; 0 without any.
 double lastKeyTime(const candela::Scene& scene);
 
@@ -66,7 +69,7 @@ class CameraSelection {
     CameraSelection(const candela::Scene& scene, const SceneOptions& options,
                     const std::function<candela::Bounds()>& box);
 
-    /// The view at `time` (seconds); a camera may be on an animated node.
+    /// The view at `time` (seconds); a camera may be animated, or on an animated node.
     candela::CameraView at(double time) const;
 
   private:

@@ -8,7 +8,6 @@
 #include <candela/import.h>
 #include <candela/plugin_registry.h>
 
-#include <algorithm>
 #include <iostream>
 #include <numbers>
 
@@ -16,11 +15,10 @@ namespace {
 
 void printAnimations(const candela::Scene& scene) {
     for (std::uint32_t i = 0; i < scene.animations.size(); ++i) {
-        const auto& channels = scene.animations[i].channels;
-        float last = 0.0f;
-        for (const candela::AnimationChannel& channel : channels) last = std::max(last, channel.times.back());
-        std::cout << animationLabel(scene, i) << ": " << channels.size()
-                  << (channels.size() == 1 ? " channel" : " channels") << ", to " << last << " s"
+        const candela::Animation& animation = scene.animations[i];
+        const std::size_t channels = animation.channels.size() + animation.properties.size();
+        std::cout << animationLabel(scene, i) << ": " << channels
+                  << (channels == 1 ? " channel" : " channels") << ", to " << lastKeyTime(animation) << " s"
                   << (i == 0 ? "  (default)" : "") << "\n";
     }
     if (scene.animations.empty()) std::cout << "no animations\n";

@@ -83,12 +83,18 @@ void Document::poseLights() {
 }
 
 void Document::worldLights() {
-    restingLights_ = candela::worldLights(scene_, candela::worldTransforms(scene_, time_));
+    restingLights_ = candela::worldLights(scene_, candela::worldTransforms(scene_, time_), time_);
 }
 
 void Document::setMaterial(std::uint32_t index, const candela::Material& material) {
     gpuScene_.setMaterial(index, material);
     scene_.materials[index] = material;
+    for (candela::Animation& animation : scene_.animations) {
+        std::erase_if(animation.properties, [&](const candela::PropertyChannel& channel) {
+            return channel.element == index &&
+                   candela::elementOf(channel.property) == candela::AnimatedElement::material;
+        });
+    }
     changedMaterials_[index] = true;
     ++revision_;
 }
@@ -129,7 +135,7 @@ void Document::scatterLights(const candela::LightScatter& options) {
     scene_.lights.resize(ownLights_);
     addScatteredLights(scene_, options, "the scene");
     const std::vector<candela::WorldLight> placed =
-        candela::worldLights(scene_, candela::worldTransforms(scene_, time_));
+        candela::worldLights(scene_, candela::worldTransforms(scene_, time_), time_);
     restingLights_.resize(firstScattered_);
     restingLights_.insert(restingLights_.end(), placed.begin() + static_cast<std::ptrdiff_t>(ownLights_),
                           placed.end());

@@ -47,6 +47,7 @@ class Document {
     /// Lets the animations of these indices play, and no other.
     void playAnimations(const std::vector<std::uint32_t>& animations);
 
+    /// Animations do not change the material any more.
     void setMaterial(std::uint32_t index, const candela::Material& material);
     void setVisibility(std::uint32_t node, candela::GpuScene::Visibility visibility);
     candela::GpuScene::Visibility visibility(std::uint32_t node) const { return visibility_[node]; }

@@ -9,8 +9,9 @@
 namespace candela {
 
 /// Whether a scene brings light: a light of an intensity and a colour over 0, an environment of an intensity
-/// over 0, or a material that a node shows and that is unlit or emits. A material with an emission texture emits where more than half of the texture
-/// is over black: few lamps or displays on an object do not light it.
+/// over 0, or a material that a node shows and that is unlit or emits. A material with an emission texture
+/// emits where more than half of the texture is over black: few lamps or displays on an object do not light
+/// it. An intensity, a colour or an emission that an animation which plays brings over 0 counts too.
 CANDELA_API bool hasLight(const Scene& scene);
 
 /// Three directional lights that show an object without light of its own from any side: a key light from the

@@ -108,7 +108,7 @@ class CANDELA_API GpuScene {
     GpuScene& operator=(GpuScene&&) noexcept;
     ~GpuScene();
 
-    /// Replaces all lights, those of the scene included: one upload. Nodes and animations move lights no
+    /// Replaces all lights, those of the scene included: one upload. Nodes and animations change lights no
     /// longer. Throws `Error`: badInput naming a light whose numbers break what `WorldLight` states, limit
     /// when the device can not hold as many.
     void setLights(std::span<const WorldLight> lights);
@@ -116,10 +116,12 @@ class CANDELA_API GpuScene {
     /// and scale do not move the node any more; those of morph weights go on. Throws `Error` (badInput) when
     /// there is no such node, a number is not finite or the last row is not 0, 0, 0, 1.
     void setTransform(std::uint32_t node, const glm::mat4& local);
-    /// Poses all animated nodes, and what is below them, as at `seconds`, a finite number.
+    /// Poses all animated nodes, what is below them, and the animated properties of nodes, materials and
+    /// lights, as at `seconds`, a finite number. What is drawn depends on `seconds` alone, and not on the
+    /// times before. Cameras are posed by `cameraView`.
     void setTime(double seconds);
-    /// Lets the animations of these indices play (`Animation::plays`), and no other. What only others move
-    /// returns to the pose of the scene. Throws `Error` (badInput) when there is no such animation.
+    /// Lets the animations of these indices play (`Animation::plays`), and no other. What only others change
+    /// returns to what it is in the scene. Throws `Error` (badInput) when there is no such animation.
     void playAnimations(std::span<const std::uint32_t> animations);
     /// Replaces the points of the cage of a node (one per vertex of the cage, in the node's frame). Morph
     /// targets and skin do not move it any more. Throws `Error` (badInput) when there is no such node, it
@@ -129,11 +131,11 @@ class CANDELA_API GpuScene {
     void setSubdivision(const SubdivisionSettings& settings);
     /// Replaces a material, textures and pipeline state included. Throws `Error`: badInput when there is no
     /// such material, the new one breaks what `Material` states or a surface lacks texture coordinates that
-    /// it reads; limit when an image does not fit the device.
+    /// it reads; limit when an image does not fit the device. Animations do not change the material any more.
     void setMaterial(std::uint32_t index, const Material& material);
     enum class Visibility { shown, hidden };
-    /// Shows or hides the mesh and the cage of the node itself; its children are not affected. Throws `Error`
-    /// (badInput) when there is no such node.
+    /// Shows or hides the mesh and the cage of the node itself; its children are not affected. What is not
+    /// visible in the scene (`Node::visible`) stays so. Throws `Error` (badInput) when there is no such node.
     void setVisibility(std::uint32_t node, Visibility visibility);
     enum class ShadowCasting { on, off };
     /// Whether the mesh and the cage of the node itself cast shadows (`Node::castsShadow`); its children are

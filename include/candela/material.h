@@ -136,10 +136,11 @@ struct DiffuseTransmission {
 /// Rec.709.
 struct Material {
     std::string name;
-    glm::vec4 baseColor{1.0f};                        ///< And alpha; 0 to 1.
-    float metallic = 0.0f;                            ///< 0 to 1.
-    float roughness = 1.0f;                           ///< Perceptual roughness, 0 to 1.
-    glm::vec3 emission{0.0f};                         ///< Radiance, 0 or more.
+    glm::vec4 baseColor{1.0f};      ///< And alpha; 0 to 1.
+    float metallic = 0.0f;          ///< 0 to 1.
+    float roughness = 1.0f;         ///< Perceptual roughness, 0 to 1.
+    glm::vec3 emission{0.0f};       ///< Radiance, 0 or more.
+    float emissionStrength = 1.0f;  ///< Multiplies `emission`; 0 or more (KHR_materials_emissive_strength).
     std::optional<Texture> baseColorTexture;          ///< RGB sRGB-encoded (linear when rgba32f), A linear.
     std::optional<Texture> metallicRoughnessTexture;  ///< G roughness, B metallic, linear.
     std::optional<Texture> normalTexture;             ///< Tangent space, linear.
@@ -162,6 +163,29 @@ struct Material {
     Transmission transmission;
     Volume volume;
     DiffuseTransmission diffuseTransmission;
+};
+
+/// The textures of a `Material`, in the order of its members.
+enum class TextureSlot {
+    baseColor,
+    metallicRoughness,
+    normal,
+    emission,
+    occlusion,
+    specular,
+    specularColor,
+    clearcoat,
+    clearcoatRoughness,
+    clearcoatNormal,
+    sheenColor,
+    sheenRoughness,
+    anisotropy,
+    iridescence,
+    iridescenceThickness,
+    transmission,
+    thickness,
+    diffuseTransmission,
+    diffuseTransmissionColor,
 };
 
 }  // namespace candela

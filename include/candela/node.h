@@ -37,6 +37,9 @@ struct Node {
     glm::dvec3 translationRemainder{0.0};
     /// Whether the node's own mesh and cage cast shadows; its children are not affected.
     bool castsShadow = true;
+    /// False: what this node and all nodes below it show is not drawn and casts no shadow, and their lights
+    /// do not light. Cameras see as before, and boxes around the scene hold it too.
+    bool visible = true;
 };
 
 }  // namespace candela

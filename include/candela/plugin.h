@@ -180,6 +180,7 @@ typedef struct candela_material {
     const candela_transmission* transmission;
     const candela_volume* volume;
     const candela_diffuse_transmission* diffuse_transmission;
+    const float* emission_strength; /* multiplies the emission, 0 or more; NULL: 1 */
 } candela_material;
 
 /* A run of a mesh's indices drawn with one material. */
@@ -413,6 +414,10 @@ typedef struct candela_node {
     double translation_remainder[3];
     /* since 1.4: 1: the node's own mesh and cages cast no shadows; or 0. Its children are not affected. */
     uint32_t casts_no_shadow;
+    uint32_t unused_1_4; /* padding of version 1.4, which is not read */
+    /* since 1.6: 1: what the node and all nodes below it show is not drawn, and their lights do not light; or
+     * 0 */
+    uint32_t is_hidden;
 } candela_node;
 
 typedef enum candela_animation_path {
@@ -438,11 +443,104 @@ typedef struct candela_animation_channel {
     const float* values; /* key_count × numbers a key (× 3 for cubic splines) */
 } candela_animation_channel;
 
+/* What a candela_property_channel changes (since 1.6): the value of that name of a node, a material, a light
+ * or a camera. A value is one number unless another count is given, and has the range of the member that it
+ * changes. One that is over 0 is at least 1e-6, and one without a limit at most 1e9. */
+typedef enum candela_animated_property {
+    /* of a node */
+    CANDELA_PROPERTY_MORPH_WEIGHT = 0, /* the weight of one morph target of what the node shows */
+    CANDELA_PROPERTY_VISIBILITY = 1,   /* 0: hidden, as is_hidden; otherwise shown; step interpolation */
+    /* of a material */
+    CANDELA_PROPERTY_BASE_COLOR = 2, /* 4 numbers */
+    CANDELA_PROPERTY_METALLIC = 3,
+    CANDELA_PROPERTY_ROUGHNESS = 4,
+    CANDELA_PROPERTY_EMISSION = 5, /* 3 numbers */
+    CANDELA_PROPERTY_EMISSION_STRENGTH = 6,
+    CANDELA_PROPERTY_NORMAL_SCALE = 7,
+    CANDELA_PROPERTY_OCCLUSION_STRENGTH = 8,
+    CANDELA_PROPERTY_ALPHA_CUTOFF = 9,
+    CANDELA_PROPERTY_IOR = 10,
+    CANDELA_PROPERTY_SPECULAR_FACTOR = 11,
+    CANDELA_PROPERTY_SPECULAR_COLOR = 12, /* 3 numbers */
+    CANDELA_PROPERTY_CLEARCOAT_FACTOR = 13,
+    CANDELA_PROPERTY_CLEARCOAT_ROUGHNESS = 14,
+    CANDELA_PROPERTY_CLEARCOAT_NORMAL_SCALE = 15,
+    CANDELA_PROPERTY_SHEEN_COLOR = 16, /* 3 numbers */
+    CANDELA_PROPERTY_SHEEN_ROUGHNESS = 17,
+    CANDELA_PROPERTY_ANISOTROPY_STRENGTH = 18,
+    CANDELA_PROPERTY_ANISOTROPY_ROTATION = 19,
+    CANDELA_PROPERTY_IRIDESCENCE_FACTOR = 20,
+    CANDELA_PROPERTY_IRIDESCENCE_IOR = 21,
+    CANDELA_PROPERTY_IRIDESCENCE_MIN_THICKNESS = 22,
+    CANDELA_PROPERTY_IRIDESCENCE_MAX_THICKNESS = 23,
+    CANDELA_PROPERTY_TRANSMISSION_FACTOR = 24,
+    CANDELA_PROPERTY_THICKNESS = 25,
+    CANDELA_PROPERTY_ATTENUATION_DISTANCE = 26,
+    CANDELA_PROPERTY_ATTENUATION_COLOR = 27, /* 3 numbers */
+    CANDELA_PROPERTY_DISPERSION = 28,
+    CANDELA_PROPERTY_DIFFUSE_TRANSMISSION_FACTOR = 29,
+    CANDELA_PROPERTY_DIFFUSE_TRANSMISSION_COLOR = 30, /* 3 numbers */
+    /* of a texture that a material has */
+    CANDELA_PROPERTY_TEXTURE_OFFSET = 31, /* 2 numbers */
+    CANDELA_PROPERTY_TEXTURE_ROTATION = 32,
+    CANDELA_PROPERTY_TEXTURE_SCALE = 33, /* 2 numbers */
+    /* of a light */
+    CANDELA_PROPERTY_LIGHT_COLOR = 34, /* 3 numbers */
+    CANDELA_PROPERTY_LIGHT_INTENSITY = 35,
+    CANDELA_PROPERTY_LIGHT_RANGE = 36,      /* of a light that has one */
+    CANDELA_PROPERTY_INNER_CONE_ANGLE = 37, /* of a spot light */
+    CANDELA_PROPERTY_OUTER_CONE_ANGLE = 38,
+    /* of a camera that has the value */
+    CANDELA_PROPERTY_VERTICAL_FOV = 39,
+    CANDELA_PROPERTY_ORTHOGRAPHIC_HEIGHT = 40,
+    CANDELA_PROPERTY_NEAR_PLANE = 41,
+    CANDELA_PROPERTY_FAR_PLANE = 42
+} candela_animated_property;
+
+/* The textures of a material, in the order of its members (since 1.6). */
+typedef enum candela_texture_slot {
+    CANDELA_SLOT_BASE_COLOR = 0,
+    CANDELA_SLOT_METALLIC_ROUGHNESS = 1,
+    CANDELA_SLOT_NORMAL = 2,
+    CANDELA_SLOT_EMISSION = 3,
+    CANDELA_SLOT_OCCLUSION = 4,
+    CANDELA_SLOT_SPECULAR = 5,
+    CANDELA_SLOT_SPECULAR_COLOR = 6,
+    CANDELA_SLOT_CLEARCOAT = 7,
+    CANDELA_SLOT_CLEARCOAT_ROUGHNESS = 8,
+    CANDELA_SLOT_CLEARCOAT_NORMAL = 9,
+    CANDELA_SLOT_SHEEN_COLOR = 10,
+    CANDELA_SLOT_SHEEN_ROUGHNESS = 11,
+    CANDELA_SLOT_ANISOTROPY = 12,
+    CANDELA_SLOT_IRIDESCENCE = 13,
+    CANDELA_SLOT_IRIDESCENCE_THICKNESS = 14,
+    CANDELA_SLOT_TRANSMISSION = 15,
+    CANDELA_SLOT_THICKNESS = 16,
+    CANDELA_SLOT_DIFFUSE_TRANSMISSION = 17,
+    CANDELA_SLOT_DIFFUSE_TRANSMISSION_COLOR = 18
+} candela_texture_slot;
+
+/* The values of a property over time (since 1.6). Where a cubic spline leaves the range between two keys, the
+ * nearest value within it counts. */
+typedef struct candela_property_channel {
+    candela_animated_property property;
+    int32_t element; /* index of the added node, material, light or camera that has it */
+    uint32_t part;   /* MORPH_WEIGHT: the target; TEXTURE_...: a candela_texture_slot; else not read */
+    candela_interpolation interpolation;
+    uint32_t key_count;  /* 1 or more */
+    uint32_t unused;     /* padding, which is not read */
+    const float* times;  /* as in candela_animation_channel */
+    const float* values; /* key_count × numbers of a value (× 3 for cubic splines) */
+} candela_property_channel;
+
 typedef struct candela_animation {
     uint32_t struct_size;
     const char* name;
     uint32_t channel_count;
     const candela_animation_channel* channels;
+    /* since 1.6 */
+    uint32_t property_count;
+    const candela_property_channel* properties;
 } candela_animation;
 
 /* ---- The host */

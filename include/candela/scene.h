@@ -57,11 +57,20 @@ struct CANDELA_API Bounds {
 /// parent does not precede its child, or a channel does not fit its node.
 CANDELA_API std::vector<glm::mat4> worldTransforms(const Scene& scene, double time = 0.0);
 
-/// The scene's lights in world space, in the order of `Scene::lights`. `world` comes from `worldTransforms`.
-/// As KHR_lights_punctual says, a node moves and rotates its lights, but does not scale range or intensity.
-/// Throws `Error` (badInput) when `world` does not have one matrix per node, or a light breaks a rule of
-/// `validate`.
-CANDELA_API std::vector<WorldLight> worldLights(const Scene& scene, const std::vector<glm::mat4>& world);
+/// Sets the properties of nodes, materials, lights and cameras that animations which play change
+/// (`Animation::properties`) to their values at `time`, in seconds. What a property was before does not
+/// count, so that the same scene may be posed at one time after another. Where two channels change the same
+/// property, the later one in the scene applies. Throws `Error` (badInput) when `time` is not finite or a
+/// channel does not fit its element; the scene may then be posed in part.
+CANDELA_API void poseProperties(Scene& scene, double time);
+
+/// The scene's lights in world space, in the order of `Scene::lights`. `world` comes from `worldTransforms`
+/// of the same `time`. As KHR_lights_punctual says, a node moves and rotates its lights, but does not scale
+/// range or intensity. The intensity of lights below a node that is not visible is 0. Throws `Error`
+/// (badInput) when `world` does not have one matrix per node, `time` is not finite, a light breaks a rule of
+/// `validate`, or a channel of a property does not fit its element.
+CANDELA_API std::vector<WorldLight> worldLights(const Scene& scene, const std::vector<glm::mat4>& world,
+                                                double time = 0.0);
 
 /// The points of a mesh or a cage at one time.
 struct PosedPoints {
@@ -104,11 +113,12 @@ CANDELA_API Bounds framingBounds(const Scene& scene);
 /// is not empty is not finite.
 CANDELA_API float defaultNearPlane(const Bounds& bounds);
 
-/// The view of camera `index` of the scene. A camera ignores its node's scale, shear and mirroring. Throws
-/// `Error` (badInput) when there is no such camera, it breaks a rule of `validate`, or `world` does not have
-/// one finite matrix per node.
+/// The view of camera `index` of the scene at `time`; `world` comes from `worldTransforms` of that time. A
+/// camera ignores its node's scale, shear and mirroring. Throws `Error` (badInput) when there is no such
+/// camera, it breaks a rule of `validate`, `world` does not have one finite matrix per node, or a channel of
+/// a property does not fit its camera.
 CANDELA_API CameraView cameraView(const Scene& scene, std::uint32_t index,
-                                  const std::vector<glm::mat4>& world);
+                                  const std::vector<glm::mat4>& world, double time = 0.0);
 
 /// A view in which all of `bounds` is seen, from the front, a little to the right and above; `aspect` is
 /// width over height, and `verticalFov` is in radians, 45 degrees by default. An empty box gives a view from
@@ -146,9 +156,10 @@ CANDELA_API void scatterLights(Scene& scene, const LightScatter& scatter);
 ///  - the origin is finite and at most 1e9 m along each axis;
 ///  - as the nodes stand at time 0, their world matrices are finite, and posed meshes and cages, lights and
 ///    cameras stand within 1e9 m of the world's origin along each axis (matrices may be singular);
-///  - emission, a light's intensity times its colour, and an environment's times its radiance, are at most
-///    1e20;
-///  - the values of animations, and morph weights, are at most 1e9;
+///  - emission times its strength, a light's intensity times its colour, and an environment's times its
+///    radiance, are at most 1e20;
+///  - the values of animations of nodes, and morph weights, are at most 1e9; those of properties are in the
+///    range that `PropertyChannel` states, and the element has the property;
 ///  - no face of a cage names a vertex twice, each crease of a cage is an edge of one of its faces, and faces
 ///    of a Loop cage are triangles; what else a subdivider may reject, `Subdivider::refine` tells;
 ///  - the skin of a node moves a mesh or a cage with joints, and has every joint that these name.

@@ -219,6 +219,8 @@ Material materialFrom(const candela_material& source, const AbiReader& element, 
     material.metallic = element.within("metallic", source.metallic, 0.0f, 1.0f);
     material.roughness = element.within("roughness", source.roughness, 0.0f, 1.0f);
     for (int i = 0; i < 3; ++i) material.emission[i] = element.zeroOrMore("emission", source.emission[i]);
+    if (source.emission_strength)
+        material.emissionStrength = element.zeroOrMore("emission_strength", *source.emission_strength);
     takeTextures(source, element, scene, material);
     material.normalScale = element.finite("normal_scale", source.normal_scale);
     material.occlusionStrength = element.within("occlusion_strength", source.occlusion_strength, 0.0f, 1.0f);

@@ -290,22 +290,36 @@ Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene&
 
 namespace {
 
+// For each material whether it is anisotropic, at some time of its animations.
+std::vector<bool> anisotropicMaterials(const Scene& scene) {
+    std::vector<bool> anisotropic;
+    for (const Material& material : scene.materials)
+        anisotropic.push_back(material.anisotropy.strength > 0.0f);
+    for (const Animation& animation : scene.animations) {
+        for (const PropertyChannel& channel : animation.properties) {
+            if (channel.property == AnimatedProperty::anisotropyStrength) anisotropic[channel.element] = true;
+        }
+    }
+    return anisotropic;
+}
+
 // The texture coordinates along which a material needs tangents; none where it needs no tangents. A normal
 // texture decides, and the coordinates 0 where anisotropy has no texture.
-std::optional<std::uint32_t> tangentUvSet(const Material& material) {
+std::optional<std::uint32_t> tangentUvSet(const Material& material, bool isAnisotropic) {
     for (const std::optional<Texture>* texture :
          {&material.normalTexture, &material.clearcoat.normalTexture, &material.anisotropy.texture}) {
         if (*texture) return (*texture)->uvSet;
     }
-    if (material.anisotropy.strength > 0.0f) return 0;
+    if (isAnisotropic) return 0;
     return std::nullopt;
 }
 
 // The texture coordinates along which a mesh needs tangents. Where two materials of a mesh differ, the first
 // one counts: a vertex has only one tangent.
-std::optional<std::uint32_t> tangentUvSet(const Scene& scene, const Mesh& mesh) {
+std::optional<std::uint32_t> tangentUvSet(const Scene& scene, const std::vector<bool>& anisotropic,
+                                          const Mesh& mesh) {
     const auto setOf = [&](std::optional<std::uint32_t> material) {
-        return material ? tangentUvSet(scene.materials[*material]) : std::nullopt;
+        return material ? tangentUvSet(scene.materials[*material], anisotropic[*material]) : std::nullopt;
     };
     for (const Submesh& submesh : mesh.submeshes) {
         if (!isTriangles(submesh)) continue;
@@ -325,8 +339,9 @@ void fillWithPerpendiculars(Mesh& mesh) {
             1.0f);
 }
 
-void addTangents(const Scene& scene, std::size_t index, Mesh& mesh, NoteList& notes) {
-    const auto uvSet = tangentUvSet(scene, mesh);
+void addTangents(const Scene& scene, const std::vector<bool>& anisotropic, std::size_t index, Mesh& mesh,
+                 NoteList& notes) {
+    const auto uvSet = tangentUvSet(scene, anisotropic, mesh);
     if (!uvSet || !mesh.tangents.empty() || mesh.positions.empty()) return;
     if (!(*uvSet == 0 ? mesh.uv0 : mesh.uv1).empty()) return generateTangents(mesh, *uvSet);
     fillWithPerpendiculars(mesh);
@@ -337,10 +352,11 @@ void addTangents(const Scene& scene, std::size_t index, Mesh& mesh, NoteList& no
 }  // namespace
 
 void addMissingAttributes(Scene& scene, NoteList& notes) {
+    const std::vector<bool> anisotropic = anisotropicMaterials(scene);
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         Mesh& mesh = scene.meshes[i];
         if (mesh.normals.empty() && !mesh.positions.empty()) generateFlatNormals(mesh);
-        addTangents(scene, i, mesh, notes);
+        addTangents(scene, anisotropic, i, mesh, notes);
     }
 }
 

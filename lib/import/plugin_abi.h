@@ -31,7 +31,10 @@ template <>
 inline constexpr std::array pastSizesOf<candela_light>{offsetof(candela_light, casts_no_shadow)};
 template <>
 inline constexpr std::array pastSizesOf<candela_node>{offsetof(candela_node, translation_remainder),
-                                                      offsetof(candela_node, casts_no_shadow)};
+                                                      offsetof(candela_node, casts_no_shadow),
+                                                      offsetof(candela_node, is_hidden)};
+template <>
+inline constexpr std::array pastSizesOf<candela_animation>{offsetof(candela_animation, property_count)};
 template <>
 inline constexpr std::array pastSizesOf<candela_plugin>{offsetof(candela_plugin, subdivider)};
 

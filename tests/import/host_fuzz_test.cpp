@@ -253,6 +253,17 @@ void addAnimation(Fuzzer& fuzz, const candela_host& host) {
     animation.struct_size = fuzz.structSize(animation.struct_size);
     animation.channel_count = fuzz.below(2);
     animation.channels = fuzz.oneIn(9) ? nullptr : &channel;
+    candela_property_channel property{};
+    property.property = candela_animated_property(fuzz.below(CANDELA_PROPERTY_FAR_PLANE + 1));
+    if (fuzz.oneIn(9)) fuzz.modify(property.property);
+    fuzz.modify(property.element);
+    property.part = fuzz.below(20);
+    fuzz.modify(property.interpolation);
+    property.key_count = channel.key_count;
+    property.times = channel.times;
+    property.values = channel.values;
+    animation.property_count = fuzz.below(2);
+    animation.properties = fuzz.oneIn(9) ? nullptr : &property;
     host.add_animation(host.self, &animation);
 }
 

@@ -53,7 +53,8 @@ static_assert(offsetof(candela_material, iridescence) == 336);
 static_assert(offsetof(candela_material, transmission) == 344);
 static_assert(offsetof(candela_material, volume) == 352);
 static_assert(offsetof(candela_material, diffuse_transmission) == 360);
-static_assert(sizeof(candela_material) == 368);
+static_assert(offsetof(candela_material, emission_strength) == 368);
+static_assert(sizeof(candela_material) == 376);
 
 static_assert(offsetof(candela_specular, factor) == 0);
 static_assert(offsetof(candela_specular, color) == 4);
@@ -246,7 +247,9 @@ static_assert(offsetof(candela_node, mesh) == 72);
 static_assert(offsetof(candela_node, unused) == 76);
 static_assert(offsetof(candela_node, translation_remainder) == 80);
 static_assert(offsetof(candela_node, casts_no_shadow) == 104);
-static_assert(sizeof(candela_node) == 112);
+static_assert(offsetof(candela_node, unused_1_4) == 108);
+static_assert(offsetof(candela_node, is_hidden) == 112);
+static_assert(sizeof(candela_node) == 120);
 
 static_assert(offsetof(candela_animation_channel, node) == 0);
 static_assert(offsetof(candela_animation_channel, path) == 4);
@@ -260,7 +263,19 @@ static_assert(offsetof(candela_animation, struct_size) == 0);
 static_assert(offsetof(candela_animation, name) == 8);
 static_assert(offsetof(candela_animation, channel_count) == 16);
 static_assert(offsetof(candela_animation, channels) == 24);
-static_assert(sizeof(candela_animation) == 32);
+static_assert(offsetof(candela_animation, property_count) == 32);
+static_assert(offsetof(candela_animation, properties) == 40);
+static_assert(sizeof(candela_animation) == 48);
+
+static_assert(offsetof(candela_property_channel, property) == 0);
+static_assert(offsetof(candela_property_channel, element) == 4);
+static_assert(offsetof(candela_property_channel, part) == 8);
+static_assert(offsetof(candela_property_channel, interpolation) == 12);
+static_assert(offsetof(candela_property_channel, key_count) == 16);
+static_assert(offsetof(candela_property_channel, unused) == 20);
+static_assert(offsetof(candela_property_channel, times) == 24);
+static_assert(offsetof(candela_property_channel, values) == 32);
+static_assert(sizeof(candela_property_channel) == 40);
 
 static_assert(offsetof(candela_bytes, data) == 0);
 static_assert(offsetof(candela_bytes, size) == 8);

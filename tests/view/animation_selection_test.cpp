@@ -91,6 +91,8 @@ TEST(PoseTime, HoldsOrRepeats) {
     EXPECT_EQ(poseTime(scene, options, 2.0), 2.0);
     EXPECT_EQ(poseTime(scene, options, 3.0), 0.5);
     EXPECT_EQ(poseTime(scene, options, -0.5), 2.0);
+    scene.animations[1].properties.emplace_back().times = {0.0f, 8.0f};
+    EXPECT_EQ(lastKeyTime(scene), 8.0);
     playOnly(scene, {});
     EXPECT_EQ(lastKeyTime(scene), 0.0);
     EXPECT_EQ(poseTime(scene, options, 3.0), 3.0);

@@ -79,7 +79,7 @@ void drawList(ViewModel& model, const Kept& kept) {
 bool editEmission(candela::Material& material, Kept& kept, std::uint32_t index) {
     if (kept.emissionOf != index) kept.emissionHue = glm::vec3(1.0f);
     kept.emissionOf = index;
-    SplitColor emission = splitColor(material.emission, kept.emissionHue);
+    SplitColor emission = splitColor(material.emission * material.emissionStrength, kept.emissionHue);
     bool changed = false;
     glm::vec3 hue = emission.hue;
     if (editColor("emission", hue)) {
@@ -90,8 +90,10 @@ bool editEmission(candela::Material& material, Kept& kept, std::uint32_t index) 
                          {.max = brightestEmission, .speed = 0.01f, .format = "%.3f"}) ||
               changed;
     kept.emissionHue = emission.hue;
-    if (changed) material.emission = emission.joined();
-    return changed;
+    if (!changed) return false;
+    material.emission = emission.joined();
+    material.emissionStrength = 1.0f;
+    return true;
 }
 
 bool editNumbers(candela::Material& material) {

@@ -23,15 +23,18 @@ bool hasMorphAnimation(const Scene& scene, std::uint32_t node) {
     });
 }
 
-/// The last channel that plays and animates the morph weights of `node`.
-std::optional<AnimationChannel> morphAnimation(const Scene& scene, std::uint32_t node) {
-    std::optional<AnimationChannel> last;
+/// The channels that play and animate the morph weights of `node`; the later ones apply.
+std::vector<AnimationChannel> morphAnimations(const Scene& scene, std::uint32_t node) {
+    std::vector<AnimationChannel> channels;
     for (const Animation& animation : scene.animations) {
         if (!animation.plays) continue;
-        for (const AnimationChannel& channel : animation.channels)
-            if (animatesWeights(channel, node)) last = channel;
+        for (const AnimationChannel& channel : animation.channels) {
+            if (!animatesWeights(channel, node)) continue;
+            if (!channel.morphTarget) channels.clear();
+            channels.push_back(channel);
+        }
     }
-    return last;
+    return channels;
 }
 
 bool areAllZero(const std::vector<float>& weights) {
@@ -65,7 +68,7 @@ void GpuDeformations::addInstances(const Scene& scene, GpuMeshes::Detail detail)
         if (isSkinned(node, mesh)) instance.skin = node.skin;
         if (isMorphed && !areAllZero(node.morphWeights)) instance.morphWeights = node.morphWeights;
         instance.isAnimated = isAnimated;
-        if (isAnimated) instance.animation = morphAnimation(scene, i);
+        if (isAnimated) instance.animations = morphAnimations(scene, i);
     }
 }
 
@@ -111,7 +114,7 @@ void GpuDeformations::markNode(std::uint32_t node) {
 
 void GpuDeformations::markAnimated() {
     for (std::uint32_t i = 0; i < instances_.size(); ++i) {
-        if (instances_[i]->animation) mark(i);
+        if (!instances_[i]->animations.empty()) mark(i);
     }
 }
 
@@ -119,9 +122,9 @@ void GpuDeformations::selectAnimations() {
     for (std::uint32_t i = 0; i < instances_.size(); ++i) {
         Instance& instance = *instances_[i];
         if (!instance.isAnimated) continue;
-        instance.animation = morphAnimation(scene_, instance.placement.node);
+        instance.animations = morphAnimations(scene_, instance.placement.node);
         mark(i);
-        if (instance.animation) continue;
+        if (!instance.animations.empty()) continue;
         instance.morphWeights = scene_.nodes[instance.placement.node].morphWeights;
         instance.isStale = true;
     }
@@ -139,8 +142,11 @@ std::span<const std::uint32_t> GpuDeformations::pose(const std::vector<glm::mat4
 void GpuDeformations::poseInstance(Instance& instance, const std::vector<glm::mat4>& world,
                                    double time) const {
     instance.isMarked = false;
-    if (instance.animation) {
-        std::vector<float> weights = sampleMorphWeights(*instance.animation, time);
+    if (!instance.animations.empty()) {
+        const Node& node = scene_.nodes[instance.placement.node];
+        std::vector<float> weights = node.morphWeights;
+        weights.resize(morphTargetCount(scene_, node));
+        for (const AnimationChannel& channel : instance.animations) applyMorphWeights(channel, time, weights);
         if (weights != instance.morphWeights) instance.isStale = true;
         instance.morphWeights = std::move(weights);
     }

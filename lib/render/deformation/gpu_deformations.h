@@ -66,10 +66,10 @@ class GpuDeformations {
     struct Instance {
         Placement placement;
         MeshDeformation* deformation = nullptr;
-        std::optional<std::uint32_t> skin;          ///< Of those of the scene; none: morph targets alone.
-        bool isAnimated = false;                    ///< The scene has animations of the morph weights.
-        std::optional<AnimationChannel> animation;  ///< The one that plays.
-        std::vector<float> morphWeights;            ///< Empty: all 0.
+        std::optional<std::uint32_t> skin;         ///< Of those of the scene; none: morph targets alone.
+        bool isAnimated = false;                   ///< The scene has animations of the morph weights.
+        std::vector<AnimationChannel> animations;  ///< Those that play.
+        std::vector<float> morphWeights;           ///< Empty: all 0.
         PosedJoints joints;
         DeformedBuffers buffers;
         gl::VertexArray vertexArray{"deformed mesh"};

@@ -17,7 +17,7 @@ const Material& materialOf(std::span<const Material> materials, std::uint32_t in
 }
 
 bool isEmissive(const Material& material) {
-    return material.unlit || material.emission != glm::vec3(0.0f);
+    return material.unlit || material.emission * material.emissionStrength != glm::vec3(0.0f);
 }
 
 enum class Colors { none, perVertex };
@@ -74,6 +74,12 @@ bool needsDetail(const Scene& scene, const Mesh& mesh) {
     });
 }
 
+bool animatesMaterials(const Animation& animation) {
+    return std::ranges::any_of(animation.properties, [](const PropertyChannel& channel) {
+        return elementOf(channel.property) == AnimatedElement::material;
+    });
+}
+
 GLenum modeOf(Topology topology) {
     if (topology == Topology::triangles) return GL_TRIANGLES;
     return topology == Topology::lines ? GL_LINES : GL_POINTS;
@@ -83,6 +89,7 @@ GLenum modeOf(Topology topology) {
 
 GpuMeshes::Detail detailOf(const Scene& scene) {
     const bool needed =
+        std::ranges::any_of(scene.animations, animatesMaterials) ||
         std::ranges::any_of(scene.meshes, [&](const Mesh& mesh) { return needsDetail(scene, mesh); });
     return needed ? GpuMeshes::Detail::everything : GpuMeshes::Detail::positionsAndNormals;
 }

@@ -311,6 +311,15 @@ void GpuLights::move(std::uint32_t index, const WorldLight& light) {
     rangelessMoved_ = rangelessMoved_ || (hasRangeless() && isRangeless_[record]);
 }
 
+void GpuLights::change(std::uint32_t index, const WorldLight& light) {
+    if (fault(light) != nullptr) return;
+    const std::uint32_t record = recordOf(index);
+    records_.edit(record)[1] = intensityTexel(light);
+    if (isLocal(light) && !isRangeless(light))
+        writeRange(record, glm::clamp(light.range, minRange, maxRange));
+    move(index, light);
+}
+
 std::size_t GpuLights::upload() {
     if (when_ == LightUpload::whenBound) {
         cones_.countEdited();

@@ -56,6 +56,9 @@ class GpuLights {
     /// Moves and rotates one of the lights of the last `set`, whose other values do not change. A light whose
     /// new position is not finite, because a world matrix overflows, stays where it is.
     void move(std::uint32_t index, const WorldLight& light);
+    /// Moves a light as `move` does, and replaces its intensity, range and cone angles. One that has a range
+    /// keeps one.
+    void change(std::uint32_t index, const WorldLight& light);
     /// Moves each light that has a radius to its point in the sample of this number; 0 is its centre. Holds
     /// for later moves too, until the next `set`, which is of sample 0.
     void setSample(std::uint32_t sample);

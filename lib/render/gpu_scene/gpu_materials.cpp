@@ -45,7 +45,8 @@ void writeRecord(std::span<glm::uvec4> record, const Material& material,
     record[layout::MATERIAL_BASE_COLOR] = bits(material.baseColor);
     record[layout::MATERIAL_FACTORS] =
         bits({material.metallic, material.roughness, normalScale, cutoffOf(material)});
-    record[layout::MATERIAL_EMISSION] = bits(glm::vec4(material.emission, material.unlit ? 1.0f : 0.0f));
+    record[layout::MATERIAL_EMISSION] =
+        bits(glm::vec4(material.emission * material.emissionStrength, material.unlit ? 1.0f : 0.0f));
     const float occlusionStrength = material.occlusionTexture ? material.occlusionStrength : 0.0f;
     record[layout::MATERIAL_PACKED] = {packed.x, std::bit_cast<std::uint32_t>(occlusionStrength),
                                        material.alphaMode == AlphaMode::blend ? 1u : 0u, 0};

@@ -42,18 +42,6 @@ Scene editableParts(const Scene& scene) {
     return parts;
 }
 
-bool hasTextures(const Material& material) {
-    return std::ranges::any_of(
-        materialTextures(), [&](const MaterialTexture& texture) { return texture.of(material).has_value(); });
-}
-
-void requireIndex(const char* kind, std::uint32_t index, std::size_t count) {
-    if (index < count) return;
-    throw Error(ErrorKind::badInput, "",
-                std::string("there is no ") + kind + " " + std::to_string(index) + ": the scene has " +
-                    std::to_string(count) + " (counted from 0)");
-}
-
 const GpuSceneOptions& checked(const GpuSceneOptions& options) {
     ErrorContext("GpuSceneOptions")
         .require(options.rangeLoss > 0.0f && options.rangeLoss < 1.0f,
@@ -73,12 +61,19 @@ double lobeHeight(const Material& material) {
     return std::max(1.0, f0 / (4.0 * alpha * alpha));
 }
 
-ErrorContext nodeContext(const Scene& scene, std::uint32_t node) {
-    requireIndex("node", node, scene.nodes.size());
-    return {"node", node, scene.nodes[node].name};
+}  // namespace
+
+void GpuScene::State::requireIndex(const char* kind, std::uint32_t index, std::size_t count) {
+    if (index < count) return;
+    throw Error(ErrorKind::badInput, "",
+                std::string("there is no ") + kind + " " + std::to_string(index) + ": the scene has " +
+                    std::to_string(count) + " (counted from 0)");
 }
 
-}  // namespace
+ErrorContext GpuScene::State::nodeContext(std::uint32_t node) const {
+    requireIndex("node", node, sceneState.nodes.size());
+    return {"node", node, sceneState.nodes[node].name};
+}
 
 GpuScene::State::State(const Context& context, const Scene& scene, const GpuSceneOptions& sceneOptions)
     : binding(context.state().binding),
@@ -94,12 +89,19 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
       lights(options.workingFromRec709, context.isSoftware() ? LightUpload::whenBound : LightUpload::atOnce),
       cages(context, sceneState, options),
       deformations(context, scene, sceneState, detailOf(scene), options.vertexEvaluator),
-      instances(scene) {
+      instances(scene),
+      materialTracks_(sceneState),
+      lightTracks_(sceneState),
+      nodeTracks_(sceneState),
+      isHidden_(sceneState.nodes.size(), false),
+      isVisible_(sceneState.nodes.size(), true) {
     if (scene.environment) draws.setOcclusionTextures(OcclusionTextures::read, sceneState.materials, images);
     addDraws(scene);
     images.releaseSources();
     describeMeshes(vertexArray);
     deformations.describe(meshes, draws.records(), defaultDetail_);
+    reserveAnimatedLobes();
+    for (std::uint32_t node = 0; node < sceneState.nodes.size(); ++node) updateVisibility(node);
     update();
     lights.set(worldLights(sceneState, transforms.world()), rangeRule());
     listNodeLights();
@@ -159,7 +161,7 @@ void GpuScene::State::listNodeLights() {
 }
 
 void GpuScene::State::setTransform(std::uint32_t node, const glm::mat4& local) {
-    const ErrorContext context = nodeContext(sceneState, node);
+    const ErrorContext context = nodeContext(node);
     context.require(allFinite(local), "its matrix must be finite numbers");
     context.require(isAffine(local), "its matrix must be affine: a last row of 0, 0, 0, 1");
     transforms.setLocal(node, local);
@@ -179,6 +181,9 @@ void GpuScene::State::playAnimations(std::span<const std::uint32_t> animations) 
     for (const std::uint32_t index : animations) sceneState.animations[index].plays = true;
     transforms.resetAnimated();
     deformations.selectAnimations();
+    materialTracks_.select();
+    lightTracks_.select();
+    nodeTracks_.select();
     timeChanged_ = true;
 }
 
@@ -187,10 +192,11 @@ void GpuScene::State::setLights(std::span<const WorldLight> worldLights) {
     lightsFollowNodes_ = false;
     sceneState.lights = {};
     nodeLights_ = {};
+    lightTracks_.clear();
 }
 
 void GpuScene::State::setCagePoints(std::uint32_t node, std::span<const glm::vec3> points) {
-    const ErrorContext context = nodeContext(sceneState, node);
+    const ErrorContext context = nodeContext(node);
     const std::optional<std::uint32_t> instance = instances.cageOf(node);
     if (!instance) context.refuse("shows no cage whose points could be moved");
     const std::size_t count = sceneState.cages[*sceneState.nodes[node].cage].positions.size();
@@ -205,31 +211,6 @@ void GpuScene::State::setCagePoints(std::uint32_t node, std::span<const glm::vec
     const std::uint32_t cageInstance = instances[*instance].cageInstance;
     cages.setPoints(cageInstance, points);
     draws.setSurface(*instance, cages.instances()[cageInstance].surface);
-}
-
-void GpuScene::State::setMaterial(std::uint32_t index, const Material& material) {
-    requireIndex("material", index, sceneState.materials.size());
-    validateMaterial(material, sceneState, ErrorContext("material", index, material.name));
-    materials.requireUvs(index, material);
-    std::optional<gl::StateGuard> pixelStorage;
-    if (hasTextures(material)) pixelStorage.emplace(*binding, "a GpuScene");
-    materials.reserve(material);
-    draws.setMaterial(index, material, images);
-    if (letsLightThrough(material) || letsLightThrough(sceneState.materials[index])) ++alphaVersion;
-    sceneState.materials[index] = material;
-    materials.set(index, material);
-    cages.setMaterial(index, material);
-    materialsChanged_ = true;
-}
-
-void GpuScene::State::setVisibility(std::uint32_t node, Visibility visibility) {
-    requireIndex("node", node, sceneState.nodes.size());
-    const bool hidden = visibility == Visibility::hidden;
-    if (const std::optional<std::uint32_t> mesh = instances.meshOf(node)) instances.setHidden(*mesh, hidden);
-    if (const std::optional<std::uint32_t> cage = instances.cageOf(node)) {
-        instances.setHidden(*cage, hidden);
-        cages.setVisibility(instances[*cage].cageInstance, visibility);
-    }
 }
 
 void GpuScene::State::setCastsShadow(std::uint32_t node, ShadowCasting casting) {
@@ -260,12 +241,13 @@ void GpuScene::State::setEnvironmentSettings(const EnvironmentSettings& settings
 
 void GpuScene::State::update() {
     lastUpdate = {};
+    const std::span<const std::uint32_t> moved = transforms.update();
     if (timeChanged_) {
         cages.markAnimated();
         deformations.markAnimated();
+        poseProperties();
     }
     timeChanged_ = false;
-    const std::span<const std::uint32_t> moved = transforms.update();
     for (const std::uint32_t node : moved) moveNode(node);
     const std::span<const std::uint32_t> posed = cages.pose(transforms.world(), transforms.time());
     for (const std::uint32_t cageInstance : posed) placeCage(cageInstance);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/error_context.h"
 #include "gl/buffer.h"
 #include "gl/context_binding.h"
 #include "render/deformation/gpu_deformations.h"
@@ -11,6 +12,7 @@
 #include "render/gpu_scene/gpu_materials.h"
 #include "render/gpu_scene/gpu_meshes.h"
 #include "render/gpu_scene/node_transforms.h"
+#include "render/gpu_scene/property_tracks.h"
 #include "render/subdivision/gpu_cages.h"
 
 #include <candela/gpu_scene.h>
@@ -84,8 +86,9 @@ struct GpuScene::State {
 
     std::shared_ptr<const gl::ContextBinding> binding;
     GpuSceneOptions options;
-    /// What edits need of the scene: materials, and which nodes cast shadows, as they are now; images without
-    /// pixels; meshes without vertices. The nodes' transforms as they are now are in `transforms`.
+    /// What edits need of the scene: materials, lights, and which nodes are visible and cast shadows, as they
+    /// are now; images without pixels; meshes without vertices. The nodes' transforms as they are now are in
+    /// `transforms`.
     Scene sceneState;
     std::array<std::uint64_t, 3> elements;  ///< Drawn triangles, lines and points.
     /// Created by the first frame that traces rays.
@@ -106,6 +109,14 @@ struct GpuScene::State {
     std::unique_ptr<TriangleFilter> triangleFilter;  ///< On software devices.
 
   private:
+    static void requireIndex(const char* kind, std::uint32_t index, std::size_t count);
+    ErrorContext nodeContext(std::uint32_t node) const;
+    void applyMaterial(std::uint32_t index, const Material& material);
+    void reserveAnimatedLobes();
+    void poseProperties();
+    void updateLight(std::uint32_t index);
+    void updateVisibility(std::uint32_t root);
+    void applyVisibility(std::uint32_t node);
     void addDraws(const Scene& scene);
     RangeRule rangeRule() const;
     void addMeshDraws(std::uint32_t instance, std::uint32_t mesh, const Scene& scene);
@@ -118,10 +129,15 @@ struct GpuScene::State {
 
     DefaultDetail defaultDetail_;
     std::vector<std::uint32_t> stale_;  ///< Of the `updateDeformations` in progress.
-    bool timeChanged_ = false;
+    bool timeChanged_ = true;
     bool materialsChanged_ = false;
     bool lightsFollowNodes_ = false;                      ///< Until `setLights`.
     std::vector<std::vector<std::uint32_t>> nodeLights_;  ///< Lights of each node; empty without any.
+    PropertyTracks<Material> materialTracks_;
+    PropertyTracks<Light> lightTracks_;
+    PropertyTracks<Node> nodeTracks_;
+    std::vector<bool> isHidden_;   ///< By `setVisibility`.
+    std::vector<bool> isVisible_;  ///< By `Node::visible` of the node and of all above it.
 };
 
 }  // namespace candela

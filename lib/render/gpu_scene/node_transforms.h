@@ -31,6 +31,8 @@ class NodeTransforms {
     /// Recomputes world matrices. Returns the nodes whose matrices that were, parents before children.
     std::span<const std::uint32_t> update();
 
+    std::span<const std::uint32_t> childrenOf(std::uint32_t node) const;
+
     /// One a node, as of the last update.
     const std::vector<glm::mat4>& world() const { return world_; }
 
@@ -46,7 +48,6 @@ class NodeTransforms {
     void updateFarNode(std::uint32_t node);
     /// Sets the local matrix to the pose of the scene.
     void rest(std::uint32_t node);
-    std::span<const std::uint32_t> childrenOf(std::uint32_t node) const;
 
     Scene& scene_;
     double time_ = 0.0;

@@ -1,5 +1,6 @@
 #include "scene/model/animation.h"
 
+#include "scene/model/key_values.h"
 #include "scene/validate/scene_rules.h"
 
 #include <glm/geometric.hpp>
@@ -13,66 +14,12 @@ namespace candela {
 
 namespace {
 
-// Which of a key's values; a cubic spline has three, the others one.
-enum class Part { inTangent, value, outTangent };
-
-// The number of components of a value; the channel has as many as its keys require.
-std::size_t numbersPerValue(const AnimationChannel& channel) {
-    const std::size_t parts = channel.interpolation == Interpolation::cubicSpline ? 3 : 1;
-    return channel.values.size() / (channel.times.size() * parts);
+KeyValues keysOf(const AnimationChannel& channel) {
+    return {channel.interpolation, channel.times, channel.values};
 }
 
-// The components of a key's value.
-const float* keyValue(const AnimationChannel& channel, std::size_t key, Part part = Part::value) {
-    const bool cubic = channel.interpolation == Interpolation::cubicSpline;
-    const std::size_t value = cubic ? key * 3 + static_cast<std::size_t>(part) : key;
-    return channel.values.data() + value * numbersPerValue(channel);
-}
-
-// Component `index` of a key's value.
-double keyNumber(const AnimationChannel& channel, std::size_t index, std::size_t key,
-                 Part part = Part::value) {
-    return keyValue(channel, key, part)[index];
-}
-
-// Where a time falls among the keys of a channel.
-struct Moment {
-    std::size_t key = 0;
-    double t = 0.0;         // From 0 at the key to 1 at the next one.
-    double duration = 0.0;  // Seconds from the key to the next one; 0: the value of the key.
-};
-
-Moment momentAt(const AnimationChannel& channel, double time) {
-    assert(!channel.times.empty());
-    const auto after = std::upper_bound(channel.times.begin(), channel.times.end(), time);
-    const auto index = static_cast<std::size_t>(after - channel.times.begin());
-    const std::size_t key = index == 0 ? 0 : index - 1;
-    const bool outside = index == 0 || index == channel.times.size();
-    if (outside || channel.interpolation == Interpolation::step) return {key};
-    const double start = channel.times[key];
-    const double duration = channel.times[key + 1] - start;
-    return {key, (time - start) / duration, duration};
-}
-
-// glTF 2.0, C.5: tangents are slopes per second.
-double cubicSpline(const AnimationChannel& channel, std::size_t index, const Moment& moment) {
-    const double t = moment.t, t2 = t * t, t3 = t2 * t;
-    return keyNumber(channel, index, moment.key) * (2.0 * t3 - 3.0 * t2 + 1.0) +
-           keyNumber(channel, index, moment.key, Part::outTangent) * moment.duration * (t3 - 2.0 * t2 + t) +
-           keyNumber(channel, index, moment.key + 1) * (3.0 * t2 - 2.0 * t3) +
-           keyNumber(channel, index, moment.key + 1, Part::inTangent) * moment.duration * (t3 - t2);
-}
-
-// Component `index` of the channel's value, interpolated per component.
-double numberAt(const AnimationChannel& channel, std::size_t index, const Moment& moment) {
-    if (moment.duration == 0.0) return keyNumber(channel, index, moment.key);
-    if (channel.interpolation == Interpolation::cubicSpline) return cubicSpline(channel, index, moment);
-    return keyNumber(channel, index, moment.key) * (1.0 - moment.t) +
-           keyNumber(channel, index, moment.key + 1) * moment.t;
-}
-
-glm::dvec4 keyQuaternion(const AnimationChannel& channel, std::size_t key) {
-    const float* value = keyValue(channel, key);
+glm::dvec4 keyQuaternion(const KeyValues& keys, std::size_t key) {
+    const float* value = keys.value(key);
     return {value[0], value[1], value[2], value[3]};
 }
 
@@ -91,14 +38,14 @@ glm::dvec4 slerp(const glm::dvec4& from, const glm::dvec4& to, double t) {
     return (from * std::sin(angle * (1.0 - t)) + to * (side * std::sin(angle * t))) / std::sin(angle);
 }
 
-glm::dvec4 rotationAt(const AnimationChannel& channel, const Moment& moment) {
-    const glm::dvec4 from = keyQuaternion(channel, moment.key);
+glm::dvec4 rotationAt(const KeyValues& keys, const Moment& moment) {
+    const glm::dvec4 from = keyQuaternion(keys, moment.key);
     glm::dvec4 value = from;
-    if (moment.duration > 0.0 && channel.interpolation == Interpolation::linear) {
-        const glm::dvec4 to = keyQuaternion(channel, moment.key + 1);
+    if (moment.duration > 0.0 && keys.interpolation == Interpolation::linear) {
+        const glm::dvec4 to = keyQuaternion(keys, moment.key + 1);
         value = slerp(unitOr(from, from), unitOr(to, to), moment.t);
     } else {
-        for (int i = 0; i < 4; ++i) value[i] = numberAt(channel, static_cast<std::size_t>(i), moment);
+        for (int i = 0; i < 4; ++i) value[i] = keys.numberAt(static_cast<std::size_t>(i), moment);
     }
     // A spline may pass through zero, which has no direction; then the previous key applies.
     return unitOr(value, unitOr(from, glm::dvec4(0.0, 0.0, 0.0, 1.0)));
@@ -108,19 +55,23 @@ glm::dvec4 rotationAt(const AnimationChannel& channel, const Moment& moment) {
 
 glm::dvec4 sampleChannel(const AnimationChannel& channel, double time) {
     assert(channel.path != AnimationPath::morphWeights);
-    const Moment moment = momentAt(channel, time);
-    if (channel.path == AnimationPath::rotation) return rotationAt(channel, moment);
-    return {numberAt(channel, 0, moment), numberAt(channel, 1, moment), numberAt(channel, 2, moment), 0.0};
+    const KeyValues keys = keysOf(channel);
+    const Moment moment = keys.momentAt(time);
+    if (channel.path == AnimationPath::rotation) return rotationAt(keys, moment);
+    return {keys.numberAt(0, moment), keys.numberAt(1, moment), keys.numberAt(2, moment), 0.0};
 }
 
-std::vector<float> sampleMorphWeights(const AnimationChannel& channel, double time) {
+void applyMorphWeights(const AnimationChannel& channel, double time, std::vector<float>& weights) {
     assert(channel.path == AnimationPath::morphWeights);
-    const Moment moment = momentAt(channel, time);
-    std::vector<float> weights(numbersPerValue(channel));
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        weights[i] = static_cast<float>(numberAt(channel, i, moment));
+    const KeyValues keys = keysOf(channel);
+    const Moment moment = keys.momentAt(time);
+    if (channel.morphTarget) {
+        weights[*channel.morphTarget] = static_cast<float>(keys.numberAt(0, moment));
+        return;
     }
-    return weights;
+    weights.resize(keys.numbersPerValue());
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        weights[i] = static_cast<float>(keys.numberAt(i, moment));
 }
 
 void applyChannel(const AnimationChannel& channel, double time, PosedNode& pose) {

@@ -15,8 +15,9 @@ namespace candela {
 /// weights.
 glm::dvec4 sampleChannel(const AnimationChannel& channel, double time);
 
-/// The same for a channel of morph weights: one per morph target.
-std::vector<float> sampleMorphWeights(const AnimationChannel& channel, double time);
+/// Sets the weights that a channel of morph weights animates to their values at `time`. There is one weight
+/// per morph target.
+void applyMorphWeights(const AnimationChannel& channel, double time, std::vector<float>& weights);
 
 /// A node as animations pose it.
 struct PosedNode {

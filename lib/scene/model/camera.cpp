@@ -1,6 +1,7 @@
 #include <candela/camera.h>
 
 #include "scene/geometry/axes.h"
+#include "scene/model/property_animation.h"
 #include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>
@@ -123,10 +124,13 @@ glm::mat4 projection(const CameraView& view, float aspect) {
     return clip;
 }
 
-CameraView cameraView(const Scene& scene, std::uint32_t index, const std::vector<glm::mat4>& world) {
+CameraView cameraView(const Scene& scene, std::uint32_t index, const std::vector<glm::mat4>& world,
+                      double time) {
     ErrorContext("scene").requireIndex("camera", index, scene.cameras.size());
     requireWorldMatrices(scene, world);
-    const Camera& camera = scene.cameras[index];
+    const std::map<std::uint32_t, Camera> posed = posedElements<Camera>(scene, time);
+    const auto animated = posed.find(index);
+    const Camera& camera = animated == posed.end() ? scene.cameras[index] : animated->second;
     const ErrorContext element("camera", index, camera.name);
     validateCamera(camera, scene, element);
     CameraView view;

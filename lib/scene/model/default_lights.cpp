@@ -33,7 +33,7 @@ bool isMostlyOverBlack(const Image& image) {
 
 bool emits(const Scene& scene, const Material& material) {
     if (material.unlit) return true;
-    if (material.emission == glm::vec3(0.0f)) return false;
+    if (material.emission * material.emissionStrength == glm::vec3(0.0f)) return false;
     const std::optional<Texture>& texture = material.emissionTexture;
     return !texture || texture->image >= scene.images.size() ||
            isMostlyOverBlack(scene.images[texture->image]);
@@ -69,10 +69,23 @@ constexpr std::array<RigLight, 3> rig{{
     {{0.3f, 0.7f, -0.7f}, 0.8f},  // rim
 }};
 
+/// Whether an animation that plays gives a light or a material a value that may shine.
+bool animatesLight(const Animation& animation) {
+    using P = AnimatedProperty;
+    return animation.plays && std::ranges::any_of(animation.properties, [](const PropertyChannel& channel) {
+               const P property = channel.property;
+               const bool isOfLight = property == P::lightColor || property == P::lightIntensity ||
+                                      property == P::emission || property == P::emissionStrength;
+               return isOfLight &&
+                      std::ranges::any_of(channel.values, [](float value) { return value > 0.0f; });
+           });
+}
+
 }  // namespace
 
 bool hasLight(const Scene& scene) {
     if (std::ranges::any_of(scene.lights, shines)) return true;
+    if (std::ranges::any_of(scene.animations, animatesLight)) return true;
     if (scene.environment && scene.environment->intensity > 0.0f) return true;
     const std::vector<bool> shown = shownMaterials(scene);
     for (std::size_t i = 0; i < shown.size(); ++i) {

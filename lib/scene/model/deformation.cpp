@@ -130,7 +130,7 @@ PosedPoints posePoints(const Scene& scene, std::uint32_t node, const DeformableV
 }  // namespace
 
 std::vector<float> morphWeightsAt(const Scene& scene, std::uint32_t node, double time) {
-    const AnimationChannel* last = nullptr;
+    std::vector<float> weights = scene.nodes[node].morphWeights;
     for (std::size_t a = 0; a < scene.animations.size(); ++a) {
         const Animation& animation = scene.animations[a];
         if (!animation.plays) continue;
@@ -138,10 +138,11 @@ std::vector<float> morphWeightsAt(const Scene& scene, std::uint32_t node, double
             const AnimationChannel& channel = animation.channels[c];
             if (channel.node != node || channel.path != AnimationPath::morphWeights) continue;
             requireChannel(channel, c, scene, ErrorContext("animation", a, animation.name));
-            last = &channel;
+            weights.resize(morphTargetCount(scene, scene.nodes[node]));
+            applyMorphWeights(channel, time, weights);
         }
     }
-    return last ? sampleMorphWeights(*last, time) : scene.nodes[node].morphWeights;
+    return weights;
 }
 
 PosedPoints poseMesh(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,

@@ -40,9 +40,9 @@ bool isDeformed(const Node& node, const Shape& shape) {
 /// that do not exist have none.
 std::size_t morphTargetCount(const Scene& scene, const Node& node);
 
-/// The weights at `time` of the morph targets of what `node` shows: those of the last channel that plays and
-/// animates them, else the node's own. May be empty: all 0. Throws `Error` (badInput) when the channel does
-/// not fit the node.
+/// The weights at `time` of the morph targets of what `node` shows: those of the last channels that play and
+/// animate them, else the node's own. May be empty: all 0. Throws `Error` (badInput) when a channel does not
+/// fit the node.
 std::vector<float> morphWeightsAt(const Scene& scene, std::uint32_t node, double time);
 
 /// The matrix that takes a point from where the joint found it when it was bound to `origin` of the world. In

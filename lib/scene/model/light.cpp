@@ -2,6 +2,7 @@
 
 #include "scene/geometry/axes.h"
 #include "scene/model/animation.h"
+#include "scene/model/property_animation.h"
 #include "scene/validate/scene_rules.h"
 
 #include <candela/scene.h>
@@ -74,14 +75,18 @@ WorldLight worldLight(const Light& light, const std::vector<glm::mat4>& world) {
     return placed;
 }
 
-std::vector<WorldLight> worldLights(const Scene& scene, const std::vector<glm::mat4>& world) {
+std::vector<WorldLight> worldLights(const Scene& scene, const std::vector<glm::mat4>& world, double time) {
     requireWorldMatrices(scene, world);
+    const std::map<std::uint32_t, Light> posed = posedElements<Light>(scene, time);
+    const std::vector<bool> visible = visibleNodes(scene, time);
     std::vector<WorldLight> lights;
     lights.reserve(scene.lights.size());
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        const Light& light = scene.lights[i];
+    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+        const auto animated = posed.find(i);
+        const Light& light = animated == posed.end() ? scene.lights[i] : animated->second;
         validateLight(light, scene, ErrorContext("light", i, light.name));
         lights.push_back(worldLight(light, world));
+        if (light.node && !visible[*light.node]) lights.back().intensity = glm::vec3(0.0f);
     }
     return lights;
 }

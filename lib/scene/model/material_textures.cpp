@@ -48,8 +48,15 @@ constexpr std::array textures{
 
 }  // namespace
 
+static_assert(textures.size() == static_cast<std::size_t>(TextureSlot::diffuseTransmissionColor) + 1);
+
 std::span<const MaterialTexture> materialTextures() {
     return textures;
+}
+
+std::optional<Texture>& textureOf(Material& material, TextureSlot slot) {
+    const MaterialTexture& texture = textures[static_cast<std::size_t>(slot)];
+    return const_cast<std::optional<Texture>&>(texture.of(material));
 }
 
 }  // namespace candela

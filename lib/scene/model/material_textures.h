@@ -23,7 +23,10 @@ struct MaterialTexture {
 inline constexpr std::size_t basicTextureCount = 5;
 
 /// All textures that a material may have, in a fixed order: base colour, metallic-roughness, normal,
-/// emission, occlusion, and those of lobes and media in the order of `Material`.
+/// emission, occlusion, and those of lobes and media: that of `TextureSlot`.
 std::span<const MaterialTexture> materialTextures();
+
+/// The texture of a slot, which is one of `TextureSlot`.
+std::optional<Texture>& textureOf(Material& material, TextureSlot slot);
 
 }  // namespace candela

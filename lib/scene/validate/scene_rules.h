@@ -77,6 +77,9 @@ void requireFaces(const Cage& cage, const ErrorContext& element);
 /// values as its keys require. The values are not read.
 void requireChannel(const AnimationChannel& channel, std::size_t index, const Scene& scene,
                     const ErrorContext& animation);
+/// The same of a channel of a property: its element exists and has the property.
+void requireChannel(const PropertyChannel& channel, std::size_t index, const Scene& scene,
+                    const ErrorContext& animation);
 
 /// That a time, in seconds, is finite.
 void requireTime(double time);

@@ -121,6 +121,11 @@ void validateMaterial(const Material& material, const Scene& scene, const ErrorC
     for (int i = 0; i < 3; ++i) {
         element.requireWithin("its emission", material.emission[i], 0.0f, maxIntensity);
     }
+    element.requireWithin("its emission strength", material.emissionStrength, 0.0f, maxIntensity);
+    for (int i = 0; i < 3; ++i) {
+        element.require(material.emission[i] * material.emissionStrength <= maxIntensity,
+                        "its emission times its strength must be at most 1e20");
+    }
     element.require(std::isfinite(material.normalScale), "its normal scale must be a finite number");
     element.requireWithin("its occlusion strength", material.occlusionStrength, 0.0f, 1.0f);
     element.require(material.alphaMode == AlphaMode::opaque || material.alphaMode == AlphaMode::mask ||

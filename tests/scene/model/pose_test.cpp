@@ -1,6 +1,7 @@
 #include <candela/scene.h>
 
 #include "scene/model/animation.h"
+#include "scene/model/deformation.h"
 
 #include <gtest/gtest.h>
 
@@ -102,7 +103,8 @@ TEST(PoseCage, CubicWeights) {
     const std::vector<float> values{9, 9, 1, 0, 2, 0, 0, 4, 3, -1, 9, 9};
     AnimationChannel channel = weightsOverTime(Interpolation::cubicSpline, values).channels[0];
     const auto expectWeights = [&](double time, float first, float second) {
-        const std::vector<float> weights = sampleMorphWeights(channel, time);
+        std::vector<float> weights;
+        applyMorphWeights(channel, time, weights);
         ASSERT_EQ(weights.size(), 2u);
         EXPECT_NEAR(weights[0], first, rounding);
         EXPECT_NEAR(weights[1], second, rounding);
@@ -125,8 +127,29 @@ TEST(PoseCage, OneWeightOverManyKeys) {
     channel.path = AnimationPath::morphWeights;
     channel.times = {0.0f, 1.0f, 2.0f, 4.0f};
     channel.values = {0, 1, 3, 7};
-    EXPECT_EQ(sampleMorphWeights(channel, 3.0), std::vector<float>{5.0f});
-    EXPECT_EQ(sampleMorphWeights(channel, 0.5), std::vector<float>{0.5f});
+    std::vector<float> weights;
+    applyMorphWeights(channel, 3.0, weights);
+    EXPECT_EQ(weights, std::vector<float>{5.0f});
+    applyMorphWeights(channel, 0.5, weights);
+    EXPECT_EQ(weights, std::vector<float>{0.5f});
+}
+
+TEST(PoseCage, AChannelOfOneTargetLeavesTheOtherWeights) {
+    Scene scene = morphed({2.0f, 3.0f});
+    Animation one = weightsOverTime(Interpolation::step, {1, 5});
+    one.channels[0].morphTarget = 1;
+    scene.animations.push_back(one);
+    EXPECT_EQ(morphWeightsAt(scene, 0, 2.0), (std::vector<float>{2.0f, 1.0f}));
+    EXPECT_EQ(morphWeightsAt(scene, 0, 3.0), (std::vector<float>{2.0f, 5.0f}));
+    // Channels of later animations apply after it.
+    scene.animations.push_back(weightsOverTime(Interpolation::step, {7, 8, 9, 10}));
+    EXPECT_EQ(morphWeightsAt(scene, 0, 3.0), (std::vector<float>{9.0f, 10.0f}));
+    std::swap(scene.animations[0], scene.animations[1]);
+    EXPECT_EQ(morphWeightsAt(scene, 0, 3.0), (std::vector<float>{9.0f, 5.0f}));
+    // Without weights of the node the others are 0.
+    scene.nodes[0].morphWeights.clear();
+    scene.animations.erase(scene.animations.begin());
+    EXPECT_EQ(morphWeightsAt(scene, 0, 3.0), (std::vector<float>{0.0f, 5.0f}));
 }
 
 // An arm along x: a joint at the origin and one at (2, 0, 0). The vertex at x = 1 follows the first, that at

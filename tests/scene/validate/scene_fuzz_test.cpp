@@ -123,6 +123,30 @@ void corruptChannel(AnimationChannel& channel, FuzzInput& fuzz) {
     }
 }
 
+void corruptProperty(PropertyChannel& channel, FuzzInput& fuzz) {
+    switch (fuzz.below(6)) {
+        case 0:
+            channel.property = static_cast<AnimatedProperty>(fuzz.below(44));
+            channel.values.resize(2 * (1 + fuzz.below(4)));
+            break;
+        case 1:
+            channel.element = fuzz.index();
+            break;
+        case 2:
+            channel.texture = static_cast<TextureSlot>(fuzz.below(21));
+            break;
+        case 3:
+            channel.interpolation = static_cast<Interpolation>(fuzz.below(4));
+            break;
+        case 4:
+            channel.times.assign(fuzz.below(3), fuzz.number());
+            break;
+        default:
+            fuzz.setOne(channel.values, fuzz.number());
+            break;
+    }
+}
+
 void corruptMaterial(Material& material, FuzzInput& fuzz) {
     switch (fuzz.below(5)) {
         case 0:
@@ -151,9 +175,14 @@ void corruptCamera(Camera& camera, FuzzInput& fuzz) {
 
 Scene randomScene(FuzzInput& fuzz) {
     Scene scene = sampleScene();
+    scene.animations[0].properties.push_back(
+        {AnimatedProperty::lightIntensity, 1, {}, Interpolation::linear, {0, 1}, {0, 5}});
     if (fuzz.once(2)) scene.animations.clear();
     for (std::uint32_t changes = 1 + fuzz.below(2); changes > 0; --changes) {
-        switch (fuzz.below(7)) {
+        switch (fuzz.below(8)) {
+            case 5:
+                if (!scene.animations.empty()) corruptProperty(scene.animations[0].properties[0], fuzz);
+                break;
             case 0:
                 corruptMesh(scene.meshes[0], fuzz);
                 break;
@@ -198,7 +227,12 @@ void expectUsable(const Scene& scene) {
     ASSERT_TRUE(allFinite(view.worldFromCamera) && view.nearPlane > 0.0f);
     ASSERT_TRUE(allFinite(cameraView(scene, 0, atStart).worldFromCamera));
     EXPECT_LE(triangleCount(scene), 6u);
-    for (const double time : {-1e300, 0.25, 1e300}) worldTransforms(scene, time);
+    for (const double time : {-1e300, 0.25, 1e300}) {
+        worldTransforms(scene, time);
+        Scene posed = scene;
+        poseProperties(posed, time);
+        ASSERT_NO_THROW(validate(posed));
+    }
 }
 
 TEST(SceneFuzz, ValidScenesAreUsableAndOthersAreRefused) {

@@ -1,0 +1,121 @@
+// What animations and edits change of a GpuScene without moving it: materials, lights and visibility.
+
+#include "gl/state_guard.h"
+#include "render/gpu_scene/gpu_scene_state.h"
+#include "render/gpu_scene/lobe_records.h"
+#include "scene/model/animation.h"
+#include "scene/model/material_textures.h"
+#include "scene/validate/scene_rules.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace candela {
+
+namespace {
+
+bool hasTextures(const Material& material) {
+    return std::ranges::any_of(
+        materialTextures(), [&](const MaterialTexture& texture) { return texture.of(material).has_value(); });
+}
+
+/// Do rays pass through surfaces of the two materials alike?
+bool letLightThroughAlike(const Material& a, const Material& b) {
+    if (!letsLightThrough(a) && !letsLightThrough(b)) return true;
+    return a.alphaMode == b.alphaMode && a.baseColor == b.baseColor && a.metallic == b.metallic &&
+           a.alphaCutoff == b.alphaCutoff && a.unlit == b.unlit && a.baseColorTexture == b.baseColorTexture &&
+           a.transmission == b.transmission;
+}
+
+}  // namespace
+
+void GpuScene::State::setMaterial(std::uint32_t index, const Material& material) {
+    requireIndex("material", index, sceneState.materials.size());
+    validateMaterial(material, sceneState, ErrorContext("material", index, material.name));
+    materials.requireUvs(index, material);
+    std::optional<gl::StateGuard> pixelStorage;
+    if (hasTextures(material)) pixelStorage.emplace(*binding, "a GpuScene");
+    applyMaterial(index, material);
+    materialTracks_.remove(index);
+}
+
+/// What throws comes first.
+void GpuScene::State::applyMaterial(std::uint32_t index, const Material& material) {
+    materials.reserve(material);
+    draws.setMaterial(index, material, images);
+    if (!letLightThroughAlike(material, sceneState.materials[index])) ++alphaVersion;
+    sceneState.materials[index] = material;
+    materials.set(index, material);
+    cages.setMaterial(index, material);
+    materialsChanged_ = true;
+}
+
+/// A time at which a material has no lobes differs from the others in its record alone.
+void GpuScene::State::reserveAnimatedLobes() {
+    for (const Animation& animation : sceneState.animations) {
+        for (const PropertyChannel& channel : animation.properties) {
+            if (elementOf(channel.property) != AnimatedElement::material) continue;
+            Material posed = sceneState.materials[channel.element];
+            for (const float time : channel.times) {
+                setProperty(channel, sampleProperty(channel, time), posed);
+                materials.reserve(posed);
+            }
+        }
+    }
+}
+
+void GpuScene::State::poseProperties() {
+    const double time = transforms.time();
+    materialTracks_.pose(
+        time, [&](std::uint32_t index, const Material& material) { applyMaterial(index, material); });
+    nodeTracks_.pose(time, [&](std::uint32_t index, const Node& node) {
+        sceneState.nodes[index].visible = node.visible;
+        updateVisibility(index);
+    });
+    lightTracks_.pose(time, [&](std::uint32_t index, const Light& light) {
+        sceneState.lights[index] = light;
+        updateLight(index);
+    });
+}
+
+void GpuScene::State::updateLight(std::uint32_t index) {
+    if (!lightsFollowNodes_) return;
+    const Light& light = sceneState.lights[index];
+    WorldLight placed = worldLight(light, transforms.world());
+    if (light.node && !isVisible_[*light.node]) placed.intensity = glm::vec3(0.0f);
+    lights.change(index, placed);
+}
+
+void GpuScene::State::setVisibility(std::uint32_t node, Visibility visibility) {
+    requireIndex("node", node, sceneState.nodes.size());
+    isHidden_[node] = visibility == Visibility::hidden;
+    applyVisibility(node);
+}
+
+/// Brings the visibility of a node, and of what is below it, in step with `Node::visible`.
+void GpuScene::State::updateVisibility(std::uint32_t root) {
+    std::vector<std::uint32_t> open{root};
+    while (!open.empty()) {
+        const std::uint32_t index = open.back();
+        open.pop_back();
+        const Node& node = sceneState.nodes[index];
+        const bool visible = node.visible && (!node.parent || isVisible_[*node.parent]);
+        if (visible == isVisible_[index]) continue;
+        isVisible_[index] = visible;
+        applyVisibility(index);
+        if (!nodeLights_.empty()) std::ranges::for_each(nodeLights_[index], [&](auto i) { updateLight(i); });
+        const std::span<const std::uint32_t> children = transforms.childrenOf(index);
+        open.insert(open.end(), children.begin(), children.end());
+    }
+}
+
+void GpuScene::State::applyVisibility(std::uint32_t node) {
+    const bool hidden = isHidden_[node] || !isVisible_[node];
+    if (const std::optional<std::uint32_t> mesh = instances.meshOf(node)) instances.setHidden(*mesh, hidden);
+    if (const std::optional<std::uint32_t> cage = instances.cageOf(node)) {
+        instances.setHidden(*cage, hidden);
+        cages.setVisibility(instances[*cage].cageInstance, hidden ? Visibility::hidden : Visibility::shown);
+    }
+}
+
+}  // namespace candela
