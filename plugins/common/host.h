@@ -63,6 +63,8 @@ class Host {
     bool takesEnvironments() const;
     /// Whether the host has variants, which came with version 1.6.
     bool takesVariants() const;
+    /// Whether materials may have a strength of emission, which came with version 1.6.
+    bool takesEmissionStrength() const { return takesVariants(); }
     /// Whether meshes may be lines and points, which came with version 1.6.
     bool takesLinesAndPoints() const { return takesVariants(); }
 

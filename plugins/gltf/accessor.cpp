@@ -262,6 +262,9 @@ std::vector<float> readFloats(const Document& document, int accessor, int compon
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
             toFloats<std::uint16_t>(packed, normalized, numbers);
             break;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            toFloats<std::uint32_t>(packed, false, numbers);
+            break;
         default:
             std::memcpy(numbers.data(), packed.data(), packed.size());
             break;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "primitives.h"
+
 namespace candela_plugins::gltf {
 namespace {
 
@@ -52,7 +54,7 @@ void interpolateFirst(AnimationKeys& keys, bool isRotation) {
     }
 }
 
-void startAtZero(const candela_animation_channel& channel, AnimationKeys& keys) {
+void startAtZero(candela_interpolation interpolation, bool isRotation, AnimationKeys& keys) {
     const auto firstAfter = std::upper_bound(keys.times.begin(), keys.times.end(), 0.0f);
     const auto last = static_cast<std::ptrdiff_t>(firstAfter - keys.times.begin()) - 1;  // at or before 0
     if (last < 0) return;
@@ -60,9 +62,7 @@ void startAtZero(const candela_animation_channel& channel, AnimationKeys& keys) 
     keys.values.erase(keys.values.begin(), keys.values.begin() + last * width);
     keys.times.erase(keys.times.begin(), keys.times.begin() + last);
     const bool isBetween = keys.times.front() < 0.0f && keys.times.size() > 1;
-    if (isBetween && channel.interpolation == CANDELA_INTERPOLATE_LINEAR) {
-        interpolateFirst(keys, channel.path == CANDELA_ANIMATE_ROTATION);
-    }
+    if (isBetween && interpolation == CANDELA_INTERPOLATE_LINEAR) interpolateFirst(keys, isRotation);
     keys.times.front() = 0.0f;
 }
 
@@ -83,6 +83,16 @@ bool repairRotations(AnimationKeys& keys) {
     return repaired;
 }
 
+/// Calls `use` with each number of the values themselves: of a cubic spline's keys, the middle third.
+template <typename Use>
+void forEachValue(AnimationKeys& keys, candela_interpolation interpolation, const Use& use) {
+    const bool cubic = interpolation == CANDELA_INTERPOLATE_CUBIC_SPLINE;
+    const std::size_t width = numbersPerKey(keys), first = cubic ? width / 3 : 0;
+    const std::size_t end = cubic ? 2 * first : width;
+    for (std::size_t key = 0; key < keys.times.size(); ++key)
+        for (std::size_t i = first; i < end; ++i) use(keys.values[key * width + i]);
+}
+
 void requireSize(const AnimationKeys& keys, const std::string& element) {
     constexpr float max = 1e9f;  // the host's
     const bool fits = std::all_of(keys.values.begin(), keys.values.end(),
@@ -90,11 +100,24 @@ void requireSize(const AnimationKeys& keys, const std::string& element) {
     if (!fits) throw Failure{element + ", output", "has a number beyond 1e9"};
 }
 
-}  // namespace
+void clampValues(const KeyForm& form, candela_interpolation interpolation, AnimationKeys& keys,
+                 const std::string& element, const Host& host) {
+    bool isClamped = false;
+    forEachValue(keys, interpolation, [&](float& value) {
+        const float clamped = std::clamp(value, form.min, form.max);
+        isClamped = isClamped || clamped != value;
+        value = clamped;
+    });
+    if (isClamped)
+        host.note(CANDELA_NOTE_REPAIRED, element, "values that the property does not have: clamped");
+}
 
-void repairKeys(const candela_animation_channel& channel, AnimationKeys& keys, const std::string& element,
-                const Host& host) {
-    requireSize(keys, element);
+void repairKeys(const KeyForm& form, candela_interpolation interpolation, AnimationKeys& keys,
+                const std::string& element, const Host& host) {
+    if (form.clamps)
+        clampValues(form, interpolation, keys, element, host);
+    else
+        requireSize(keys, element);
     if (!isSorted(keys.times)) {
         host.note(CANDELA_NOTE_REPAIRED, element, "key times that do not increase: sorted");
         sortByTime(keys);
@@ -102,11 +125,38 @@ void repairKeys(const candela_animation_channel& channel, AnimationKeys& keys, c
     }
     if (keys.times.front() < 0.0f) {
         host.note(CANDELA_NOTE_REPAIRED, element, "key times before 0: cut off there");
-        startAtZero(channel, keys);
+        startAtZero(interpolation, form.isRotation, keys);
     }
-    if (channel.path == CANDELA_ANIMATE_ROTATION && repairRotations(keys)) {
+    if (form.isRotation && repairRotations(keys)) {
         host.note(CANDELA_NOTE_REPAIRED, element, "rotations of length 0: not rotated");
     }
+}
+
+}  // namespace
+
+candela_interpolation interpolationOf(const tinygltf::AnimationSampler& sampler) {
+    if (sampler.interpolation == "STEP") return CANDELA_INTERPOLATE_STEP;
+    return sampler.interpolation == "CUBICSPLINE" ? CANDELA_INTERPOLATE_CUBIC_SPLINE
+                                                  : CANDELA_INTERPOLATE_LINEAR;
+}
+
+AnimationKeys readKeys(const Document& document, const tinygltf::AnimationSampler& sampler,
+                       const KeyForm& form, const std::string& element, const Host& host) {
+    const candela_interpolation interpolation = interpolationOf(sampler);
+    AnimationKeys keys;
+    keys.times = readFloats(document, sampler.input, 1, onlyFloat, element + ", input");
+    const std::size_t parts = interpolation == CANDELA_INTERPOLATE_CUBIC_SPLINE ? 3 : 1;
+    const std::size_t expected = keys.times.size() * form.elements * parts;
+    const std::size_t count = document.model.accessors.at(static_cast<std::size_t>(sampler.output)).count;
+    const std::string where = element + ", output";
+    if (count != expected) {
+        throw Failure{where, "accessor " + std::to_string(sampler.output) + " has " + std::to_string(count) +
+                                 " elements, expected " + std::to_string(expected)};
+    }
+    keys.values = readFloats(document, sampler.output, form.components, form.encodings, where);
+    for (float& value : keys.values) value *= form.factor;
+    repairKeys(form, interpolation, keys, element, host);
+    return keys;
 }
 
 }  // namespace candela_plugins::gltf

@@ -143,22 +143,21 @@ CageSharpness resolveSharpness(const CageSettings& settings, const CageSource& s
 /// material that reads set 1, a copy that reads set 0 is added when a cage first needs it.
 class CageMaterials {
   public:
-    CageMaterials(const AddedMaterials& materials, const Host& host) : materials_(materials), host_(host) {}
+    CageMaterials(AddedMaterials& materials, const Host& host) : materials_(materials), host_(host) {}
 
     /// The host's index of a material of the file; -1 is the default one.
     std::int32_t find(std::int32_t material);
 
   private:
-    const AddedMaterials& materials_;
+    AddedMaterials& materials_;
     const Host& host_;
-    std::map<std::int32_t, std::int32_t> copies_;
 };
 
 std::int32_t CageMaterials::find(std::int32_t material) {
     if (material < 0) return materials_.defaultMaterial;
     const auto index = static_cast<std::size_t>(material);
     if (!materials_.uvSlots.at(index).isRead[1]) return material;
-    const auto [entry, isNew] = copies_.try_emplace(material);
+    const auto [entry, isNew] = materials_.cageCopies.try_emplace(material);
     if (isNew) {
         HostMaterial copy = materials_.added[index];
         copy.setUvSet(0);
@@ -298,7 +297,7 @@ const AddedCage* cageOf(const Document& document, std::size_t node, const AddedC
     return found == cages.end() ? nullptr : &found->second;
 }
 
-AddedCages addCages(Document& document, const std::vector<bool>& used, const AddedMaterials& materials,
+AddedCages addCages(Document& document, const std::vector<bool>& used, AddedMaterials& materials,
                     const Host& host, double from, double to) {
     if (!document.cages.empty() && !host.takesCages()) {
         throw Failure{"candela_subdivision",

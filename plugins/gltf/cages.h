@@ -26,8 +26,9 @@ using AddedCages = std::map<std::size_t, AddedCage>;
 const AddedCage* cageOf(const Document& document, std::size_t node, const AddedCages& cages);
 
 /// Adds the meshes of `document.cages` that are marked in `used`, except those without a face, and notes
-/// what is left out. A cage that is broken is left out. Progress goes from `from` to `to`.
-AddedCages addCages(Document& document, const std::vector<bool>& used, const AddedMaterials& materials,
+/// what is left out. A cage that is broken is left out. `materials` gets copies for them. Progress goes from
+/// `from` to `to`.
+AddedCages addCages(Document& document, const std::vector<bool>& used, AddedMaterials& materials,
                     const Host& host, double from, double to);
 
 /// Adds the cage instances of the nodes, with their skins and morph weights. Where node, skin and cage do not

@@ -273,6 +273,7 @@ Document readDocument(const Bytes& text, const Host& host) {
     Conformity conformity = conform(json, documentSchema(), host);
     document.faults = std::move(conformity.faults);
     document.lostGeometry = std::move(conformity.lostGeometry);
+    document.animationPointers = takeAnimationPointers(json);
     fillChannelNodes(json);
     refuseIncompleteCameras(json, document.faults);
     fillDefaults(json, host);

@@ -11,6 +11,7 @@
 
 #include "../common/failure.h"
 #include "../common/host.h"
+#include "animation_pointer.h"
 #include "cage_settings.h"
 #include "image_based_light.h"
 #include "schema.h"
@@ -75,9 +76,10 @@ struct Document {
         compressedPrimitives;                   ///< By mesh and primitive.
     std::map<std::size_t, CageSettings> cages;  ///< By mesh: those that are subdivision cages.
     ShadowExtras shadows;
+    AnimationPointers animationPointers;
     std::optional<ImageBasedLight> imageBasedLight;  ///< Of the scene that is drawn.
-    std::vector<Bytes> buffers;  ///< Filled by `loadBuffers`; empty where it has a fault.
-    bool quantized = false;      ///< KHR_mesh_quantization is in use.
+    std::vector<Bytes> buffers;                      ///< Filled by `loadBuffers`; empty where it has a fault.
+    bool quantized = false;                          ///< KHR_mesh_quantization is in use.
 };
 
 /// The attribute name under which `readDocument` keeps a primitive's index accessor.

@@ -338,7 +338,11 @@ const ObjectSchema variants{"", {list("variants", variant)}};
 const ObjectSchema documentExtensions{
     "", {object("KHR_lights_punctual", lights), object("KHR_materials_variants", variants)}};
 
-const ObjectSchema channelTarget{"target", {index("node", Target::nodes), required(text("path"))}};
+const ObjectSchema animationPointer{"KHR_animation_pointer", {required(text("pointer"))}};
+const ObjectSchema targetExtensions{"", {essential(object("KHR_animation_pointer", animationPointer))}};
+const ObjectSchema channelTarget{"target",
+                                 {index("node", Target::nodes), required(text("path")),
+                                  essential(object("extensions", targetExtensions))}};
 const ObjectSchema channel{
     .noun = "channel",
     .properties = {required(integer("sampler")), required(object("target", channelTarget))},

@@ -81,6 +81,10 @@ std::int32_t HostMaterial::add(const Host& host) const {
     linked.base.transmission = pointerTo(linked.transmission);
     linked.base.volume = pointerTo(linked.volume);
     linked.base.diffuse_transmission = pointerTo(linked.diffuseTransmission);
+    linked.base.emission_strength = &linked.emissionStrength;
+    if (!host.takesEmissionStrength()) {
+        for (float& number : linked.base.emission) number *= emissionStrength;
+    }
     return host.add(linked.base);
 }
 

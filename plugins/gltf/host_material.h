@@ -25,7 +25,8 @@ struct HostMaterial {
     /// Returns the host's index.
     std::int32_t add(const Host& host) const;
 
-    candela_material base;  ///< Its pointers to lobes are not read.
+    candela_material base;  ///< Its pointers are not read.
+    float emissionStrength = 1.0f;
     // Their pointers to textures are not read.
     std::optional<candela_specular> specular;
     std::optional<candela_clearcoat> clearcoat;

@@ -65,8 +65,9 @@ void limitIntensity(const std::string& element, const Host& host, candela_light&
 
 }  // namespace
 
-void addLights(const Document& document, const std::vector<DrawnNode>& drawn,
-               const std::vector<std::int32_t>& nodes, const Host& host) {
+AddedLights addLights(const Document& document, const std::vector<DrawnNode>& drawn,
+                      const std::vector<std::int32_t>& nodes, const Host& host) {
+    AddedLights added;
     for (const DrawnNode& placed : drawn) {
         const auto nodeIndex = static_cast<std::size_t>(placed.node);
         const tinygltf::Node& node = document.model.nodes[nodeIndex];
@@ -92,8 +93,9 @@ void addLights(const Document& document, const std::vector<DrawnNode>& drawn,
             if (light.type == CANDELA_LIGHT_SPOT) readCone(source.spot, element, host, light);
         });
         if (isLeftOut) continue;
-        host.add(light);
+        added.emplace(*index, AddedLight{host.add(light), light});
     }
+    return added;
 }
 
 }  // namespace candela_plugins::gltf

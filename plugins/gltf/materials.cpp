@@ -27,14 +27,18 @@ void readMetallicRoughness(const tinygltf::PbrMetallicRoughness& source, candela
     material.roughness = static_cast<float>(source.roughnessFactor);
 }
 
-void readFactors(const tinygltf::Material& source, candela_material& material) {
+/// The host's limit of the product with the emission, whose largest number is 1.
+constexpr float maxEmission = 1e20f;
+
+void readFactors(const tinygltf::Material& source, HostMaterial& read) {
+    candela_material& material = read.base;
     material.normal_scale = static_cast<float>(source.normalTexture.scale);
     material.occlusion_strength = static_cast<float>(source.occlusionTexture.strength);
     const tinygltf::Value* strength = findExtension(source.extensions, "KHR_materials_emissive_strength");
-    const float factor = strength ? numberOr(*strength, "emissiveStrength", 1.0f) : 1.0f;
-    constexpr float maxEmission = 1e20f;  // the host's
+    if (strength)
+        read.emissionStrength = std::min(numberOr(*strength, "emissiveStrength", 1.0f), maxEmission);
     std::transform(source.emissiveFactor.begin(), source.emissiveFactor.end(), material.emission,
-                   [&](double v) { return std::min(static_cast<float>(v) * factor, maxEmission); });
+                   [](double v) { return static_cast<float>(v); });
     material.double_sided = source.doubleSided ? 1 : 0;
     material.unlit = findExtension(source.extensions, "KHR_materials_unlit") ? 1 : 0;
 }
@@ -57,7 +61,7 @@ HostMaterial readMaterial(const Document& document, std::size_t index, const Add
     HostMaterial material;
     material.base.name = source.name.c_str();
     readMetallicRoughness(source.pbrMetallicRoughness, material.base);
-    readFactors(source, material.base);
+    readFactors(source, material);
     readLobes(source, element, host, material);
     readTextures(uses, textures, material);
     if (hasSpecularGlossiness(source)) readSpecularGlossiness(source, uses, textures, material);

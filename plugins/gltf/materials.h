@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "../common/host.h"
@@ -12,8 +13,11 @@ namespace candela_plugins::gltf {
 
 /// The materials of the file, in its order.
 struct AddedMaterials {
-    std::vector<UvSlots> uvSlots;       ///< The sets of texture coordinates that it reads.
-    std::vector<HostMaterial> added;    ///< As it was added; the names are those of the document.
+    std::vector<UvSlots> uvSlots;     ///< The sets of texture coordinates that it reads.
+    std::vector<HostMaterial> added;  ///< As it was added; the names are those of the document.
+    /// For materials of cages that have other sets of texture coordinates there: the host's index of the
+    /// copy.
+    std::map<std::int32_t, std::int32_t> cageCopies = {};
     std::int32_t defaultMaterial = -1;  ///< For primitives without a material; -1 where there are none.
 };
 

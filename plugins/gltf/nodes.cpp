@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 
 #include "instances.h"
 
@@ -27,11 +28,12 @@ bool isVisible(const tinygltf::Node& node) {
 /// Finds one place for each node that the roots reach.
 class Hierarchy {
   public:
-    Hierarchy(const tinygltf::Model& model, const Host& host)
-        : model_(model),
+    Hierarchy(const Document& document, const Host& host)
+        : model_(document.model),
           host_(host),
-          parents_(model.nodes.size(), unreached),
-          children_(model.nodes.size()) {}
+          shownLater_(nodesOfAnimatedVisibility(document.animationPointers)),
+          parents_(model_.nodes.size(), unreached),
+          children_(model_.nodes.size()) {}
 
     /// Adds a root with everything under it. `listing` says who names it as a root, for notes.
     void addRoot(int root, const std::string& listing) {
@@ -63,9 +65,11 @@ class Hierarchy {
         while (!open.empty()) {
             DrawnNode next = open.back();
             open.pop_back();
-            next.hidden = next.hidden || !isVisible(model_.nodes[static_cast<std::size_t>(next.node)]);
+            const auto index = static_cast<std::size_t>(next.node);
+            const bool isHidden = !isVisible(model_.nodes[index]) && !shownLater_.contains(index);
+            next.hidden = next.hidden || isHidden;
             order.push_back(next);
-            const std::vector<int>& children = children_[static_cast<std::size_t>(next.node)];
+            const std::vector<int>& children = children_[index];
             for (auto child = children.rbegin(); child != children.rend(); ++child) {
                 open.push_back({*child, next.node, next.hidden});
             }
@@ -103,18 +107,20 @@ class Hierarchy {
 
     const tinygltf::Model& model_;
     const Host& host_;
+    std::set<std::size_t> shownLater_;  ///< By animations.
     std::vector<int> parents_;
     std::vector<std::vector<int>> children_;
     std::vector<int> roots_;
 };
 
 /// The nodes that are no node's child, and, of each cycle that none of them reaches, its first node.
-std::vector<DrawnNode> allNodes(const tinygltf::Model& model, const Host& host) {
+std::vector<DrawnNode> allNodes(const Document& document, const Host& host) {
+    const tinygltf::Model& model = document.model;
     std::vector<bool> isChild(model.nodes.size());
     for (const tinygltf::Node& node : model.nodes) {
         for (const int child : node.children) isChild[static_cast<std::size_t>(child)] = true;
     }
-    Hierarchy hierarchy(model, host);
+    Hierarchy hierarchy(document, host);
     for (std::size_t i = 0; i < isChild.size(); ++i) {
         if (!isChild[i]) hierarchy.addRoot(static_cast<int>(i), "the file");
     }
@@ -135,12 +141,12 @@ void noteFurtherScenes(std::size_t drawn, std::size_t count, const Host& host) {
 
 std::vector<DrawnNode> drawnNodes(const Document& document, const Host& host) {
     const tinygltf::Model& model = document.model;
-    if (model.scenes.empty()) return allNodes(model, host);
+    if (model.scenes.empty()) return allNodes(document, host);
     const std::size_t scene = model.defaultScene < 0 ? 0 : static_cast<std::size_t>(model.defaultScene);
     noteFurtherScenes(scene, model.scenes.size(), host);
     // Where the scene has lost its list, all is drawn.
-    if (model.scenes[scene].nodes.empty() && document.lostGeometry) return allNodes(model, host);
-    Hierarchy hierarchy(model, host);
+    if (model.scenes[scene].nodes.empty() && document.lostGeometry) return allNodes(document, host);
+    Hierarchy hierarchy(document, host);
     for (const int root : model.scenes[scene].nodes) {
         hierarchy.addRoot(root, elementName("scene", scene, model.scenes[scene].name));
     }
@@ -225,6 +231,7 @@ candela_node nodeOf(const Document& document, std::size_t index, std::int32_t pa
         setRemainder({source.matrix.begin() + 12, source.matrix.begin() + 15}, node);
     }
     node.casts_no_shadow = castsNoShadow(document.shadows.nodes, index);
+    node.is_hidden = isVisible(source) ? 0 : 1;
     return node;
 }
 
@@ -305,8 +312,9 @@ candela_camera orthographic(const tinygltf::OrthographicCamera& source, const st
 
 }  // namespace
 
-void addCameras(const Document& document, const std::vector<DrawnNode>& drawn,
-                const std::vector<std::int32_t>& nodes, const Host& host) {
+AddedCameras addCameras(const Document& document, const std::vector<DrawnNode>& drawn,
+                        const std::vector<std::int32_t>& nodes, const Host& host) {
+    AddedCameras cameras;
     for (const DrawnNode& placed : drawn) {
         const auto index = static_cast<std::size_t>(placed.node);
         const tinygltf::Node& node = document.model.nodes[index];
@@ -323,9 +331,10 @@ void addCameras(const Document& document, const std::vector<DrawnNode>& drawn,
             added.name = camera.name.c_str();
             added.node = nodes[index];
             added.number = 1 + static_cast<std::uint32_t>(cameraIndex);
-            host.add(added);
+            cameras.emplace(cameraIndex, AddedCamera{host.add(added), added});
         });
     }
+    return cameras;
 }
 
 }  // namespace candela_plugins::gltf

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "../common/host.h"
@@ -11,7 +12,8 @@ namespace candela_plugins::gltf {
 struct DrawnNode {
     int node = -1;    ///< Of the file.
     int parent = -1;  ///< Of the file; -1 for a root.
-    /// KHR_node_visibility hides its mesh and its light: it, or a node above it, is not visible.
+    /// KHR_node_visibility hides its mesh and its light at all times: it, or a node above it, is not visible,
+    /// and no animation shows it.
     bool hidden = false;
 };
 
@@ -34,9 +36,18 @@ struct AddedNodes {
 AddedNodes addNodes(const Document& document, const std::vector<DrawnNode>& drawn, const MeshParts& meshes,
                     const Host& host);
 
+/// A camera as it was added, but for its name.
+struct AddedCamera {
+    std::int32_t index = -1;  ///< The host's.
+    candela_camera source;
+};
+
+/// By camera of the file.
+using AddedCameras = std::multimap<std::size_t, AddedCamera>;
+
 /// Adds a camera for each drawn node that has one, and notes broken ones. `nodes` are the host's indices of
 /// the file's nodes.
-void addCameras(const Document& document, const std::vector<DrawnNode>& drawn,
-                const std::vector<std::int32_t>& nodes, const Host& host);
+AddedCameras addCameras(const Document& document, const std::vector<DrawnNode>& drawn,
+                        const std::vector<std::int32_t>& nodes, const Host& host);
 
 }  // namespace candela_plugins::gltf

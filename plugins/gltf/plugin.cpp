@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../common/host.h"
@@ -60,20 +61,23 @@ void importFile(const std::string& name, const Host& host) {
 
     addVariants(document, host);
     const AddedImages images = addImages(document, storage, host, documentRead, imagesAdded);
-    const AddedMaterials materials = addMaterials(document, images, used, host);
+    AddedMaterials materials = addMaterials(document, images, used, host);
     const MeshParts meshes = addMeshes(document, used, materials, host, imagesAdded, meshesAdded);
     const AddedCages cages = addCages(document, used, materials, host, meshesAdded, cagesAdded);
     requireGeometry(document, meshes, cages);
     host.progress(cagesAdded);
 
     const AddedNodes nodes = addNodes(document, drawn, meshes, host);
-    addCameras(document, drawn, nodes.indices, host);
-    addLights(document, drawn, nodes.indices, host);
+    AddedCameras cameras = addCameras(document, drawn, nodes.indices, host);
+    AddedLights lights = addLights(document, drawn, nodes.indices, host);
     addEnvironment(document, storage, host);
     Skins skins(document, nodes.indices, host);
     addCageInstances(document, drawn, nodes.indices, cages, skins, host);
     addMeshDeformations(document, drawn, nodes, meshes, skins, host);
-    addAnimations(document, nodes.indices, morphedNodes(document, drawn, nodes, meshes, cages), host);
+    addAnimations(document,
+                  {nodes.indices, morphedNodes(document, drawn, nodes, meshes, cages), materials,
+                   std::move(lights), std::move(cameras)},
+                  host);
     host.progress(1.0);
 }
 

@@ -1,4 +1,4 @@
-// Which animations play: --animation, --loop and --list.
+// Which animations play (--animation, --loop and --list), and what they change.
 
 #include "command.h"
 #include "picture_reader.h"
@@ -88,6 +88,75 @@ TEST_F(Clips, AreListed) {
     EXPECT_EQ(list("materials"), "0 \"paint\"\n");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"clips.gltf"}) << "nothing is drawn";
     expectUsageError(runCommand({"--list", "cameras"}), "SCENE is missing");
+}
+
+/// The sample scene without light, whose square emits (0.5, 0.25, 0.125) times a strength that goes from 0 to
+/// 1 in a second, by a pointer.
+class Pointers : public testing::Test {
+  protected:
+    Pointers() {
+        scene["nodes"][1].erase("extensions");
+        Json& material = scene["materials"][0];
+        material["emissiveFactor"] = {0.5, 0.25, 0.125};
+        material["extensions"]["KHR_materials_emissive_strength"] = Json::object();
+        // Accessor 1 is the times 0 and 1, which are the values too.
+        animate("/materials/0/extensions/KHR_materials_emissive_strength/emissiveStrength", 1, 1);
+    }
+    void animate(const std::string& pointer, int times, int values) {
+        Json& animation = scene["animations"][0];
+        animation["samplers"] = {{{"input", times}, {"output", values}}};
+        animation["channels"] = {
+            {{"sampler", 0},
+             {"target",
+              {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}}}}};
+    }
+    ExrPicture drawn(std::vector<std::string> arguments) const {
+        folder.write("scene.gltf", scene.dump());
+        arguments.insert(arguments.begin(), {"scene.gltf", "-o", "a.exr", "--size", "16x16", "--quiet",
+                                             "--default-lights", "off"});
+        expectSuccess(runCommand(arguments, {.folder = folder.path()}));
+        return readExr(folder / "a.exr");
+    }
+    float redAt(const std::vector<std::string>& arguments) const { return drawn(arguments).at("R", 8, 8); }
+
+    Json scene = Json::parse(sampleScene());
+    TemporaryFolder folder;
+};
+
+// Of half floats, which hold emission.
+constexpr float halfStep = 1.0f / 2048.0f;
+
+TEST_F(Pointers, ChangeMaterialsOverTime) {
+    EXPECT_EQ(redAt({"--time", "0"}), 0.0f);
+    EXPECT_NEAR(redAt({"--time", "0.75"}), 0.375f, 0.375f * halfStep);
+    EXPECT_NEAR(redAt({"--time", "9"}), 0.5f, 0.5f * halfStep);
+    EXPECT_NEAR(redAt({"--time", "1.25", "--loop"}), 0.125f, 0.125f * halfStep);
+    EXPECT_NEAR(redAt({"--time", "0.5", "--animation", "none"}), 0.5f, 0.5f * halfStep)
+        << "as the file has it";
+}
+
+TEST_F(Pointers, AreTakenAtTheTimesOfAnOpenShutter) {
+    // From 0.25 s to 0.75 s, and from before the first key to 0.5 s: the mean of 0 and of 0 to 0.5.
+    const std::vector<std::string> shutter{"--fps", "1", "--samples", "64"};
+    const auto mean = [&](const char* time, const char* open) {
+        std::vector<std::string> arguments(shutter);
+        arguments.insert(arguments.end(), {"--time", time, "--shutter", open});
+        return redAt(arguments);
+    };
+    // Times are evenly spread to 1 / 64 of the interval.
+    EXPECT_NEAR(mean("0.5", "0.5"), 0.25f, 0.5f * 0.5f / 64.0f);
+    EXPECT_NEAR(mean("0", "1"), 0.5f * 0.125f, 0.5f / 64.0f);
+}
+
+TEST_F(Pointers, ChangeTheCamera) {
+    scene["accessors"].push_back(
+        {{"bufferView", 1}, {"componentType", 5126}, {"count", 1}, {"type", "SCALAR"}, {"byteOffset", 4}});
+    const int one = static_cast<int>(scene["accessors"].size()) - 1;
+    animate("/cameras/0/perspective/yfov", one, one);
+    const ExrPicture animated = drawn({});
+    EXPECT_NE(animated.channels, drawn({"--animation", "none"}).channels);
+    scene["cameras"][0]["perspective"]["yfov"] = 1.0;
+    EXPECT_EQ(animated.channels, drawn({"--animation", "none"}).channels);
 }
 
 }  // namespace

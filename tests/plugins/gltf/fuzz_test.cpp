@@ -7,6 +7,7 @@
 #include "compressed_files.h"
 #include "image_files.h"
 #include "loading.h"
+#include "pointer_file.h"
 #include "support/fuzz_iterations.h"
 
 namespace candela_test {
@@ -250,8 +251,21 @@ Bytes asBytes(const std::string& text) {
     return {text.begin(), text.end()};
 }
 
+/// A small file with a pointer to every property that animations may change.
+GltfFile pointerFile() {
+    GltfFile file = fileOfEverything();
+    for (const Pointed& pointed : everyProperty()) animate(file, pointed);
+    const int times = file.addData<float>("SCALAR", {0, 1});
+    animate(file, "/nodes/0/extensions/KHR_node_visibility/visible", times,
+            file.addData<std::uint8_t>("SCALAR", {0, 1}), "STEP");
+    animate(file, "/nodes/1/translation", times, file.addData<float>("VEC3", {0, 0, 0, 1, 1, 1}));
+    animate(file, "/meshes/0/weights/1", times, file.addData<float>("SCALAR", {0, 1}));
+    return file;
+}
+
 TEST(Fuzz, unmodifiedFilesAreAccepted) {
     EXPECT_EQ(errorOf(fullFile()), "");
+    EXPECT_EQ(errorOf(pointerFile()), "");
     EXPECT_EQ(errorOfGlb(fullFile().glb()), "");
     EXPECT_EQ(errorOf(cageFile()), "");
     EXPECT_EQ(errorOf(layeredFile()), "");
@@ -277,6 +291,10 @@ TEST(Fuzz, cageInGlb) {
 
 TEST(Fuzz, layersAndVariants) {
     expectBothOutcomes(fuzz(asBytes(layeredFile().text()), "a.gltf", rounds / 3), rounds / 3);
+}
+
+TEST(Fuzz, animationPointers) {
+    expectBothOutcomes(fuzz(asBytes(pointerFile().text()), "a.gltf", rounds / 3), rounds / 3);
 }
 
 TEST(Fuzz, compressedViews) {

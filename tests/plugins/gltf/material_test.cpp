@@ -120,10 +120,11 @@ TEST(Material, textureTransform) {
 }
 
 TEST(Material, emissiveStrength) {
-    EXPECT_EQ(materialOf(R"({"emissiveFactor":[1,0.5,0],"extensions":
-        {"KHR_materials_emissive_strength":{"emissiveStrength":8}}})")
-                  .emission,
-              glm::vec3(8, 4, 0));
+    const candela::Material material = materialOf(R"({"emissiveFactor":[1,0.5,0],"extensions":
+        {"KHR_materials_emissive_strength":{"emissiveStrength":8}}})");
+    EXPECT_EQ(material.emission, glm::vec3(1, 0.5f, 0));
+    EXPECT_EQ(material.emissionStrength, 8.0f);
+    EXPECT_EQ(materialOf(R"({"emissiveFactor":[1,0.5,0]})").emissionStrength, 1.0f);
 }
 
 TEST(Material, unlit) {
