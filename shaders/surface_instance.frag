@@ -1,6 +1,6 @@
 // The instance at each pixel, counted from 1.
 
-#include "lib/material.glsl"
+#include "shared/bindings.h"
 
 layout(binding = BASE_COLOR_UNIT) uniform sampler2D baseColorTexture;
 
@@ -13,11 +13,14 @@ layout(location = 3) flat in uint material;
 
 layout(location = 0) out uint instanceNumber;
 
+#if TEXTURED == 1
+#include "lib/texture_coordinates.glsl"
+#endif
+
 void main() {
 #if TEXTURED == 1
     // As in surface_textured.frag.
-    float alpha = materialFactors(material).alpha * vertexAlpha *
-                  texture(baseColorTexture, textureCoordinate(material, BASE_COLOR_SLOT, uvs.xy, uvs.zw)).a;
+    float alpha = materialFactors(material).alpha * vertexAlpha * texture(baseColorTexture, textureCoordinate(material, BASE_COLOR_SLOT)).a;
     if (alpha < materialState(material).alphaCutoff) discard;
 #endif
     instanceNumber = instance + 1u;

@@ -12,10 +12,16 @@ layout(location = DRAW_ATTRIBUTE) in uvec2 draw;
 layout(location = UV0_ATTRIBUTE) in vec2 uv0;
 layout(location = UV1_ATTRIBUTE) in vec2 uv1;
 layout(location = COLOR_ATTRIBUTE) in vec4 color;
+#ifdef FURTHER_UVS
+layout(location = FURTHER_UVS_ATTRIBUTE) in vec4 furtherUvPairs[FURTHER_UVS];
+#endif
 
 layout(location = 1) out vec4 uvs;
 layout(location = 2) out float vertexAlpha;
 layout(location = 3) flat out uint material;
+#ifdef FURTHER_UVS
+layout(location = FURTHER_UVS_VARYING) out vec4 furtherUvs[FURTHER_UVS];
+#endif
 #endif
 
 layout(location = 0) flat out uint instance;
@@ -25,6 +31,9 @@ void main() {
     instance = draw.x;
 #if TEXTURED == 1
     uvs = vec4(uv0, uv1);
+#ifdef FURTHER_UVS
+    furtherUvs = furtherUvPairs;
+#endif
     vertexAlpha = color.a;
     material = draw.y;
 #endif

@@ -3,10 +3,6 @@
 
 #include "lib/frame.glsl"
 #include "lib/gbuffer_output.glsl"
-#include "lib/material.glsl"
-#ifdef LAYER
-#include "lib/layer_output.glsl"
-#endif
 
 layout(binding = BASE_COLOR_UNIT) uniform sampler2D baseColorTexture;
 layout(binding = METALLIC_ROUGHNESS_UNIT) uniform sampler2D metallicRoughnessTexture;
@@ -18,7 +14,7 @@ layout(binding = OCCLUSION_TEXTURE_UNIT) uniform sampler2D occlusionTexture;
 
 layout(location = 0) in vec3 worldNormal;
 layout(location = 1) in vec4 worldTangent;
-layout(location = 2) in vec4 uvs;
+layout(location = 2) in vec4 uvs;  // sets 0 and 1 of texture coordinates
 layout(location = 3) in vec4 vertexColor;
 layout(location = 4) flat in uint material;
 #ifdef SHADOWS
@@ -34,6 +30,10 @@ layout(location = 7) flat in float instanceScale;
 
 layout(location = RADIANCE_OUTPUT) out vec4 radiance;
 
+#include "lib/texture_coordinates.glsl"
+#ifdef LAYER
+#include "lib/layer_output.glsl"
+#endif
 #ifdef EXTENDED
 #include "lib/extended_material.glsl"
 #endif
@@ -42,7 +42,7 @@ layout(location = RADIANCE_OUTPUT) out vec4 radiance;
 #endif
 
 vec4 texel(sampler2D image, int slot) {
-    return texture(image, textureCoordinate(material, slot, uvs.xy, uvs.zw));
+    return texture(image, textureCoordinate(material, slot));
 }
 
 MaterialLobes texturedLobes() {
@@ -76,7 +76,7 @@ LobeFrame lobeFrame(vec3 normal) {
 
 // `baseColor` is linear Rec.709.
 LobeWords extendedWords(uint normalWord, LobeFrame surface, vec3 baseColor, float metallic) {
-    ExtendedLobes lobes = extendedLobes(material, uvs, surface, baseColor, metallic);
+    ExtendedLobes lobes = extendedLobes(material, surface, baseColor, metallic);
     lobes.clearcoatRoughness = filteredRoughness(lobes.clearcoatRoughness, lobes.clearcoatNormal);
     return packExtendedLobes(lobes, unpackNormal(normalWord));
 }
@@ -98,7 +98,7 @@ void main() {
     LobeFrame surface = lobeFrame(seenNormal);
     LobeWords extended = extendedWords(packNormalRoughness(seenNormal, roughness), surface, lobes.baseColor, lobes.metallic);
 #ifdef REFRACTION
-    Refraction refraction = refractionOf(material, uvs, surface, eyePosition, lobes.roughness, instanceScale);
+    Refraction refraction = refractionOf(material, surface, eyePosition, lobes.roughness, instanceScale);
     refraction.transmittance = workingFromRec709(refraction.transmittance);
 #endif
 #endif

@@ -16,6 +16,9 @@ layout(location = 6) in vec3 cornerEyePosition[];
 #ifdef REFRACTION
 layout(location = 7) in float cornerInstanceScale[];
 #endif
+#ifdef FURTHER_UVS
+layout(location = FURTHER_UVS_VARYING) in vec4 cornerFurtherUvs[][FURTHER_UVS];
+#endif
 
 layout(location = 0) out vec3 worldNormal;
 layout(location = 1) out vec4 worldTangent;
@@ -31,11 +34,17 @@ layout(location = 6) out vec3 eyePosition;
 #ifdef REFRACTION
 layout(location = 7) flat out float instanceScale;
 #endif
+#ifdef FURTHER_UVS
+layout(location = FURTHER_UVS_VARYING) out vec4 furtherUvs[FURTHER_UVS];
+#endif
 
 void writeVertex(float t, vec3 offset) {
     worldNormal = mix(cornerNormal[0], cornerNormal[LAST_CORNER], t);
     worldTangent = mix(cornerTangent[0], cornerTangent[LAST_CORNER], t);
     uvs = mix(cornerUvs[0], cornerUvs[LAST_CORNER], t);
+#ifdef FURTHER_UVS
+    for (int i = 0; i < FURTHER_UVS; ++i) furtherUvs[i] = mix(cornerFurtherUvs[0][i], cornerFurtherUvs[LAST_CORNER][i], t);
+#endif
     vertexColor = mix(cornerColor[0], cornerColor[LAST_CORNER], t);
     material = cornerMaterial[0];
 #ifdef REFRACTION

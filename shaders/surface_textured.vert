@@ -13,6 +13,9 @@ layout(location = TANGENT_ATTRIBUTE) in vec4 tangent;
 layout(location = UV0_ATTRIBUTE) in vec2 uv0;
 layout(location = UV1_ATTRIBUTE) in vec2 uv1;
 layout(location = COLOR_ATTRIBUTE) in vec4 color;
+#ifdef FURTHER_UVS
+layout(location = FURTHER_UVS_ATTRIBUTE) in vec4 furtherUvPairs[FURTHER_UVS];
+#endif
 
 layout(location = 0) out vec3 worldNormal;
 layout(location = 1) out vec4 worldTangent;
@@ -28,6 +31,9 @@ layout(location = 6) out vec3 eyePosition;  // relative to the eye
 #ifdef REFRACTION
 layout(location = 7) flat out float instanceScale;
 #endif
+#ifdef FURTHER_UVS
+layout(location = FURTHER_UVS_VARYING) out vec4 furtherUvs[FURTHER_UVS];
+#endif
 
 void main() {
     vec3 world = instancePosition(draw.x, position);
@@ -36,6 +42,9 @@ void main() {
     worldNormal = unitOrZero(instanceNormal(draw.x, normal));
     worldTangent = vec4(unitOrZero(instanceDirection(draw.x, tangent.xyz)), tangent.w * instanceHandedness(draw.x));
     uvs = vec4(uv0, uv1);
+#ifdef FURTHER_UVS
+    furtherUvs = furtherUvPairs;
+#endif
     vertexColor = color;
     material = draw.y;
 #ifdef EXTENDED

@@ -56,6 +56,14 @@ struct Corner {
     float sharpness = infiniteSharpness;
 };
 
+/// The materials of a cage's faces in a variant of the scene; see `selectVariant`.
+struct CageVariant {
+    std::optional<std::uint32_t> variant;  ///< Index into `Scene::variants`; none: without a variant.
+    std::vector<std::optional<std::uint32_t>> faceMaterials;  ///< As `Cage::faceMaterials`.
+
+    bool operator==(const CageVariant&) const = default;
+};
+
 /// The control polyhedron of a subdivision surface. A corner of a face is one of its vertices; arrays "a
 /// corner" count them face after face. Faces go counter-clockwise seen from outside.
 struct Cage {
@@ -76,6 +84,9 @@ struct Cage {
     std::vector<std::uint32_t> holes;  ///< Faces without a surface, which shape that of their neighbours.
     /// Index into `Scene::materials` a face, none for the default material; empty: none for all.
     std::vector<std::optional<std::uint32_t>> faceMaterials;
+    /// Where faces have other materials in variants: those of all faces in each of them, and also without a
+    /// variant.
+    std::vector<CageVariant> variants;
     std::optional<std::uint32_t>
         level;  ///< Refine to this level, 1 to `maxSubdivisionLevel`; none: by the size on the screen.
 

@@ -26,7 +26,7 @@ enum class Filter {
 /// defines it.
 struct Texture {
     std::uint32_t image = 0;  ///< Index into `Scene::images`.
-    std::uint32_t uvSet = 0;  ///< 0 or 1.
+    std::uint32_t uvSet = 0;  ///< Of `Mesh`: 0 is `uv0`, 1 `uv1`, 2 the first of `furtherUvs`; 0 for cages.
     Wrap wrapS = Wrap::repeat, wrapT = Wrap::repeat;
     Filter minFilter = Filter::linearMipmapLinear;
     Filter magFilter = Filter::linear;  ///< nearest or linear.

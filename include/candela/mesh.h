@@ -13,6 +13,9 @@
 
 namespace candela {
 
+/// How many sets of texture coordinates a mesh may have.
+inline constexpr std::uint32_t maxUvSets = 18;
+
 /// What the indices of a submesh are.
 enum class Topology {
     triangles,  ///< Three indices each.
@@ -51,6 +54,8 @@ struct Mesh {
     std::vector<glm::vec3> normals;
     std::vector<glm::vec4> tangents;  ///< Unit direction, and the bitangent's sign (-1 or 1) in w.
     std::vector<glm::vec2> uv0, uv1;
+    /// Sets of texture coordinates from 2 on, `maxUvSets` - 2 at most. Meshes without them cost nothing.
+    std::vector<std::vector<glm::vec2>> furtherUvs;
     std::vector<glm::vec4> colors;  ///< Linear Rec.709 and alpha: multiplies the base colour.
     std::vector<std::uint32_t> indices;
     std::vector<Submesh> submeshes;  ///< Empty: all indices are triangles with the default material.

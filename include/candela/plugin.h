@@ -73,7 +73,7 @@ typedef enum candela_filter {
  * KHR_texture_transform. */
 typedef struct candela_texture {
     int32_t image;   /* index of an added image, -1 for none: the rest is then ignored */
-    uint32_t uv_set; /* 0 or 1 */
+    uint32_t uv_set; /* 0: uv0 of the mesh, 1: uv1; since 1.6: 2 to 17: further_uvs; 0 for cages */
     candela_wrap wrap_s, wrap_t;
     candela_filter min_filter;
     candela_filter mag_filter; /* NEAREST or LINEAR; LINEAR_MIPMAP_LINEAR (0) stands for LINEAR */
@@ -237,7 +237,9 @@ typedef struct candela_mesh {
     uint32_t variant_material_count;
     const candela_variant_material* variant_materials;
     const candela_topology*
-        topologies; /* submesh_count of them; NULL: all are triangles. Not with face_sizes */
+        topologies;                  /* submesh_count of them; NULL: all are triangles. Not with face_sizes */
+    uint32_t further_uv_count;       /* sets of texture coordinates from 2 on, 0 to 16 */
+    const float* const* further_uvs; /* further_uv_count arrays, 2 a vertex each; NULL: not that set */
 } candela_mesh;
 
 /* ---- Subdivision cages (since 1.1) */
@@ -274,6 +276,12 @@ typedef enum candela_triangle_subdivision {
     CANDELA_TRIANGLE_SMOOTH = 1
 } candela_triangle_subdivision;
 
+/* The materials of a cage's faces in a variant of the scene (since 1.6). */
+typedef struct candela_cage_variant {
+    uint32_t variant;              /* index of an added variant */
+    const int32_t* face_materials; /* a material for each face, -1: the default */
+} candela_cage_variant;
+
 /* A control polyhedron of a subdivision surface. A corner is one vertex of one face; corners are counted face
  * after face. Sharpness is 0 or more; 10 and more is infinite. */
 typedef struct candela_cage {
@@ -309,6 +317,9 @@ typedef struct candela_cage {
         joint_weights; /* influence_count for each vertex, 0 or more; the host divides by their sum */
     uint32_t morph_target_count;
     const float* morph_offsets; /* target after target, 3 a vertex, metres */
+    /* since 1.6: where faces have other materials in variants; a subdivider does not read it */
+    uint32_t variant_count;
+    const candela_cage_variant* variants; /* one at most for each variant */
 } candela_cage;
 
 /* The joints that the influences of meshes and cages refer to. */

@@ -126,9 +126,10 @@ CANDELA_API CameraView cameraView(const Scene& scene, std::uint32_t index,
 /// does not lie between 0 and pi, or a box that is not empty is not finite.
 CANDELA_API CameraView frameBounds(const Bounds& bounds, float aspect, float verticalFov = 0.785398163f);
 
-/// Gives the submeshes of a scene the materials that they have in variant `variant`; without one, those that
-/// they have without a variant. A submesh that the variant does not name gets the latter too. Throws `Error`
-/// (badInput) when there is no such variant, or a mesh names a submesh that it does not have.
+/// Gives the submeshes of a scene, and the faces of cages, the materials that they have in variant `variant`;
+/// without one, those that they have without a variant. A submesh or cage that the variant does not name gets
+/// the latter too. Throws `Error` (badInput) when there is no such variant, or a mesh names a submesh that it
+/// does not have.
 CANDELA_API void selectVariant(Scene& scene, std::optional<std::uint32_t> variant);
 
 /// Point lights that are scattered over a scene.

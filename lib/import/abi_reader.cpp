@@ -80,6 +80,12 @@ float AbiReader::zeroOrMore(const char* member, float value) const {
     return value;
 }
 
+std::uint32_t AbiReader::below(const char* member, std::uint32_t value, std::uint32_t end) const {
+    if (value >= end && end == 0) refuse(joined(member, " is ", value, ", but there are none"));
+    if (value >= end) refuse(joined(member, " is ", value, ", but 0 to ", end - 1, " was expected"));
+    return value;
+}
+
 bool AbiReader::flag(const char* member, std::uint32_t value) const {
     if (value > 1) refuse(joined(member, " is ", value, ", but 0 or 1 was expected"));
     return value == 1;

@@ -94,6 +94,9 @@ class AbiReader {
         return number;
     }
 
+    /// 0 to `end` - 1; nothing where `end` is 0.
+    std::uint32_t below(const char* member, std::uint32_t value, std::uint32_t end) const;
+
     /// 0 or 1.
     bool flag(const char* member, std::uint32_t value) const;
 

@@ -4,9 +4,14 @@
 #include <candela/error.h>
 
 #include <array>
+#include <cstdint>
 #include <limits>
+#include <optional>
+#include <set>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace candela {
 namespace {
@@ -123,15 +128,45 @@ void takeHoles(const candela_cage& source, const AbiReader& element, Cage& cage)
                 joined("hole ", i, " is face ", cage.holes[i], ", but there are ", source.face_count));
 }
 
-void takeMaterials(const candela_cage& source, const AbiReader& element, const Scene& scene, Cage& cage) {
-    if (!source.face_materials) return;
-    cage.faceMaterials.resize(source.face_count);
-    for (std::uint32_t face = 0; face < source.face_count; ++face) {
-        const std::int32_t index = source.face_materials[face];
+using FaceMaterials = std::vector<std::optional<std::uint32_t>>;
+
+/// `what` precedes the face in messages.
+FaceMaterials faceMaterialsFrom(std::span<const std::int32_t> source, const std::string& what,
+                                const AbiReader& element, const Scene& scene) {
+    FaceMaterials materials(source.size());
+    for (std::size_t face = 0; face < source.size(); ++face) {
+        const std::int32_t index = source[face];
         // The label is built only for an error: there may be millions of faces.
         if (index < -1 || index >= static_cast<std::int64_t>(scene.materials.size()))
-            element.reference(joined("face ", face, ": material").c_str(), index, scene.materials.size());
-        if (index >= 0) cage.faceMaterials[face] = static_cast<std::uint32_t>(index);
+            element.reference(joined(what, "face ", face, ": material").c_str(), index,
+                              scene.materials.size());
+        if (index >= 0) materials[face] = static_cast<std::uint32_t>(index);
+    }
+    return materials;
+}
+
+void takeMaterials(const candela_cage& source, const AbiReader& element, const Scene& scene, Cage& cage) {
+    if (!source.face_materials) return;
+    cage.faceMaterials =
+        faceMaterialsFrom(std::span(source.face_materials, source.face_count), "", element, scene);
+}
+
+void takeVariants(const candela_cage& source, const AbiReader& element, const Scene& scene, Cage& cage) {
+    if (source.variant_count == 0) return;
+    element.present("variants", source.variants, source.variant_count);
+    cage.variants.push_back({std::nullopt, cage.faceMaterials});
+    std::set<std::uint32_t> known;
+    for (std::uint32_t i = 0; i < source.variant_count; ++i) {
+        const candela_cage_variant& from = source.variants[i];
+        const std::string label = joined("variants[", i, "]");
+        element.below((label + ".variant").c_str(), from.variant,
+                      static_cast<std::uint32_t>(scene.variants.size()));
+        if (!known.insert(from.variant).second)
+            element.refuse(joined(label, ": variant ", from.variant, " has its materials already"));
+        element.present((label + ".face_materials").c_str(), from.face_materials, source.face_count);
+        cage.variants.push_back(
+            {from.variant, faceMaterialsFrom(std::span(from.face_materials, source.face_count), label + ": ",
+                                             element, scene)});
     }
 }
 
@@ -147,6 +182,7 @@ Cage cageFrom(const candela_cage& source, const AbiReader& element, const Scene&
     takeCorners(source, element, cage);
     takeHoles(source, element, cage);
     takeMaterials(source, element, scene, cage);
+    takeVariants(source, element, scene, cage);
     takeInfluences({source.influence_count, source.joints, source.joint_weights}, element,
                    cage.positions.size(), cage);
     takeMorphTargets({source.morph_target_count, source.morph_offsets}, element, cage.positions.size(),

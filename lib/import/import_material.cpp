@@ -67,7 +67,7 @@ std::optional<Texture> textureFrom(const candela_texture& source, const std::str
     if (!image) return std::nullopt;
     Texture texture;
     texture.image = *image;
-    texture.uvSet = element.flag(member("uv_set").c_str(), source.uv_set) ? 1 : 0;
+    texture.uvSet = element.below(member("uv_set").c_str(), source.uv_set, maxUvSets);
     texture.wrapS = wraps[element.enumerator(member("wrap_s").c_str(), source.wrap_s, wraps.size())];
     texture.wrapT = wraps[element.enumerator(member("wrap_t").c_str(), source.wrap_t, wraps.size())];
     texture.minFilter =

@@ -7,6 +7,7 @@
 #include "scene/geometry/tangents.h"
 #include "scene/geometry/topology.h"
 #include "scene/geometry/triangulate.h"
+#include "scene/model/uv_sets.h"
 
 #include <candela/error.h>
 #include <candela/mesh.h>
@@ -138,6 +139,19 @@ std::size_t repairTangents(Mesh& mesh) {
     return replaced;
 }
 
+void takeFurtherUvs(const candela_mesh& source, const AbiReader& element, Mesh& mesh) {
+    constexpr std::uint32_t most = maxUvSets - basicUvSets;
+    const std::uint32_t count = element.below("further_uv_count", source.further_uv_count, most + 1);
+    if (count > 0 && !source.further_uvs)
+        element.refuse(joined("further_uvs is NULL, but further_uv_count is ", count));
+    mesh.furtherUvs.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (!source.further_uvs[i]) continue;
+        element.numbers(joined("further_uvs[", i, "]").c_str(), source.further_uvs[i], source.vertex_count,
+                        mesh.furtherUvs[i]);
+    }
+}
+
 void takeVertices(const candela_mesh& source, const AbiReader& element, Mesh& mesh) {
     const std::uint32_t count = source.vertex_count;
     element.numbers("position", source.positions, count, mesh.positions);
@@ -154,6 +168,7 @@ void takeVertices(const candela_mesh& source, const AbiReader& element, Mesh& me
     copyDirections(source.tangents, mesh.tangents);
     takeOptional("uv0", source.uv0, mesh.uv0);
     takeOptional("uv1", source.uv1, mesh.uv1);
+    takeFurtherUvs(source, element, mesh);
     takeOptional("color", source.colors, mesh.colors);
 }
 
@@ -343,7 +358,7 @@ void addTangents(const Scene& scene, const std::vector<bool>& anisotropic, std::
                  NoteList& notes) {
     const auto uvSet = tangentUvSet(scene, anisotropic, mesh);
     if (!uvSet || !mesh.tangents.empty() || mesh.positions.empty()) return;
-    if (!(*uvSet == 0 ? mesh.uv0 : mesh.uv1).empty()) return generateTangents(mesh, *uvSet);
+    if (!uvsOf(mesh, *uvSet).empty()) return generateTangents(mesh, *uvSet);
     fillWithPerpendiculars(mesh);
     notes.add(NoteKind::missing, AbiReader("mesh", index, mesh.name.c_str()).label(),
               "the directions of its normal texture or anisotropy, for want of texture coordinates");

@@ -26,6 +26,8 @@ inline constexpr std::array pastSizesOf<candela_mesh>{offsetof(candela_mesh, fac
                                                       offsetof(candela_mesh, influence_count),
                                                       offsetof(candela_mesh, variant_material_count)};
 template <>
+inline constexpr std::array pastSizesOf<candela_cage>{offsetof(candela_cage, variant_count)};
+template <>
 inline constexpr std::array pastSizesOf<candela_camera>{offsetof(candela_camera, number)};
 template <>
 inline constexpr std::array pastSizesOf<candela_light>{offsetof(candela_light, casts_no_shadow)};

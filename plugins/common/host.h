@@ -67,6 +67,8 @@ class Host {
     bool takesEmissionStrength() const { return takesVariants(); }
     /// Whether meshes may be lines and points, which came with version 1.6.
     bool takesLinesAndPoints() const { return takesVariants(); }
+    /// Whether meshes may have more than two sets of texture coordinates, which came with version 1.6.
+    bool takesFurtherUvs() const { return takesVariants(); }
 
     /// Calls `body(index)` for each index below `count` on the threads of the host, see `parallel.h`.
     template <typename Body>

@@ -8,6 +8,7 @@
 
 #include "deformation.h"
 #include "primitives.h"
+#include "variants.h"
 
 namespace candela_plugins::gltf {
 namespace {
@@ -45,11 +46,10 @@ std::vector<Part> partsOf(const Document& document, const tinygltf::Mesh& mesh, 
     return parts;
 }
 
-/// The sets of texture coordinates of the file, n of TEXCOORD_n, that the material of a part reads.
+/// The sets of texture coordinates of the file, n of TEXCOORD_n, that the materials of a part read.
 std::vector<int> setsOf(const Part& part, const std::vector<UvSlots>& uvSlots) {
     std::vector<int> sets;
-    if (part.primitive.material < 0) return sets;
-    const UvSlots& slots = uvSlots.at(static_cast<std::size_t>(part.primitive.material));
+    const UvSlots slots = uvSlotsOf(part.primitive, uvSlots);
     for (std::size_t slot = 0; slot < slots.sets.size(); ++slot) {
         if (slots.isRead[slot]) sets.push_back(slots.sets[slot]);
     }
@@ -126,12 +126,28 @@ class SourceReader {
         for (std::uint32_t& corner : faces.corners) corner += range.first;
         append(source_.faces.sizes, faces.sizes);
         append(source_.faces.corners, faces.corners);
-        source_.faceMaterials.resize(source_.faces.sizes.size(), part.primitive.material);
+        addMaterials(part, source_.faces.sizes.size());
     }
 
     CageSource take() { return std::move(source_); }
 
   private:
+    /// Those of the faces from the last of the parts before to `end`. In a variant that a part does not name,
+    /// its faces have the material without one.
+    void addMaterials(const Part& part, std::size_t end) {
+        const auto variants = readVariantMaterials(document_, part.primitive, part.element, host_);
+        for (const VariantMaterial& own : variants) {
+            const bool isKnown = std::ranges::any_of(
+                source_.variants, [&](const VariantFaces& faces) { return faces.variant == own.variant; });
+            if (!isKnown) source_.variants.push_back({own.variant, source_.faceMaterials});
+        }
+        for (VariantFaces& faces : source_.variants) {
+            const auto own = std::ranges::find(variants, faces.variant, &VariantMaterial::variant);
+            faces.materials.resize(end, own == variants.end() ? part.primitive.material : own->material);
+        }
+        source_.faceMaterials.resize(end, part.primitive.material);
+    }
+
     VertexRange rangeOf(const Part& part) {
         const auto [entry, isNew] = ranges_.try_emplace(vertexAccessors(part.primitive));
         if (isNew) entry->second = readVertices(part);
@@ -221,10 +237,6 @@ CageSource readCageSource(const Document& document, std::size_t mesh, const std:
                         commonMorphTargets(parts)};
     SourceReader reader(document, layout, host);
     for (const Part& part : parts) {
-        if (part.primitive.extensions.contains("KHR_materials_variants")) {
-            host.note(CANDELA_NOTE_MISSING, part.element,
-                      "a cage has no variants: the material without one is drawn");
-        }
         if (accessorOf(part.primitive, "COLOR_0") >= 0) {
             host.note(CANDELA_NOTE_MISSING, part.element,
                       "a cage has no vertex colours: COLOR_0 is left out");

@@ -39,11 +39,18 @@ class VertexNumbers {
     std::vector<VertexRange> ranges_;
 };
 
+/// The materials of a cage's faces in a variant.
+struct VariantFaces {
+    std::uint32_t variant = 0;
+    std::vector<std::int32_t> materials;  ///< A face, as `CageSource::faceMaterials`.
+};
+
 /// The data of the primitives of a mesh that becomes a cage.
 struct CageSource {
     CageVertices vertices;
     Polygons faces;
     std::vector<std::int32_t> faceMaterials;  ///< A material of the file a face; -1: the default.
+    std::vector<VariantFaces> variants;       ///< Those that a primitive has a material of its own for.
     VertexNumbers numbers;
 };
 

@@ -1,6 +1,7 @@
 #include "cages.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "cage_settings.h"
@@ -140,7 +141,7 @@ CageSharpness resolveSharpness(const CageSettings& settings, const CageSource& s
 }
 
 /// The materials of cages. A cage has one set of texture coordinates, which is set 0 of the host. For a
-/// material that reads set 1, a copy that reads set 0 is added when a cage first needs it.
+/// material that reads another set, a copy that reads set 0 is added when a cage first needs it.
 class CageMaterials {
   public:
     CageMaterials(AddedMaterials& materials, const Host& host) : materials_(materials), host_(host) {}
@@ -156,7 +157,8 @@ class CageMaterials {
 std::int32_t CageMaterials::find(std::int32_t material) {
     if (material < 0) return materials_.defaultMaterial;
     const auto index = static_cast<std::size_t>(material);
-    if (!materials_.uvSlots.at(index).isRead[1]) return material;
+    const auto& isRead = materials_.uvSlots.at(index).isRead;
+    if (std::none_of(isRead.begin() + 1, isRead.end(), std::identity())) return material;
     const auto [entry, isNew] = materials_.cageCopies.try_emplace(material);
     if (isNew) {
         HostMaterial copy = materials_.added[index];
@@ -254,6 +256,20 @@ VertexValues valuesOf(const CageVertices& vertices, const JoinedCage& cage) {
     return values;
 }
 
+/// The host's materials of the faces that are left, in each variant of the source.
+std::vector<VariantFaces> variantsOf(const CageSource& source, const JoinedCage& cage,
+                                     CageMaterials& materials) {
+    std::vector<VariantFaces> variants;
+    for (const VariantFaces& faces : source.variants) {
+        VariantFaces& kept = variants.emplace_back(VariantFaces{faces.variant, {}});
+        for (std::size_t face = 0; face < cage.cageFaces.size(); ++face) {
+            if (cage.cageFaces[face] != notInCage)
+                kept.materials.push_back(materials.find(faces.materials[face]));
+        }
+    }
+    return variants;
+}
+
 AddedCage addCage(const Document& document, std::size_t mesh, const std::vector<UvSlots>& uvSlots,
                   CageMaterials& materials, const Host& host) {
     const CageSettings& settings = document.cages.at(mesh);
@@ -271,6 +287,10 @@ AddedCage addCage(const Document& document, std::size_t mesh, const std::vector<
     }
 
     for (std::int32_t& material : cage.faceMaterials) material = materials.find(material);
+    const std::vector<VariantFaces> variants = variantsOf(source, cage, materials);
+    std::vector<candela_cage_variant> hostVariants;
+    for (const VariantFaces& faces : variants)
+        hostVariants.push_back({faces.variant, faces.materials.data()});
     const VertexValues values = valuesOf(source.vertices, cage);
     candela_cage hostCage = cageWithRules(settings);
     hostCage.name = name.c_str();
@@ -283,6 +303,8 @@ AddedCage addCage(const Document& document, std::size_t mesh, const std::vector<
     hostCage.joint_weights = dataOf(values.jointWeights);
     hostCage.morph_target_count = sizeOf(source.vertices.morphOffsets.size());
     hostCage.morph_offsets = dataOf(values.morphOffsets);
+    hostCage.variant_count = sizeOf(hostVariants.size());
+    hostCage.variants = dataOf(hostVariants);
     const auto highest = std::max_element(values.joints.begin(), values.joints.end());
     return {host.add(hostCage), hostCage.influence_count, highest == values.joints.end() ? 0 : *highest + 1,
             hostCage.morph_target_count};

@@ -86,7 +86,7 @@ bool needsDefaultMaterial(const Document& document, const std::vector<bool>& use
 AddedMaterials addMaterials(const Document& document, const AddedImages& images,
                             const std::vector<bool>& usedMeshes, const Host& host) {
     AddedMaterials materials;
-    materials.uvSlots = uvSlotsOf(document);
+    materials.uvSlots = uvSlotsOf(document, host.takesFurtherUvs() ? maxUvSlots : 2);
     for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
         const HostMaterial material = readMaterial(document, i, images, materials.uvSlots[i], host);
         material.add(host);

@@ -73,7 +73,10 @@ class Part {
         mesh.normals = dataOf(normal);
         mesh.tangents = dataOf(tangent);
         mesh.uv0 = dataOf(uv0);
-        mesh.uv1 = dataOf(uv1);
+        mesh.uv1 = dataOf(uv0 + 1);
+        const std::vector<const float*> furtherUvs = furtherUvData();
+        mesh.further_uv_count = static_cast<std::uint32_t>(furtherUvs.size());
+        mesh.further_uvs = furtherUvs.data();
         mesh.colors = dataOf(color);
         mesh.index_count = static_cast<std::uint32_t>(indices_.size());
         mesh.indices = indices_.data();
@@ -101,6 +104,14 @@ class Part {
   private:
     const float* dataOf(std::size_t stream) const {
         return streams_[stream].empty() ? nullptr : streams_[stream].data();
+    }
+
+    /// Of the sets of texture coordinates from 2 on; null for those that the mesh does not have.
+    std::vector<const float*> furtherUvData() const {
+        std::vector<const float*> sets;
+        for (std::size_t s = uv0 + 2; s < streamCount; ++s) sets.push_back(dataOf(s));
+        while (!sets.empty() && sets.back() == nullptr) sets.pop_back();
+        return sets;
     }
 
     std::vector<float> morphOffsets() const {
@@ -322,7 +333,7 @@ class MeshImporter {
 
     void noteMissingUvs(const Accessors& accessors, const tinygltf::Primitive& primitive,
                         const UvSlots& slots, const std::string& element) const {
-        for (const Stream stream : {uv0, uv1}) {
+        for (std::size_t stream = uv0; stream < streamCount; ++stream) {
             // One that was left out has a note of its own.
             const std::string attribute = attributeOf(stream, slots);
             if (accessors[stream] != zeros || accessorOf(primitive, attribute) >= 0) continue;

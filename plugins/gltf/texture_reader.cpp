@@ -103,7 +103,8 @@ candela_texture TextureReader::read(const TextureUse& use, std::int32_t image) c
     const int slot = slots_.find(use.set);
     if (slot < 0) {
         host_.note(CANDELA_NOTE_MISSING, element_ + ", " + use.name,
-                   "a third set of texture coordinates, TEXCOORD_" + std::to_string(use.set) + ": left out");
+                   "more sets of texture coordinates than a mesh may have, TEXCOORD_" +
+                       std::to_string(use.set) + ": left out");
         return texture;
     }
     applySampler(document_, textureOf(use).sampler, host_, texture);

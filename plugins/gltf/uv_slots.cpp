@@ -53,15 +53,18 @@ struct MaterialGroup {
     }
 };
 
-/// The sets in the slots of the host.
-std::array<int, 2> slotsFor(std::vector<int> sets) {
+/// The sets in the slots of the host, of which there are `most`.
+std::vector<int> slotsFor(std::vector<int> sets, std::size_t most) {
     UvSlots slots;
-    sets.resize(std::min(sets.size(), slots.sets.size()));
-    const auto isFree = [&](std::size_t slot) {
-        return std::find(sets.begin(), sets.end(), slots.sets[slot]) == sets.end();
-    };
+    sets.resize(std::min(sets.size(), most));
+    const auto isRead = [&](int set) { return std::find(sets.begin(), sets.end(), set) != sets.end(); };
     for (const int set : sets) {
-        if (slots.find(set) < 0) slots.sets[isFree(0) ? 0 : 1] = set;
+        if (slots.find(set) >= 0) continue;
+        const auto free = std::find_if_not(slots.sets.begin(), slots.sets.end(), isRead);
+        if (free == slots.sets.end())
+            slots.sets.push_back(set);
+        else
+            *free = set;
     }
     return slots.sets;
 }
@@ -99,10 +102,10 @@ int UvSlots::find(int set) const {
 }
 
 std::string UvSlots::attribute(std::size_t slot) const {
-    return "TEXCOORD_" + std::to_string(sets[slot]);
+    return slot < sets.size() ? "TEXCOORD_" + std::to_string(sets[slot]) : std::string();
 }
 
-std::vector<UvSlots> uvSlotsOf(const Document& document) {
+std::vector<UvSlots> uvSlotsOf(const Document& document, std::size_t most) {
     const std::vector<tinygltf::Material>& materials = document.model.materials;
     MaterialGroups heads(materials.size());
     for (const tinygltf::Mesh& mesh : document.model.meshes) {
@@ -121,7 +124,7 @@ std::vector<UvSlots> uvSlotsOf(const Document& document) {
     for (auto& [head, group] : groups) {
         UvSlots& slots = slotsOfGroups[head];
         if (group.sets.size() > slots.sets.size()) slots.equals = group.mergeSets();
-        slots.sets = slotsFor(group.sets);
+        slots.sets = slotsFor(group.sets, most);
     }
     std::vector<UvSlots> slots;
     for (std::size_t i = 0; i < materials.size(); ++i) {

@@ -11,12 +11,11 @@ struct StreamForm {
     AttributeForm form;
 };
 
-constexpr std::array<StreamForm, streamCount> forms{{{"POSITION", positionForm},
-                                                     {"NORMAL", normalForm},
-                                                     {"TANGENT", tangentForm},
-                                                     {"TEXCOORD_", uvForm},
-                                                     {"TEXCOORD_", uvForm},
-                                                     {"COLOR_0", {4, fractions, fractions}}}};
+/// Those of the streams before texture coordinates.
+constexpr std::array<StreamForm, uv0> forms{{{"POSITION", positionForm},
+                                             {"NORMAL", normalForm},
+                                             {"TANGENT", tangentForm},
+                                             {"COLOR_0", {4, fractions, fractions}}}};
 constexpr AttributeForm rgbForm{3, fractions, fractions};
 
 std::vector<float> withAlpha(const std::vector<float>& rgb) {
@@ -28,7 +27,7 @@ std::vector<float> withAlpha(const std::vector<float>& rgb) {
 }  // namespace
 
 std::size_t componentsOf(std::size_t stream) {
-    return forms[stream].form.components;
+    return isUv(stream) ? uvForm.components : forms[stream].form.components;
 }
 
 std::string attributeOf(std::size_t stream, const UvSlots& slots) {
@@ -37,17 +36,22 @@ std::string attributeOf(std::size_t stream, const UvSlots& slots) {
 
 Accessors accessorsOf(const tinygltf::Primitive& primitive, const UvSlots& slots) {
     Accessors accessors;
-    for (std::size_t s = 0; s < streamCount; ++s) accessors[s] = accessorOf(primitive, attributeOf(s, slots));
+    for (std::size_t s = 0; s < streamCount; ++s) {
+        const std::string attribute = attributeOf(s, slots);
+        const bool isRead = isUv(s) && slots.isRead[s - uv0];
+        const bool isOmitted = attribute.empty() || (s >= uv0 + 2 && !isRead);
+        accessors[s] = isOmitted ? absent : accessorOf(primitive, attribute);
+        if (isRead && accessors[s] == absent) accessors[s] = zeros;
+    }
     // Tangents without normals are to be ignored (glTF 2.0, 3.7.2.1).
     if (accessors[normal] == absent) accessors[tangent] = absent;
-    if (accessors[uv0] == absent && slots.isRead[0]) accessors[uv0] = zeros;
-    if (accessors[uv1] == absent && slots.isRead[1]) accessors[uv1] = zeros;
     return accessors;
 }
 
 const AttributeForm& formOf(const Document& document, std::size_t stream, int accessor) {
     const bool rgb = stream == color &&
                      componentCount(document.model.accessors.at(static_cast<std::size_t>(accessor))) == 3;
+    if (isUv(stream)) return uvForm;
     return rgb ? rgbForm : forms[stream].form;
 }
 

@@ -12,7 +12,7 @@
 namespace candela_plugins::gltf {
 
 /// The vertex arrays of a mesh of the host.
-enum Stream : std::size_t { position, normal, tangent, uv0, uv1, color, streamCount };
+enum Stream : std::size_t { position, normal, tangent, color, uv0, streamCount = uv0 + maxUvSlots };
 
 /// Numbers, vertex after vertex.
 using Streams = std::array<std::vector<float>, streamCount>;
@@ -22,13 +22,14 @@ using Accessors = std::array<int, streamCount>;
 constexpr int absent = -1, zeros = -2;
 
 inline bool isUv(std::size_t stream) {
-    return stream == uv0 || stream == uv1;
+    return stream >= uv0;
 }
 
 /// Numbers a vertex, as the host has them.
 std::size_t componentsOf(std::size_t stream);
 
-/// The name of the attribute that a stream holds of a primitive whose material has these slots.
+/// The name of the attribute that a stream holds of a primitive whose material has these slots. Empty for a
+/// set of texture coordinates that it does not have.
 std::string attributeOf(std::size_t stream, const UvSlots& slots);
 
 /// Those of a primitive whose material has these slots.

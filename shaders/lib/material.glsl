@@ -42,13 +42,3 @@ MaterialState materialState(uint material) {
     uvec4 words = materialWords(material, MATERIAL_PACKED);
     return MaterialState(factors.z, factors.w, materialTexel(material, MATERIAL_EMISSION).w > 0.5, uintBitsToFloat(words.y), words.z != 0u);
 }
-
-// The transformed texture coordinate of texture `slot` of the material.
-const int BASE_COLOR_SLOT = 0, METALLIC_ROUGHNESS_SLOT = 1, NORMAL_SLOT = 2, EMISSION_SLOT = 3, OCCLUSION_SLOT = 4;
-
-vec2 textureCoordinate(uint material, int slot, vec2 uv0, vec2 uv1) {
-    vec4 rowX = materialTexel(material, MATERIAL_UV_ROWS + 2 * slot);
-    vec4 rowY = materialTexel(material, MATERIAL_UV_ROWS + 2 * slot + 1);
-    vec3 uv = vec3(rowX.w > 0.5 ? uv1 : uv0, 1.0);
-    return vec2(dot(rowX.xyz, uv), dot(rowY.xyz, uv));
-}

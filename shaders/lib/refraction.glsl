@@ -21,12 +21,12 @@ vec2 exitOffset(LobeFrame surface, vec3 position, float ior, float path) {
     return pixelOf(position + refract(-surface.toEye, surface.normal, 1.0 / ior) * path) - pixelOf(position);
 }
 
-// `position` is relative to the eye, `scale` that of the instance. A thin wall and the back of a volume, which its front accounts for, neither
-// refract nor absorb. Transmittance is that of the volume, linear Rec.709: lighting knows the surface's own.
-Refraction refractionOf(uint material, vec4 uvs, LobeFrame surface, vec3 position, float roughness, float scale) {
+// `position` is relative to the eye, `scale` that of the instance. A thin wall and the back of a volume, which its front accounts for,
+// neither refract nor absorb. Transmittance is that of the volume, linear Rec.709: lighting knows the surface's own.
+Refraction refractionOf(uint material, LobeFrame surface, vec3 position, float roughness, float scale) {
     float ior = lobeTexel(material, LOBE_SPECULAR).x;
     vec4 absorption = lobeTexel(material, LOBE_ABSORPTION), volume = lobeTexel(material, LOBE_VOLUME);
-    float path = volume.x * lobeSample(material, THICKNESS_SLOT, uvs).g * scale;
+    float path = volume.x * lobeSample(material, THICKNESS_SLOT).g * scale;
     Refraction refraction = Refraction(vec2(0.0), roughness * clamp(2.0 * ior - 2.0, 0.0, 1.0), 0.0, vec3(1.0));
     if (!gl_FrontFacing || path <= 0.0) return refraction;
     refraction.transmittance = exp(-absorption.rgb * path);

@@ -128,6 +128,8 @@ const int TANGENT_ATTRIBUTE = 3;
 const int UV0_ATTRIBUTE = 4;
 const int UV1_ATTRIBUTE = 5;
 const int COLOR_ATTRIBUTE = 6;
+const int FURTHER_UVS_ATTRIBUTE = 7;  // and those that follow: sets of texture coordinates from 2 on, two each
+const int FURTHER_UVS_VARYING = 8;    // their first location between stages, behind those of surface_textured.vert
 const int LIGHT_ATTRIBUTE = 1;  // uint an instance of a light volume: light
 
 const uint DEFORM_NONE = 0xffffffffu;

@@ -162,4 +162,26 @@ TEST(BenchResults, LightsOutOfRangeAreNotCountedAsLit) {
     EXPECT_GT(hidden["reference_lighting_ms"].get<double>(), 0.0);
 }
 
+// In the variant the square is unlit, so that no light reaches a pixel.
+TEST(BenchResults, OfAVariant) {
+    Json scene = Json::parse(sampleScene());
+    scene["materials"].push_back({{"extensions", {{"KHR_materials_unlit", Json::object()}}}});
+    scene["extensions"]["KHR_materials_variants"]["variants"].push_back({{"name", "Flat"}});
+    scene["meshes"][0]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"].push_back(
+        {{"material", 1}, {"variants", Json::array({0})}});
+    const TemporaryFolder folder;
+    folder.write("looks.gltf", scene.dump());
+    const auto litPairs = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(),
+                         {"--scene", folder / "looks.gltf", "--technique", "volumes", "--shadows", "off"});
+        return benchOf(arguments)["results"].at(0)["pairs_lit"].get<std::uint64_t>();
+    };
+    EXPECT_GT(litPairs({}), 0u);
+    EXPECT_EQ(litPairs({"--variant", "Flat"}), 0u);
+    EXPECT_EQ(litPairs({"--variant", "0"}), 0u);
+    expectFault(
+        runCommand({"--scene", folder / "looks.gltf", "--variant", "Red", "--json", folder / "r.json"}),
+        folder / "looks.gltf", "no variant \"Red\"; there are 0 \"Flat\"");
+}
+
 }  // namespace

@@ -193,6 +193,26 @@ TEST_F(Environment, IsListed) {
     };
     EXPECT_EQ(listed("dark.gltf"), "no environment, and no other light: a studio lights the scene\n");
     EXPECT_EQ(listed("plaza:1"), "no environment\n");
+    Json scene = Json::parse(sampleScene());
+    // One grey texel a face.
+    constexpr const char* face =
+        "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR42mNo"
+        "AAAAggCB2kUIOwAAAABJRU5ErkJggg==";
+    Json faces = Json::array();
+    for (int i = 0; i < 6; ++i) {
+        scene["images"].push_back({{"uri", face}});
+        faces.push_back(i);
+    }
+    scene["extensionsUsed"].push_back("EXT_lights_image_based");
+    scene["extensions"]["EXT_lights_image_based"]["lights"].push_back(
+        {{"name", "hall"},
+         {"intensity", 0.5},
+         {"specularImageSize", 1},
+         {"irradianceCoefficients", Json::array()},
+         {"specularImages", Json::array({faces})}});
+    scene["scenes"][0]["extensions"]["EXT_lights_image_based"]["light"] = 0;
+    folder.write("hall.gltf", scene.dump());
+    EXPECT_EQ(listed("hall.gltf"), "\"hall\": 4x2, intensity 0.5, seen behind the scene\n");
 }
 
 }  // namespace

@@ -46,6 +46,9 @@ std::vector<Definitions> combinations() {
     all.push_back({"BRDF BRDF_GLTF", "SPOT 0", "LAYER 1", "LOBES 1", "EXTENDED 1", "REFRACTION 1",
                    "BLURRED 1", "DISPERSED 1", "SOURCE 0", "VIEW_CODE vec3(depth)", "HEAT_STOPS 5",
                    "TEXTURED 1", "CORNERS 2", "WIDE_CORNERS 2", "FILL 0", "LOAD_RADIANCE 0"});
+    all.push_back({"BRDF BRDF_GLTF", "SPOT 0", "LAYER 1", "LOBES 1", "EXTENDED 1", "REFRACTION 1",
+                   "FURTHER_UVS 8", "SOURCE 0", "VIEW_CODE vec3(depth)", "HEAT_STOPS 5", "TEXTURED 1",
+                   "CORNERS 2", "WIDE_CORNERS 2", "FILL 0", "LOAD_RADIANCE 0"});
     for (const DebugView debugView : debugViews()) {
         Definitions definitions = debugViewDefinitions(debugViewRow(debugView));
         definitions.insert(definitions.end(), {"BRDF BRDF_COURSE", "SPOT 0", "TEXTURED 1", "CORNERS 3",

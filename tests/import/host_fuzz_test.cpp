@@ -194,6 +194,11 @@ void addMesh(Fuzzer& fuzz, const candela_host& host) {
         mesh.variant_material_count = 1;
         mesh.variant_materials = &variant;
     }
+    const float* furtherUvs[] = {mesh.uv0, nullptr, mesh.uv1};
+    if (fuzz.oneIn(3)) {
+        mesh.further_uv_count = fuzz.below(4);
+        mesh.further_uvs = furtherUvs;
+    }
     host.add_mesh(host.self, &mesh);
 }
 

@@ -64,7 +64,7 @@ const InvalidCase invalidMaterials[] = {
      "material 0 'paint': normal_texture.image is 1, but 1 were added so far and -1 is none"},
     {"material-image-negative",
      "material 0 'paint': normal_texture.image is -2, but 1 were added so far and -1 is none"},
-    {"material-uv-set", "material 0 'paint': emission_texture.uv_set is 2, but 0 or 1 was expected"},
+    {"material-uv-set", "material 0 'paint': emission_texture.uv_set is 18, but 0 to 17 was expected"},
     {"material-wrap", "material 0 'paint': base_color_texture.wrap_t is 3, but 0 to 2 was expected"},
     {"material-min-filter",
      "material 0 'paint': base_color_texture.min_filter is -1, but 0 to 5 was expected"},
@@ -227,7 +227,8 @@ TEST(Host, PluginsBuiltForOlderVersionsImport) {
     const PluginRegistry old({std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-0",
                               std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-1",
                               std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-3",
-                              std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-4"});
+                              std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-4",
+                              std::filesystem::path(CANDELA_TEST_FIXTURES) / "built-for-1-5"});
     const Scene first = importScene(old, "built-for-1-0:").scene;
     EXPECT_EQ(first.meshes.at(0).indices.size(), 3u);
     ASSERT_EQ(first.lights.size(), 1u);
@@ -252,6 +253,17 @@ TEST(Host, PluginsBuiltForOlderVersionsImport) {
     ASSERT_EQ(fourth.lights.size(), 1u);
     EXPECT_EQ(fourth.lights[0].radius, 0.5f);
     EXPECT_FALSE(fourth.environment);
+    const Scene fifth = importScene(old, "built-for-1-5:").scene;
+    ASSERT_TRUE(fifth.environment);
+    EXPECT_EQ(fifth.environment->intensity, 0.5f);
+    EXPECT_FALSE(fifth.environment->isBackground);
+    const Material& blending = fifth.materials.at(0);
+    EXPECT_EQ(blending.alphaMode, AlphaMode::blend);
+    EXPECT_EQ(blending.ior, 1.5f);
+    EXPECT_EQ(blending.clearcoat, Clearcoat{});
+    EXPECT_TRUE(fifth.meshes.at(0).variantMaterials.empty());
+    EXPECT_TRUE(fifth.meshes[0].furtherUvs.empty());
+    EXPECT_EQ(fifth.meshes[0].submeshes.at(0).topology, Topology::triangles);
 }
 
 TEST(Host, RunsParallelLoops) {

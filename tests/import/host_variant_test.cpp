@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 
 namespace candela {
@@ -65,6 +66,54 @@ TEST(HostVariants, RefusesWhatIsWrong) {
     EXPECT_EQ(expectError([] { sceneWith([](candela_mesh& m) { m.variant_materials = nullptr; }); },
                           ErrorKind::badInput, ""),
               "test: mesh 0 'wheel': variant_materials is NULL, but variant_material_count is 2");
+}
+
+constexpr std::array<std::int32_t, 2> plainFaces{0, -1}, redFaces{1, 1}, blueFaces{-1, 0};
+constexpr candela_cage_variant cageVariants[] = {{0, redFaces.data()}, {1, blueFaces.data()}};
+
+Scene sceneWithCage(const std::function<void(candela_cage&)>& modify) {
+    return importedScene([&](const candela_host& host) {
+        const candela_material material = samples::material();
+        for (int i = 0; i < 2; ++i) host.add_material(host.self, &material);
+        host.add_variant(host.self, "red");
+        host.add_variant(host.self, "blue");
+        candela_cage cage = samples::cage();
+        cage.face_materials = plainFaces.data();
+        cage.variant_count = 2;
+        cage.variants = cageVariants;
+        modify(cage);
+        host.add_cage(host.self, &cage);
+    });
+}
+
+TEST(HostVariants, OfCagesAreTaken) {
+    const Scene scene = sceneWithCage([](candela_cage&) {});
+    EXPECT_NO_THROW(validate(scene));
+    const std::vector<CageVariant> expected{
+        {std::nullopt, {0, std::nullopt}}, {0, {1, 1}}, {1, {std::nullopt, 0}}};
+    EXPECT_EQ(scene.cages.at(0).variants, expected);
+    const Scene older =
+        sceneWithCage([](candela_cage& c) { c.struct_size = offsetof(candela_cage, variant_count); });
+    EXPECT_TRUE(older.cages.at(0).variants.empty());
+    EXPECT_EQ(older.cages[0].faceMaterials.at(0), 0u);
+}
+
+TEST(HostVariants, OfCagesRefuseWhatIsWrong) {
+    const auto expectRefused = [](candela_cage_variant first, const std::string& text) {
+        const candela_cage_variant wrong[] = {first, cageVariants[1]};
+        EXPECT_EQ(expectError([&] { sceneWithCage([&](candela_cage& c) { c.variants = wrong; }); },
+                              ErrorKind::badInput, ""),
+                  "test: cage 0 'body': " + text);
+    };
+    constexpr std::array<std::int32_t, 2> beyond{0, 2};
+    expectRefused({2, redFaces.data()}, "variants[0].variant is 2, but 0 to 1 was expected");
+    expectRefused({1, redFaces.data()}, "variants[1]: variant 1 has its materials already");
+    expectRefused({0, nullptr}, "variants[0].face_materials is NULL, but 2 elements were expected");
+    expectRefused({0, beyond.data()},
+                  "variants[0]: face 1: material is 2, but 2 were added so far and -1 is none");
+    EXPECT_EQ(expectError([] { sceneWithCage([](candela_cage& c) { c.variants = nullptr; }); },
+                          ErrorKind::badInput, ""),
+              "test: cage 0 'body': variants is NULL, but 2 elements were expected");
 }
 
 TEST(HostVariants, AMaterialOfAVariantGetsTangents) {

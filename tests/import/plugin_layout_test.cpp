@@ -141,7 +141,13 @@ static_assert(offsetof(candela_mesh, morph_tangents) == 168);
 static_assert(offsetof(candela_mesh, variant_material_count) == 176);
 static_assert(offsetof(candela_mesh, variant_materials) == 184);
 static_assert(offsetof(candela_mesh, topologies) == 192);
-static_assert(sizeof(candela_mesh) == 200);
+static_assert(offsetof(candela_mesh, further_uv_count) == 200);
+static_assert(offsetof(candela_mesh, further_uvs) == 208);
+static_assert(sizeof(candela_mesh) == 216);
+
+static_assert(offsetof(candela_cage_variant, variant) == 0);
+static_assert(offsetof(candela_cage_variant, face_materials) == 8);
+static_assert(sizeof(candela_cage_variant) == 16);
 
 static_assert(offsetof(candela_cage, struct_size) == 0);
 static_assert(offsetof(candela_cage, name) == 8);
@@ -173,7 +179,9 @@ static_assert(offsetof(candela_cage, joints) == 176);
 static_assert(offsetof(candela_cage, joint_weights) == 184);
 static_assert(offsetof(candela_cage, morph_target_count) == 192);
 static_assert(offsetof(candela_cage, morph_offsets) == 200);
-static_assert(sizeof(candela_cage) == 208);
+static_assert(offsetof(candela_cage, variant_count) == 208);
+static_assert(offsetof(candela_cage, variants) == 216);
+static_assert(sizeof(candela_cage) == 224);
 
 static_assert(offsetof(candela_skin, struct_size) == 0);
 static_assert(offsetof(candela_skin, name) == 8);

@@ -89,7 +89,8 @@ TriangleFilter::TriangleFilter(const GpuScene::State& scene, const TriangleFilte
 
 bool TriangleFilter::isFiltered(const DrawBatch& batch, const DrawCommand& command) const {
     return batch.key.geometry.kind == DrawGeometry::Kind::meshes &&
-           batch.key.topology == Topology::triangles && command.count >= minIndices;
+           batch.key.topology == Topology::triangles && batch.key.furtherUvPairs == 0 &&
+           command.count >= minIndices;
 }
 
 bool TriangleFilter::hasRoomFor(const DrawCommand& command) const {

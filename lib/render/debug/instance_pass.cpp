@@ -20,15 +20,19 @@ gl::Program makeProgram(const char* textured, const char* label) {
 
 const gl::Program& InstancePass::Programs::of(const PipelineKey& key) {
     const bool isTextured = key.program != PipelineKey::Program::plain;
-    if (key.topology == Topology::triangles) return isTextured ? textured : plain;
-    gl::Program& program = wide[{key.topology, key.program}];
+    const bool isWide = key.topology != Topology::triangles;
+    if (!isWide && key.furtherUvPairs == 0) return isTextured ? textured : plain;
+    gl::Program& program = special[{key.topology, key.program, key.furtherUvPairs}];
     if (program.name() != 0) return program;
-    const std::vector<std::string> definitions{isTextured ? "TEXTURED 1" : "TEXTURED 0",
-                                               "WIDE_CORNERS " + std::to_string(cornersOf(key.topology))};
-    program = gl::Program({{"surface_instance.vert", definitions, {}},
-                           {"surface_instance.geom", definitions, {}},
-                           {"surface_instance.frag", definitions, {}}},
-                          "instances of lines and points");
+    std::vector<std::string> definitions{isTextured ? "TEXTURED 1" : "TEXTURED 0"};
+    if (key.furtherUvPairs != 0) definitions.push_back(furtherUvDefinition(key));
+    std::vector<gl::Stage> stages{{"surface_instance.vert", definitions, {}},
+                                  {"surface_instance.frag", definitions, {}}};
+    if (isWide) {
+        definitions.push_back("WIDE_CORNERS " + std::to_string(cornersOf(key.topology)));
+        stages.push_back({"surface_instance.geom", definitions, {}});
+    }
+    program = gl::Program(stages, "instances of lines, points and further texture coordinates");
     return program;
 }
 
@@ -90,7 +94,7 @@ void InstancePass::drawBatches(const Inputs& inputs) {
 void InstancePass::draw(const GpuScene::State& scene, const DrawBatch& batch) {
     const bool textured = batch.key.program != PipelineKey::Program::plain;
     glUseProgram(programs_->of(batch.key).name());
-    glBindVertexArray(scene.vertexArrayOf(batch.key.geometry));
+    glBindVertexArray(scene.vertexArrayOf(batch.key));
     glFrontFace(batch.key.mirrored ? GL_CW : GL_CCW);
     if (batch.key.doubleSided) {
         glDisable(GL_CULL_FACE);

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <utility>
+#include <tuple>
 
 namespace candela {
 
@@ -34,7 +34,8 @@ class InstancePass {
     };
     struct Programs {
         gl::Program plain, textured;
-        std::map<std::pair<Topology, PipelineKey::Program>, gl::Program> wide;  ///< Of lines and points.
+        /// Of lines and points, and of materials that read further sets of texture coordinates.
+        std::map<std::tuple<Topology, PipelineKey::Program, std::uint32_t>, gl::Program> special;
 
         const gl::Program& of(const PipelineKey& key);
     };

@@ -64,7 +64,7 @@ void OverlayPass::drawMeshEdges(const Inputs& inputs) const {
     for (const DrawBatch& batch : inputs.draws.batches()) {
         if (batch.key.geometry.kind == DrawGeometry::Kind::cage) continue;
         if (batch.key.topology != Topology::triangles) continue;
-        glBindVertexArray(inputs.scene.vertexArrayOf(batch.key.geometry));
+        glBindVertexArray(inputs.scene.vertexArrayOf(batch.key));
         DrawSelection::draw(batch);
     }
 }

@@ -43,10 +43,13 @@ GeometryPass::Programs::Programs(const GBufferParts& parts)
 const gl::Program& GeometryPass::Programs::of(const PipelineKey& key) {
     PipelineKey::Program kind = key.program;
     if (kind == PipelineKey::Program::extended && !extended_) kind = PipelineKey::Program::textured;
-    if (key.topology != Topology::triangles) {
-        gl::Program& program = wide_[{key.topology, kind, key.unlit}];
-        if (program.name() == 0)
-            program = make({.program = kind, .topology = key.topology, .unlit = key.unlit}, parts_);
+    if (key.topology != Topology::triangles || key.furtherUvPairs != 0) {
+        gl::Program& program = special_[{key.topology, kind, key.unlit, key.furtherUvPairs}];
+        if (program.name() == 0) {
+            PipelineKey own = key;
+            own.program = kind;
+            program = make(own, parts_);
+        }
         return program;
     }
     if (kind == PipelineKey::Program::extended) return *extended_;
@@ -58,6 +61,7 @@ gl::Program GeometryPass::Programs::make(const PipelineKey& key, const GBufferPa
     std::vector<std::string> definitions = definitionsOf(parts);
     if (key.program == PipelineKey::Program::extended) definitions.emplace_back("EXTENDED 1");
     if (key.unlit) definitions.emplace_back("WITHOUT_NORMALS 1");
+    if (key.furtherUvPairs != 0) definitions.push_back(furtherUvDefinition(key));
     const std::string file = isPlain ? "surface_plain" : "surface_textured";
     std::vector<gl::Stage> stages{{file + ".vert", definitions, {}}, {file + ".frag", definitions, {}}};
     if (key.topology != Topology::triangles) {
@@ -108,7 +112,7 @@ void GeometryPass::drawBatches(const Inputs& inputs) {
             if (!run.key.isIn(inputs.surfaces)) continue;
             select(inputs, run.key, programs);
             glBindVertexArray(run.filtered ? inputs.filter->vertexArray()
-                                           : inputs.scene.vertexArrayOf(run.key.geometry));
+                                           : inputs.scene.vertexArrayOf(run.key));
             TriangleFilter::draw(run);
         }
     } else {
@@ -116,7 +120,7 @@ void GeometryPass::drawBatches(const Inputs& inputs) {
         for (const DrawBatch& batch : inputs.draws.batches()) {
             if (!batch.key.isIn(inputs.surfaces)) continue;
             select(inputs, batch.key, programs);
-            glBindVertexArray(inputs.scene.vertexArrayOf(batch.key.geometry));
+            glBindVertexArray(inputs.scene.vertexArrayOf(batch.key));
             DrawSelection::draw(batch);
         }
     }

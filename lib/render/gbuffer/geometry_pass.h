@@ -50,8 +50,9 @@ class GeometryPass {
 
         gl::Program plain_, textured_;
         std::optional<gl::Program> extended_;  ///< Where the parts have lobes; else these are not written.
-        /// Of lines and points. Compiled when they are first needed.
-        std::map<std::tuple<Topology, PipelineKey::Program, bool>, gl::Program> wide_;
+        /// Of lines and points, and of materials that read further sets of texture coordinates. Compiled when
+        /// they are first needed.
+        std::map<std::tuple<Topology, PipelineKey::Program, bool, std::uint32_t>, gl::Program> special_;
         GBufferParts parts_;
     };
 

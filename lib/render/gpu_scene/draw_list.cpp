@@ -2,6 +2,7 @@
 
 #include "scene/geometry/topology.h"
 #include "scene/model/material_textures.h"
+#include "scene/model/uv_sets.h"
 
 #include <algorithm>
 #include <numeric>
@@ -65,7 +66,7 @@ bool continues(const DrawCommand& command, const DrawCommand& next) {
 constexpr std::size_t occlusionIndex = 4;
 
 bool needsDetail(const Scene& scene, const Mesh& mesh) {
-    if (!scene.images.empty() && !(mesh.uv0.empty() && mesh.uv1.empty())) return true;
+    if (!scene.images.empty() && uvSetsOf(mesh) != 0) return true;
     const auto count = static_cast<std::uint32_t>(scene.materials.size());
     const Submesh whole = wholeOf(mesh);
     return std::ranges::any_of(submeshesOf(mesh, whole), [&](const Submesh& submesh) {
@@ -78,6 +79,17 @@ bool animatesMaterials(const Animation& animation) {
     return std::ranges::any_of(animation.properties, [](const PropertyChannel& channel) {
         return elementOf(channel.property) == AnimatedElement::material;
     });
+}
+
+/// How many pairs of sets from 2 on those of a material's textures that are among `textures` read.
+std::uint32_t furtherUvPairs(const Material& material, std::span<const MaterialTexture> textures) {
+    std::uint32_t pairs = 0;
+    for (const MaterialTexture& use : textures) {
+        const std::optional<Texture>& texture = use.of(material);
+        if (texture && texture->uvSet >= basicUvSets)
+            pairs = std::max(pairs, (texture->uvSet - basicUvSets) / 2 + 1);
+    }
+    return pairs;
 }
 
 GLenum modeOf(Topology topology) {
@@ -178,7 +190,9 @@ PipelineKey DrawList::materialKey(const Material& material, const VertexKind& ve
         const bool isRead = i != occlusionIndex || (texture && occlusionTextures_ == OcclusionTextures::read);
         if (isRead) key.textures[i] = images.get(texture, textures[i].content);
     }
-    if (vertices.unlit || !isExtended(material)) return key;
+    const bool extended = !vertices.unlit && isExtended(material);
+    key.furtherUvPairs = furtherUvPairs(material, extended ? textures : textures.first(basicTextureCount));
+    if (!extended) return key;
     key.program = PipelineKey::Program::extended;
     key.lobeTextures = lobeSet(lobeTexturesOf(material, images));
     return key;

@@ -15,6 +15,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace candela {
@@ -69,6 +70,8 @@ struct PipelineKey {
     /// Base colour, metallic-roughness, normal, emission; unset for plain. Then occlusion, unset where no
     /// material has it or nothing reads it.
     std::array<SampledTexture, 5> textures{};
+    /// Pairs of the sets of texture coordinates from 2 on that textures read.
+    std::uint32_t furtherUvPairs = 0;
     std::uint32_t lobeTextures = 0;  ///< Of `extended`: index for `DrawList::lobeTextures`.
     DrawGeometry geometry{};
 
@@ -78,6 +81,11 @@ struct PipelineKey {
         return set == SurfaceSet::all || transparent == (set == SurfaceSet::transparent);
     }
 };
+
+/// What shaders of a key with further sets of texture coordinates are compiled with.
+inline std::string furtherUvDefinition(const PipelineKey& key) {
+    return "FURTHER_UVS " + std::to_string(key.furtherUvPairs);
+}
 
 /// The commands of a selection that share a pipeline key.
 struct DrawBatch {

@@ -61,21 +61,17 @@ void writeRecord(std::span<glm::uvec4> record, const Material& material,
 
 GpuMaterials::GpuMaterials(const Scene& scene, const glm::dmat3& workingFromRec709)
     : workingFromRec709_(workingFromRec709),
-      commonUvs_(scene.materials.size()),
+      commonUvs_(scene.materials.size(), ~UvSets{0}),
       records_(GL_RGBA32UI, layout::MATERIAL_TEXELS, "materials"),
       lobeRecords_(GL_RGBA32F, layout::LOBE_TEXELS, "material lobes") {
-    const auto restrict = [&](std::uint32_t material, CommonUvs surface) {
-        commonUvs_[material].uv0 &= surface.uv0;
-        commonUvs_[material].uv1 &= surface.uv1;
-    };
     for (const Mesh& mesh : scene.meshes) {
         for (const Submesh& submesh : mesh.submeshes) {
-            if (submesh.material) restrict(*submesh.material, {!mesh.uv0.empty(), !mesh.uv1.empty()});
+            if (submesh.material) commonUvs_[*submesh.material] &= uvSetsOf(mesh);
         }
     }
     for (const Cage& cage : scene.cages) {
         for (const std::optional<std::uint32_t>& material : cage.faceMaterials) {
-            if (material) restrict(*material, {!cage.uvs.empty(), false});
+            if (material) commonUvs_[*material] &= cage.uvs.empty() ? 0u : 1u;
         }
     }
     const std::size_t count = scene.materials.size();
@@ -91,7 +87,7 @@ void GpuMaterials::requireUvs(std::uint32_t index, const Material& material) con
         const std::optional<Texture>& texture = use.of(material);
         if (!texture) continue;
         const std::uint32_t set = texture->uvSet;
-        if (set == 0 ? commonUvs_[index].uv0 : commonUvs_[index].uv1) continue;
+        if ((commonUvs_[index] >> set & 1u) != 0) continue;
         ErrorContext("material", index, material.name)
             .refuse("a texture reads texture coordinates " + std::to_string(set) +
                     ", which a surface of this material does not have");

@@ -2,6 +2,7 @@
 
 #include "render/gpu_scene/record_buffer.h"
 #include "render/layout.h"
+#include "scene/model/uv_sets.h"
 
 #include <candela/scene.h>
 
@@ -42,13 +43,8 @@ class GpuMaterials {
     }
 
   private:
-    /// Which texture coordinates all surfaces of a material have.
-    struct CommonUvs {
-        bool uv0 = true, uv1 = true;
-    };
-
     glm::dmat3 workingFromRec709_;
-    std::vector<CommonUvs> commonUvs_;  ///< One a material.
+    std::vector<UvSets> commonUvs_;  ///< One a material: those that all of its surfaces have.
     RecordBuffer<glm::uvec4> records_;
     RecordBuffer<glm::vec4> lobeRecords_;  ///< One a material, or none.
 };

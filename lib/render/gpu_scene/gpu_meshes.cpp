@@ -1,12 +1,15 @@
 #include "render/gpu_scene/gpu_meshes.h"
 
 #include "render/layout.h"
+#include "scene/model/uv_sets.h"
 
 #include <candela/error.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <string>
 
 namespace candela {
@@ -69,16 +72,25 @@ void DefaultDetail::describe(const gl::VertexArray& vertexArray, GLuint binding)
 GpuMeshes::GpuMeshes(std::span<const Mesh> meshes, Detail detail, Access access) : detail_(detail) {
     place(meshes);
     uploadSurface(meshes, access);
-    if (detail_ == Detail::everything) uploadDetail(meshes);
+    if (detail_ != Detail::everything) return;
+    uploadDetail(meshes);
+    if (furtherPairs_ != 0) uploadFurtherUvs(meshes);
 }
 
 void GpuMeshes::place(std::span<const Mesh> meshes) {
-    for (const Mesh& mesh : meshes) {
-        MeshPlace place{static_cast<std::uint32_t>(indexCount_), static_cast<std::int32_t>(vertexCount_),
-                        static_cast<std::uint32_t>(mesh.positions.size()), boundingSphere(mesh.positions)};
-        places_.push_back(place);
+    order_.resize(meshes.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+    std::ranges::stable_partition(order_, [&](std::uint32_t i) { return !meshes[i].furtherUvs.empty(); });
+    places_.resize(meshes.size());
+    for (const std::uint32_t i : order_) {
+        const Mesh& mesh = meshes[i];
+        places_[i] = {static_cast<std::uint32_t>(indexCount_), static_cast<std::int32_t>(vertexCount_),
+                      static_cast<std::uint32_t>(mesh.positions.size()), boundingSphere(mesh.positions)};
         vertexCount_ += mesh.positions.size();
         indexCount_ += mesh.indices.size();
+        if (detail_ != Detail::everything || mesh.furtherUvs.empty()) continue;
+        furtherVertices_ = vertexCount_;
+        furtherPairs_ = std::max(furtherPairs_, (mesh.furtherUvs.size() + 1) / 2);
     }
     if (vertexCount_ > std::numeric_limits<std::int32_t>::max() ||
         indexCount_ > std::numeric_limits<std::uint32_t>::max()) {
@@ -94,7 +106,8 @@ void GpuMeshes::uploadSurface(std::span<const Mesh> meshes, Access access) {
     std::vector<std::uint32_t> indices;
     vertices.reserve(vertexCount_);
     indices.reserve(indexCount_);
-    for (const Mesh& mesh : meshes) {
+    for (const std::uint32_t index : order_) {
+        const Mesh& mesh = meshes[index];
         for (std::size_t i = 0; i < mesh.positions.size(); ++i)
             vertices.push_back({mesh.positions[i], mesh.normals[i]});
         indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
@@ -110,7 +123,8 @@ void GpuMeshes::uploadSurface(std::span<const Mesh> meshes, Access access) {
 void GpuMeshes::uploadDetail(std::span<const Mesh> meshes) {
     std::vector<DetailVertex> vertices;
     vertices.reserve(vertexCount_);
-    for (const Mesh& mesh : meshes) {
+    for (const std::uint32_t index : order_) {
+        const Mesh& mesh = meshes[index];
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
             DetailVertex vertex;
             if (!mesh.tangents.empty()) vertex.tangent = mesh.tangents[i];
@@ -121,6 +135,20 @@ void GpuMeshes::uploadDetail(std::span<const Mesh> meshes) {
         }
     }
     details_ = gl::Buffer::immutable("mesh details", std::span<const DetailVertex>(vertices));
+}
+
+void GpuMeshes::uploadFurtherUvs(std::span<const Mesh> meshes) {
+    const std::size_t stride = 2 * furtherPairs_;
+    std::vector<glm::vec2> uvs(furtherVertices_ * stride, glm::vec2(0.0f));
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        glm::vec2* first = uvs.data() + static_cast<std::size_t>(places_[i].baseVertex) * stride;
+        for (std::size_t set = 0; set < meshes[i].furtherUvs.size(); ++set) {
+            const std::vector<glm::vec2>& from = meshes[i].furtherUvs[set];
+            for (std::size_t vertex = 0; vertex < from.size(); ++vertex)
+                first[vertex * stride + set] = from[vertex];
+        }
+    }
+    furtherUvs_ = gl::Buffer::immutable("further texture coordinates", std::span<const glm::vec2>(uvs));
 }
 
 std::vector<glm::vec3> GpuMeshes::readPositions(std::uint32_t mesh) const {
@@ -147,6 +175,16 @@ std::vector<GpuMeshes::AlphaVertex> GpuMeshes::readAlphaVertices(std::uint32_t m
     return vertices;
 }
 
+std::vector<glm::vec2> GpuMeshes::readFurtherUvs(std::uint32_t mesh, std::uint32_t set) const {
+    const MeshPlace& place = places_[mesh];
+    const std::size_t stride = 2 * furtherPairs_;
+    const auto all = furtherUvs_.read<glm::vec2>(static_cast<std::size_t>(place.baseVertex) * stride,
+                                                 place.vertexCount * stride);
+    std::vector<glm::vec2> uvs(place.vertexCount);
+    for (std::size_t i = 0; i < uvs.size(); ++i) uvs[i] = all[i * stride + set - basicUvSets];
+    return uvs;
+}
+
 void GpuMeshes::describe(const gl::VertexArray& vertexArray, const gl::Buffer& draws,
                          const DefaultDetail& defaultDetail) const {
     describe(vertexArray, surface_, 0, draws, defaultDetail);
@@ -157,9 +195,25 @@ void GpuMeshes::describeDeformed(const gl::VertexArray& vertexArray, std::uint32
                                  const DefaultDetail& defaultDetail) const {
     describe(vertexArray, deformed.surface, static_cast<std::size_t>(places_[mesh].baseVertex), draws,
              defaultDetail);
+    const auto first = static_cast<std::size_t>(places_[mesh].baseVertex);
+    if (first < furtherVertices_) describeFurtherUvs(vertexArray, first);
     if (deformed.tangents == nullptr) return;
     glVertexArrayVertexBuffer(vertexArray.name(), 3, deformed.tangents->name(), 0, sizeof(glm::vec4));
     feedFloats(vertexArray, layout::TANGENT_ATTRIBUTE, 4, 3, 0);
+}
+
+void GpuMeshes::describeFurtherUvs(const gl::VertexArray& vertexArray) const {
+    describeFurtherUvs(vertexArray, 0);
+}
+
+void GpuMeshes::describeFurtherUvs(const gl::VertexArray& vertexArray, std::size_t firstVertex) const {
+    constexpr GLuint binding = 4;
+    const std::size_t stride = furtherPairs_ * sizeof(glm::vec4);
+    glVertexArrayVertexBuffer(vertexArray.name(), binding, furtherUvs_.name(),
+                              static_cast<GLintptr>(firstVertex * stride), static_cast<GLsizei>(stride));
+    for (std::size_t pair = 0; pair < furtherPairs_; ++pair)
+        feedFloats(vertexArray, layout::FURTHER_UVS_ATTRIBUTE + static_cast<int>(pair), 4, binding,
+                   pair * sizeof(glm::vec4));
 }
 
 void GpuMeshes::describe(const gl::VertexArray& vertexArray, const gl::Buffer& surface,

@@ -84,12 +84,19 @@ class GpuMeshes {
         float alpha = 1.0f;  ///< Of the vertex colour.
     };
     std::vector<AlphaVertex> readAlphaVertices(std::uint32_t mesh) const;
+    /// Set `set`, 2 or more, of the texture coordinates of a mesh that has it.
+    std::vector<glm::vec2> readFurtherUvs(std::uint32_t mesh, std::uint32_t set) const;
 
     /// Binds the streams to a vertex array whose draw attribute reads `draws` (uvec2 an instance).
     void describe(const gl::VertexArray& vertexArray, const gl::Buffer& draws,
                   const DefaultDetail& defaultDetail) const;
 
-    /// The same for the deformed vertices of mesh `mesh`, whose draws have the base vertex 0.
+    /// Adds the further sets of texture coordinates to a vertex array that `describe` has described. Vertices
+    /// of meshes without them have none.
+    void describeFurtherUvs(const gl::VertexArray& vertexArray) const;
+    bool hasFurtherUvs() const { return furtherPairs_ != 0; }
+
+    /// The same as `describe` for the deformed vertices of mesh `mesh`, whose draws have the base vertex 0.
     void describeDeformed(const gl::VertexArray& vertexArray, std::uint32_t mesh,
                           const DeformedStreams& deformed, const gl::Buffer& draws,
                           const DefaultDetail& defaultDetail) const;
@@ -98,13 +105,19 @@ class GpuMeshes {
     void describe(const gl::VertexArray& vertexArray, const gl::Buffer& surface, std::size_t firstDetail,
                   const gl::Buffer& draws, const DefaultDetail& defaultDetail) const;
     void place(std::span<const Mesh> meshes);
+    void describeFurtherUvs(const gl::VertexArray& vertexArray, std::size_t firstVertex) const;
     void uploadSurface(std::span<const Mesh> meshes, Access access);
     void uploadDetail(std::span<const Mesh> meshes);
+    void uploadFurtherUvs(std::span<const Mesh> meshes);
 
     std::vector<MeshPlace> places_;
+    std::vector<std::uint32_t> order_;  ///< The meshes as their vertices follow each other.
+    /// Vertices of meshes with further sets of texture coordinates, which come first, and how many pairs of
+    /// sets each has room for.
+    std::size_t furtherVertices_ = 0, furtherPairs_ = 0;
     std::uint64_t vertexCount_ = 0, indexCount_ = 0;
     Detail detail_;
-    gl::Buffer indices_, surface_, details_;
+    gl::Buffer indices_, surface_, details_, furtherUvs_;
 };
 
 }  // namespace candela

@@ -30,6 +30,7 @@ Scene editableParts(const Scene& scene) {
     parts.lights = scene.lights;
     parts.animations = scene.animations;
     parts.cages = scene.cages;
+    for (Cage& cage : parts.cages) cage.variants.clear();
     parts.skins = scene.skins;
     parts.materials = scene.materials;
     // Animations of morph weights have as many values as their mesh has targets.
@@ -99,6 +100,10 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
     addDraws(scene);
     images.releaseSources();
     describeMeshes(vertexArray);
+    if (meshes.hasFurtherUvs()) {
+        describeMeshes(furtherUvArray);
+        meshes.describeFurtherUvs(furtherUvArray);
+    }
     deformations.describe(meshes, draws.records(), defaultDetail_);
     reserveAnimatedLobes();
     for (std::uint32_t node = 0; node < sceneState.nodes.size(); ++node) updateVisibility(node);
@@ -335,15 +340,15 @@ void GpuScene::State::cull(const Frustum& frustum, DrawSelection& selection) con
     draws.cull(selection);
 }
 
-GLuint GpuScene::State::vertexArrayOf(const DrawGeometry& geometry) const {
-    const auto [kind, index] = geometry;
+GLuint GpuScene::State::vertexArrayOf(const PipelineKey& key) const {
+    const auto [kind, index] = key.geometry;
     switch (kind) {
         case DrawGeometry::Kind::deformedMesh:
             return deformations.vertexArray(index);
         case DrawGeometry::Kind::cage:
             return cages.surface(index).vertexArray();
         default:
-            return vertexArray.name();
+            return key.furtherUvPairs == 0 ? vertexArray.name() : furtherUvArray.name();
     }
 }
 

@@ -67,8 +67,8 @@ struct GpuScene::State {
 
     /// Binds the vertices of the meshes to a vertex array.
     void describeMeshes(const gl::VertexArray& array) const;
-    /// The vertex array from which commands of such a geometry draw.
-    GLuint vertexArrayOf(const DrawGeometry& geometry) const;
+    /// The vertex array from which commands with such a key draw.
+    GLuint vertexArrayOf(const PipelineKey& key) const;
     /// The level of the cage of an instance, 0 for polygons; none for a mesh.
     std::optional<std::uint32_t> levelOf(std::uint32_t instance) const;
     /// Lines of the cages of a selection.
@@ -106,7 +106,8 @@ struct GpuScene::State {
     GpuInstances instances;
     DrawList draws;
     gl::VertexArray vertexArray{"meshes"};
-    std::unique_ptr<TriangleFilter> triangleFilter;  ///< On software devices.
+    gl::VertexArray furtherUvArray{"meshes with further texture coordinates"};  ///< For keys that read these.
+    std::unique_ptr<TriangleFilter> triangleFilter;                             ///< On software devices.
 
   private:
     static void requireIndex(const char* kind, std::uint32_t index, std::size_t count);

@@ -1,6 +1,7 @@
 #include "render/occlusion/mesh_readback.h"
 
 #include "render/layout.h"
+#include "scene/model/uv_sets.h"
 
 #include <glm/vec4.hpp>
 
@@ -73,8 +74,8 @@ std::vector<glm::uvec3> trianglesOf(const std::vector<std::uint32_t>& indices) {
 /// Makes the cut-outs of one material.
 class CutoutMaker {
   public:
-    CutoutMaker(const GpuScene::State& scene, std::uint32_t materialIndex, OcclusionMesh& mesh,
-                AlphaImages& images) {
+    CutoutMaker(const Source& source, std::uint32_t materialIndex, OcclusionMesh& mesh, AlphaImages& images) {
+        const GpuScene::State& scene = source.scene;
         const Material& material = scene.sceneState.materials[materialIndex];
         const std::span<const glm::uvec4> record = scene.materials.record(materialIndex);
         const bool isMask = material.alphaMode == AlphaMode::mask;
@@ -91,7 +92,7 @@ class CutoutMaker {
         triangle_.image = CutoutTriangle::noImage;
         if (!material.baseColorTexture || material.alphaMode == AlphaMode::opaque) return;
         const Texture& texture = *material.baseColorTexture;
-        usesSecondSet_ = texture.uvSet == 1;
+        uvSet_ = texture.uvSet;
         triangle_.wrapS = alphaWrap(texture.wrapS);
         triangle_.wrapT = alphaWrap(texture.wrapT);
         triangle_.nearest = texture.magFilter == Filter::nearest;
@@ -99,6 +100,7 @@ class CutoutMaker {
         std::shared_ptr<const AlphaImage>& image = images[texture.image];
         if (!image) image = std::make_shared<AlphaImage>(scene.images.readAlpha(texture.image));
         mesh.images.push_back(image);
+        if (uvSet_ >= basicUvSets) furtherUvs_ = scene.meshes.readFurtherUvs(source.mesh(), uvSet_);
     }
 
     CutoutTriangle make(const glm::uvec3& corners,
@@ -106,7 +108,7 @@ class CutoutMaker {
         CutoutTriangle triangle = triangle_;
         for (int corner = 0; corner < 3; ++corner) {
             const GpuMeshes::AlphaVertex& vertex = vertices[corners[corner]];
-            const glm::vec3 uv(usesSecondSet_ ? vertex.uv1 : vertex.uv0, 1.0f);
+            const glm::vec3 uv(uvOf(vertex, corners[corner]), 1.0f);
             triangle.uv[corner] = {glm::dot(rows_[0], uv), glm::dot(rows_[1], uv)};
             triangle.alpha[corner] = usesVertexAlpha_ ? factor_ * vertex.alpha : factor_;
         }
@@ -114,10 +116,17 @@ class CutoutMaker {
     }
 
   private:
+    const glm::vec2& uvOf(const GpuMeshes::AlphaVertex& vertex, std::uint32_t index) const {
+        if (!furtherUvs_.empty()) return furtherUvs_[index];
+        return uvSet_ == 0 ? vertex.uv0 : vertex.uv1;
+    }
+
     CutoutTriangle triangle_;
     glm::vec3 rows_[2];
     float factor_ = 1.0f;
-    bool usesSecondSet_ = false, usesVertexAlpha_ = false;
+    std::uint32_t uvSet_ = 0;
+    std::vector<glm::vec2> furtherUvs_;  ///< Of `uvSet_`, where that is not one of the vertices.
+    bool usesVertexAlpha_ = false;
 };
 
 }  // namespace
@@ -141,7 +150,7 @@ OcclusionMesh readOcclusionMesh(const GpuScene::State& scene, std::uint32_t inst
         const std::vector<glm::uvec3> triangles = trianglesOf(source.indices(part->indices));
         mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
         if (part < withAlpha.begin()) continue;
-        const CutoutMaker maker(scene, part->material, mesh, images);
+        const CutoutMaker maker(source, part->material, mesh, images);
         for (const glm::uvec3& corners : triangles) mesh.cutouts.push_back(maker.make(corners, vertices));
     }
     return mesh;

@@ -98,6 +98,7 @@ void generateFlatNormals(Mesh& mesh) {
     });
     copyToCorners(mesh.uv0, mesh, vertices, element);
     copyToCorners(mesh.uv1, mesh, vertices, element);
+    for (auto& uvs : mesh.furtherUvs) copyToCorners(uvs, mesh, vertices, element);
     copyToCorners(mesh.colors, mesh, vertices, element);
     copyDeformersToCorners(mesh, vertices, element);
     copyToCorners(mesh.positions, mesh, vertices, element);

@@ -5,6 +5,7 @@
 #include "scene/geometry/axes.h"
 #include "scene/geometry/tangent_groups.h"
 #include "scene/geometry/topology.h"
+#include "scene/model/uv_sets.h"
 #include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>
@@ -138,6 +139,7 @@ void duplicateVertex(Mesh& mesh, std::vector<std::uint32_t>& groupOfVertex, cons
     duplicate(mesh.normals, split.vertex);
     duplicate(mesh.uv0, split.vertex);
     duplicate(mesh.uv1, split.vertex);
+    for (auto& uvs : mesh.furtherUvs) duplicate(uvs, split.vertex);
     duplicate(mesh.colors, split.vertex);
     for (std::uint32_t i = 0; i < mesh.influenceCount; ++i) {
         const std::size_t influence = std::size_t{split.vertex} * mesh.influenceCount + i;
@@ -186,13 +188,14 @@ void requireArrays(const Mesh& mesh, std::uint32_t uvSet) {
     const ErrorContext element("mesh", {}, mesh.name);
     requireIndices(mesh, element);
     const std::size_t vertices = mesh.positions.size();
-    element.require(uvSet <= 1, "tangents need set 0 or 1 of texture coordinates");
     element.require(mesh.normals.size() == vertices, "tangents need one normal per vertex");
-    element.require((uvSet == 0 ? mesh.uv0 : mesh.uv1).size() == vertices,
-                    "tangents need one texture coordinate per vertex");
-    for (const std::size_t size : {mesh.uv0.size(), mesh.uv1.size(), mesh.colors.size()}) {
+    element.require(uvsOf(mesh, uvSet).size() == vertices, "tangents need one texture coordinate per vertex");
+    const auto requireAllOrNone = [&](std::size_t size) {
         element.require(size == 0 || size == vertices, "an array has neither no element nor one per vertex");
-    }
+    };
+    for (const std::size_t size : {mesh.uv0.size(), mesh.uv1.size(), mesh.colors.size()})
+        requireAllOrNone(size);
+    for (const std::vector<glm::vec2>& uvs : mesh.furtherUvs) requireAllOrNone(uvs.size());
     const DeformableVertices shape(mesh);
     requireInfluences(shape, element);
     requireMorphTargets(shape, element);
@@ -222,7 +225,7 @@ void generateForTriangles(Mesh& mesh, std::uint32_t uvSet) {
 void generateTangents(Mesh& mesh, std::uint32_t uvSet) {
     requireArrays(mesh, uvSet);
     if (!hasOnlyTriangles(mesh)) return generateForTriangles(mesh, uvSet);
-    const std::vector<glm::vec2>& uv = uvSet == 0 ? mesh.uv0 : mesh.uv1;
+    const std::vector<glm::vec2>& uv = uvsOf(mesh, uvSet);
     const TangentGroups groups = tangentGroups(mesh, uv);
     const std::vector<glm::vec3> sums = sumTerms(mesh, uv, groups);
     const std::vector<std::uint32_t> groupOfVertex = splitVertices(mesh, groupsOfCorners(mesh, groups, sums));

@@ -6,7 +6,7 @@
 
 namespace candela {
 
-/// Generates `Mesh::tangents` from set `uvSet` (0 or 1) of texture coordinates as MikkTSpace does, which
+/// Generates `Mesh::tangents` from set `uvSet` of texture coordinates as MikkTSpace does, which
 /// glTF 2.0 requires where a file has none. Bitangents are cross(normal, tangent) × w and point against
 /// increasing v: v increases down the image, and a normal map's +Y is up.
 ///

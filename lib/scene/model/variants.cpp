@@ -19,12 +19,21 @@ void selectVariant(Mesh& mesh, std::optional<std::uint32_t> variant, const Error
     }
 }
 
+void selectVariant(Cage& cage, std::optional<std::uint32_t> variant) {
+    for (const std::optional<std::uint32_t> selected : {std::optional<std::uint32_t>(), variant}) {
+        for (const CageVariant& entry : cage.variants) {
+            if (entry.variant == selected) cage.faceMaterials = entry.faceMaterials;
+        }
+    }
+}
+
 }  // namespace
 
 void selectVariant(Scene& scene, std::optional<std::uint32_t> variant) {
     ErrorContext("scene").requireIndex("variant", variant, scene.variants.size());
     for (std::size_t i = 0; i < scene.meshes.size(); ++i)
         selectVariant(scene.meshes[i], variant, ErrorContext("mesh", i, scene.meshes[i].name));
+    for (Cage& cage : scene.cages) selectVariant(cage, variant);
 }
 
 }  // namespace candela

@@ -2,6 +2,7 @@
 
 #include "base/error_context.h"
 #include "scene/model/deformation.h"
+#include "scene/model/uv_sets.h"
 
 #include <candela/scene.h>
 
@@ -87,12 +88,7 @@ void requireTime(double time);
 /// That `world` has one matrix per node.
 void requireWorldMatrices(const Scene& scene, const std::vector<glm::mat4>& world);
 
-/// Which sets of texture coordinates an element has.
-struct UvSets {
-    bool set0 = false, set1 = false;
-};
-
 /// glTF 2.0, 5.30.2: an element must have the texture coordinates that its material's textures name.
-void requireUvs(const UvSets& sets, std::uint32_t material, const Scene& scene, const ErrorContext& element);
+void requireUvs(UvSets sets, std::uint32_t material, const Scene& scene, const ErrorContext& element);
 
 }  // namespace candela

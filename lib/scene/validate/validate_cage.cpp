@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <set>
+#include <vector>
 
 namespace candela {
 
@@ -146,15 +149,28 @@ void validateCorners(const Cage& cage, const ErrorContext& element) {
 }
 
 void validateMaterials(const Cage& cage, const Scene& scene, const ErrorContext& element) {
-    if (cage.faceMaterials.empty()) return;
-    element.requireCount("materials", cage.faceMaterials.size(), "faces", cage.faceSizes.size());
     std::vector<bool> known(scene.materials.size());
-    for (const std::optional<std::uint32_t>& material : cage.faceMaterials) {
-        element.requireIndex("material", material, scene.materials.size());
-        if (!material || known[*material]) continue;
-        known[*material] = true;
-        requireUvs({.set0 = !cage.uvs.empty()}, *material, scene, element);
+    const UvSets uvSets = cage.uvs.empty() ? 0 : 1;
+    const auto requireMaterials = [&](const std::vector<std::optional<std::uint32_t>>& materials) {
+        if (materials.empty()) return;
+        element.requireCount("materials", materials.size(), "faces", cage.faceSizes.size());
+        for (const std::optional<std::uint32_t>& material : materials) {
+            element.requireIndex("material", material, scene.materials.size());
+            if (!material || known[*material]) continue;
+            known[*material] = true;
+            requireUvs(uvSets, *material, scene, element);
+        }
+    };
+    requireMaterials(cage.faceMaterials);
+    std::set<std::optional<std::uint32_t>> variants;
+    for (const CageVariant& entry : cage.variants) {
+        element.requireIndex("variant", entry.variant, scene.variants.size());
+        element.require(variants.insert(entry.variant).second,
+                        "has its materials for the same variant twice");
+        requireMaterials(entry.faceMaterials);
     }
+    element.require(variants.empty() || variants.contains(std::nullopt),
+                    "has materials for variants and none without a variant");
 }
 
 }  // namespace

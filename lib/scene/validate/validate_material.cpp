@@ -36,7 +36,7 @@ void validateTexture(const std::optional<Texture>& texture, const char* use, con
         if (!holds) element.refuse(use + (std::string(" texture: ") + rule));
     };
     element.requireIndex("image", texture->image, scene.images.size());
-    require(texture->uvSet <= 1, "the set of texture coordinates must be 0 or 1");
+    require(texture->uvSet < maxUvSets, "the set of texture coordinates must be 0 to 17");
     require(isWrap(texture->wrapS) && isWrap(texture->wrapT), "a wrap mode is unknown");
     require(isMinFilter(texture->minFilter), "the minification filter is unknown");
     require(texture->magFilter == Filter::nearest || texture->magFilter == Filter::linear,
@@ -139,13 +139,13 @@ void validateMaterial(const Material& material, const Scene& scene, const ErrorC
         validateTexture(texture.of(material), texture.name, scene, element);
 }
 
-void requireUvs(const UvSets& sets, std::uint32_t material, const Scene& scene, const ErrorContext& element) {
+void requireUvs(UvSets sets, std::uint32_t material, const Scene& scene, const ErrorContext& element) {
     const Material& reader = scene.materials[material];
     for (const MaterialTexture& use : materialTextures()) {
         const std::optional<Texture>& texture = use.of(reader);
         if (!texture) continue;
         const std::uint32_t set = texture->uvSet;
-        if (set == 0 ? sets.set0 : sets.set1) continue;
+        if (set < maxUvSets && (sets >> set & 1u) != 0) continue;
         element.refuse("has no texture coordinates " + std::to_string(set) + ", which a texture of " +
                        ErrorContext("material", material, reader.name).label() + " reads");
     }

@@ -26,10 +26,17 @@ void validateArrays(const Mesh& mesh, const ErrorContext& element) {
     requireAllOrNone(mesh.tangents, "tangents");
     requireAllOrNone(mesh.uv0, "texture coordinates 0");
     requireAllOrNone(mesh.uv1, "texture coordinates 1");
+    element.require(basicUvSets + mesh.furtherUvs.size() <= maxUvSets,
+                    "may have 18 sets of texture coordinates at most");
     requireAllOrNone(mesh.colors, "colours");
     element.requireEachFinite("position", mesh.positions);
     element.requireEachFinite("texture coordinate 0 of vertex", mesh.uv0);
     element.requireEachFinite("texture coordinate 1 of vertex", mesh.uv1);
+    for (std::size_t i = 0; i < mesh.furtherUvs.size(); ++i) {
+        const std::string set = std::to_string(basicUvSets + i);
+        requireAllOrNone(mesh.furtherUvs[i], ("texture coordinates " + set).c_str());
+        element.requireEachFinite(("texture coordinate " + set + " of vertex").c_str(), mesh.furtherUvs[i]);
+    }
     element.requireEachFinite("colour", mesh.colors);
     const bool mayLackNormals = !hasOnlyTriangles(mesh);
     element.requireEach("normal", mesh.normals, "does not have unit length", [&](const glm::vec3& normal) {
@@ -45,7 +52,7 @@ void requireMaterial(std::optional<std::uint32_t> material, const Mesh& mesh, co
                      const ErrorContext& element) {
     element.requireIndex("material", material, scene.materials.size());
     if (!material || mesh.positions.empty()) return;
-    requireUvs({.set0 = !mesh.uv0.empty(), .set1 = !mesh.uv1.empty()}, *material, scene, element);
+    requireUvs(uvSetsOf(mesh), *material, scene, element);
 }
 
 void requireWholeElements(const Submesh& submesh, const Mesh& mesh, const ErrorContext& element) {

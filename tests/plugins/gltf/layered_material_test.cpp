@@ -267,8 +267,8 @@ TEST(SpecularGlossiness, isTheSameLookAsIorAndSpecular) {
 
 /// A triangle with `sets` sets of texture coordinates, whose first coordinate at the first vertex is the
 /// number of the set.
-GltfFile fileWithSets(int sets, const std::string& material) {
-    GltfFile file = fileWithMaterial(material, 3);
+GltfFile fileWithSets(int sets, const std::string& material, std::uint8_t images = 3) {
+    GltfFile file = fileWithMaterial(material, images);
     addTriangle(file);
     std::string attributes = R"("attributes":{"POSITION":0,"NORMAL":1)";
     for (int set = 0; set < sets; ++set) {
@@ -313,17 +313,75 @@ TEST(UvSets, setsThatNothingReadStayWhereTheyAre) {
     EXPECT_EQ(mesh.uv1.at(0), glm::vec2(1, 0));
 }
 
-TEST(UvSets, theThirdOfAMaterialIsNotedAndOmitted) {
+TEST(UvSets, threeAndMoreAreRead) {
     const candela::ImportedScene imported = load(fileWithSets(4, R"({"name":"far","pbrMetallicRoughness":{
         "baseColorTexture":{"index":0,"texCoord":3}},"normalTexture":{"index":1,"texCoord":0},
         "occlusionTexture":{"index":2,"texCoord":2}})"));
     const candela::Material& material = imported.scene.materials.at(0);
+    const candela::Mesh& mesh = imported.scene.meshes.at(0);
     EXPECT_EQ(material.normalTexture.value().uvSet, 0u);
     EXPECT_EQ(material.baseColorTexture.value().uvSet, 1u);
-    EXPECT_FALSE(material.occlusionTexture);
+    EXPECT_EQ(material.occlusionTexture.value().uvSet, 2u);
+    EXPECT_EQ(mesh.uv0.at(0), glm::vec2(0, 0));
+    EXPECT_EQ(mesh.uv1.at(0), glm::vec2(3, 0));
+    ASSERT_EQ(mesh.furtherUvs.size(), 1u);
+    EXPECT_EQ(mesh.furtherUvs[0].at(0), glm::vec2(2, 0));
+    EXPECT_TRUE(imported.report.notes.empty());
+}
+
+// Two meshes, whose materials read three sets and one: only the first has more than two.
+TEST(UvSets, aMeshHasThoseThatItsMaterialsRead) {
+    GltfFile file =
+        fileWithSets(3, R"({"normalTexture":{"index":0},"emissiveTexture":{"index":1,"texCoord":1},
+        "occlusionTexture":{"index":2,"texCoord":2}})");
+    file.add("materials", R"({"normalTexture":{"index":0,"texCoord":2}})");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"TEXCOORD_1":3,"TEXCOORD_2":4},
+        "material":1)");
+    const candela::Scene scene = load(file).scene;
+    EXPECT_EQ(scene.meshes.at(0).furtherUvs.size(), 1u);
+    EXPECT_TRUE(scene.meshes.at(1).furtherUvs.empty());
+    EXPECT_EQ(scene.meshes[1].uv0.at(0), glm::vec2(2, 0));
+}
+
+/// A material whose 19 textures read 19 sets.
+std::string materialOfNineteenSets() {
+    int count = 0;
+    const auto texture = [&](const char* name) {
+        const std::string number = std::to_string(count++);
+        return "\"" + std::string(name) + "\":{\"index\":" + number + ",\"texCoord\":" + number + "}";
+    };
+    const auto extension = [&](const char* name, std::initializer_list<const char*> textures) {
+        std::string members;
+        for (const char* member : textures) members += (members.empty() ? "" : ",") + texture(member);
+        return "\"KHR_materials_" + std::string(name) + "\":{" + members + "}";
+    };
+    const std::string basic = "\"pbrMetallicRoughness\":{" + texture("baseColorTexture") + "," +
+                              texture("metallicRoughnessTexture") + "}," + texture("normalTexture") + "," +
+                              texture("emissiveTexture") + "," + texture("occlusionTexture");
+    std::string lobes = extension("specular", {"specularTexture", "specularColorTexture"});
+    lobes += "," + extension("clearcoat",
+                             {"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"});
+    lobes += "," + extension("sheen", {"sheenColorTexture", "sheenRoughnessTexture"});
+    lobes += "," + extension("anisotropy", {"anisotropyTexture"});
+    lobes += "," + extension("iridescence", {"iridescenceTexture", "iridescenceThicknessTexture"});
+    lobes += "," + extension("transmission", {"transmissionTexture"});
+    lobes += "," + extension("volume", {"thicknessTexture"});
+    lobes += "," + extension("diffuse_transmission",
+                             {"diffuseTransmissionTexture", "diffuseTransmissionColorTexture"});
+    return "{" + basic + ",\"extensions\":{" + lobes + "}}";
+}
+
+TEST(UvSets, theNineteenthOfAMaterialIsNotedAndOmitted) {
+    GltfFile file = fileWithSets(19, materialOfNineteenSets(), 19);
+    const candela::ImportedScene imported = load(file);
+    const candela::Material& material = imported.scene.materials.at(0);
+    EXPECT_EQ(imported.scene.meshes.at(0).furtherUvs.size(), 16u);
+    EXPECT_EQ(material.diffuseTransmission.texture.value().uvSet, 17u);
+    EXPECT_EQ(imported.scene.meshes[0].furtherUvs.at(15).at(0), glm::vec2(17, 0));
+    EXPECT_FALSE(material.diffuseTransmission.colorTexture);
     EXPECT_TRUE(hasNote(imported,
-                        "material 0 'far', occlusionTexture: a third set of texture coordinates, "
-                        "TEXCOORD_2: left out"));
+                        "material 0, diffuseTransmissionColorTexture: more sets of texture coordinates than "
+                        "a mesh may have, TEXCOORD_18: left out"));
 }
 
 TEST(UvSets, thoseWithTheSameAccessorAreOne) {

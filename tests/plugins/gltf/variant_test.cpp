@@ -80,13 +80,28 @@ TEST(Variants, theirMaterialsShareTextureCoordinates) {
     EXPECT_EQ(mesh.uv1.at(0), glm::vec2(3, 0));
 }
 
-TEST(Variants, ofACageAreNoted) {
+TEST(Variants, ofACageAreThoseOfItsPrimitives) {
     GltfFile file = fileWithVariants(R"([{"material":1,"variants":[0]}])");
+    const std::string positions = std::to_string(file.addData<float>("VEC3", {0, 0, 5, 1, 0, 5, 0, 1, 5}));
     file.add("meshes", R"({"name":"cage","primitives":[{"attributes":{"POSITION":0},"material":0,
-        "extensions":{"KHR_materials_variants":{"mappings":[{"material":1,"variants":[0]}]}}}],
+        "extensions":{"KHR_materials_variants":{"mappings":[{"material":1,"variants":[0]}]}}},
+        {"attributes":{"POSITION":)" +
+                           positions + R"(},"material":1,
+        "extensions":{"KHR_materials_variants":{"mappings":[{"material":2,"variants":[1,0]}]}}}],
         "extras":{"candela_subdivision":{"scheme":"loop"}}})");
     file.add("nodes", R"({"mesh":1})");
-    EXPECT_TRUE(hasNote(load(file), "mesh 1 'cage', primitive 0: a cage has no variants"));
+    const candela::ImportedScene imported = load(file);
+    EXPECT_TRUE(imported.report.notes.empty());
+    candela::Scene scene = imported.scene;
+    using Materials = std::vector<std::optional<std::uint32_t>>;
+    const Materials& shown = scene.cages.at(0).faceMaterials;
+    EXPECT_EQ(shown, (Materials{0, 1}));
+    candela::selectVariant(scene, 0);
+    EXPECT_EQ(shown, (Materials{1, 2}));
+    candela::selectVariant(scene, 1);
+    EXPECT_EQ(shown, (Materials{0, 2})) << "the first primitive has no material of its own in it";
+    candela::selectVariant(scene, std::nullopt);
+    EXPECT_EQ(shown, (Materials{0, 1}));
 }
 
 }  // namespace

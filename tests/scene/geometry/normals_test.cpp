@@ -19,6 +19,7 @@ Mesh roof() {
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     mesh.uv0 = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
     mesh.uv1 = {{0, 5}, {1, 5}, {2, 5}, {3, 5}};
+    mesh.furtherUvs = {{}, {{0, 7}, {1, 7}, {2, 7}, {3, 7}}};
     mesh.colors = {glm::vec4(0), glm::vec4(1), glm::vec4(2), glm::vec4(3)};
     mesh.tangents.assign(4, {1, 0, 0, 1});
     mesh.indices = {0, 1, 2, 0, 2, 3};
@@ -38,6 +39,7 @@ TEST(FlatNormals, EachTriangleHasItsOwn) {
         EXPECT_EQ(mesh.positions[now], before.positions[old]);
         EXPECT_EQ(mesh.uv0[now], before.uv0[old]);
         EXPECT_EQ(mesh.uv1[now], before.uv1[old]);
+        EXPECT_EQ(mesh.furtherUvs[1][now], before.furtherUvs[1][old]);
         EXPECT_EQ(mesh.colors[now], before.colors[old]);
         EXPECT_EQ(mesh.normals[now], corner < 3 ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0));
     }

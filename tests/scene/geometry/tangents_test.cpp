@@ -72,11 +72,15 @@ TEST(Tangents, OfAMirroredImage) {
     for (const glm::vec4& tangent : mesh.tangents) expectNear(tangent, {-1, 0, 0, -1});
 }
 
-TEST(Tangents, FromTheSecondUvSet) {
+TEST(Tangents, FromAnotherUvSet) {
     Mesh mesh = square();
     mesh.uv1 = mesh.uv0;
     for (glm::vec2& uv : mesh.uv0) uv = glm::vec2(0.0f);
     generateTangents(mesh, 1);
+    expectNear(mesh.tangents[0], {1, 0, 0, 1});
+    mesh.furtherUvs = {mesh.uv0, mesh.uv1};
+    mesh.uv1.clear();
+    generateTangents(mesh, 3);
     expectNear(mesh.tangents[0], {1, 0, 0, 1});
 }
 
@@ -360,7 +364,7 @@ TEST(Tangents, RefuseInvalidMeshes) {
         }
     };
     expectRefused(square(), 1, "tangents need one texture coordinate per vertex");
-    expectRefused(square(), 2, "tangents need set 0 or 1 of texture coordinates");
+    expectRefused(square(), 2, "tangents need one texture coordinate per vertex");
     Mesh mesh = square();
     mesh.normals.clear();
     expectRefused(mesh, 0, "tangents need one normal per vertex");

@@ -37,6 +37,60 @@ TEST(Variants, SelectMaterials) {
     EXPECT_EQ(materialIn(1), 0u) << "blue does not name it";
 }
 
+/// With a cage of one face that takes part.
+Scene sceneWithCage() {
+    Scene scene = sceneWithVariants();
+    Cage cage;
+    cage.name = "body";
+    cage.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    cage.faceSizes = {3};
+    cage.faceVertices = {0, 1, 2};
+    cage.uvs.resize(3);
+    cage.faceUvs = {0, 1, 2};
+    cage.faceMaterials = {0};
+    cage.variants = {{std::nullopt, {0}}, {1, {2}}};
+    scene.cages.push_back(cage);
+    return scene;
+}
+
+TEST(Variants, SelectMaterialsOfCages) {
+    Scene scene = sceneWithCage();
+    EXPECT_NO_THROW(validate(scene));
+    const auto materialIn = [&](std::optional<std::uint32_t> variant) {
+        selectVariant(scene, variant);
+        return scene.cages[0].faceMaterials.at(0);
+    };
+    EXPECT_EQ(materialIn(1), 2u);
+    EXPECT_EQ(materialIn(0), 0u) << "red does not name it";
+    EXPECT_EQ(materialIn(1), 2u);
+    EXPECT_EQ(materialIn(std::nullopt), 0u);
+}
+
+TEST(Variants, RulesOfCages) {
+    expectMessages(
+        sceneWithCage(),
+        {
+            {"cage 0 'body': refers to variant 2, but the scene has 2 (counted from 0)",
+             [](Scene& s) { s.cages[0].variants[1].variant = 2; }},
+            {"cage 0 'body': has 2 materials for 1 faces",
+             [](Scene& s) { s.cages[0].variants[1].faceMaterials.push_back(0); }},
+            {"cage 0 'body': refers to material 3, but the scene has 3 (counted from 0)",
+             [](Scene& s) { s.cages[0].variants[1].faceMaterials = {3}; }},
+            {"cage 0 'body': has its materials for the same variant twice",
+             [](Scene& s) {
+                 s.cages[0].variants.push_back({1, {0}});
+             }},
+            {"cage 0 'body': has materials for variants and none without a variant",
+             [](Scene& s) { s.cages[0].variants.erase(s.cages[0].variants.begin()); }},
+            {"cage 0 'body': has no texture coordinates 0, which a texture of material 2 'wall' reads",
+             [](Scene& s) {
+                 s.materials[0].baseColorTexture.reset();
+                 s.cages[0].uvs.clear();
+                 s.cages[0].faceUvs.clear();
+             }},
+        });
+}
+
 TEST(Variants, OfNoSuchNumberAreRefused) {
     Scene scene = sceneWithVariants();
     try {
