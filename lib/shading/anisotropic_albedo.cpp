@@ -13,7 +13,7 @@ namespace {
 using Scalar = double;
 #include "shared/shading_constants.h"
 
-constexpr int heights = 5, azimuths = 8;
+constexpr int heights = 8, azimuths = 8;
 
 struct Lobe {
     BrdfModel model;

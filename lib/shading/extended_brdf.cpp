@@ -102,10 +102,17 @@ struct Base {
     }
 };
 
+/// The clearcoat's normal, turned to be perpendicular to v where it points away from it.
+glm::dvec3 seenCoatNormal(const ExtendedLobes<double>& lobes, const glm::dvec3& v) {
+    const glm::dvec3 n = glm::normalize(lobes.clearcoatNormal);
+    const glm::dvec3 turned = n + v * std::max(-glm::dot(n, v), 0.0);
+    return turned / std::max(glm::length(turned), 1.0e-6);
+}
+
 /// The clearcoat times the cosine of its normal, without its factor.
 double coatReflection(BrdfModel model, const ExtendedLobes<double>& lobes, const glm::dvec3& l,
                       const glm::dvec3& v) {
-    const glm::dvec3 n = glm::normalize(lobes.clearcoatNormal);
+    const glm::dvec3 n = seenCoatNormal(lobes, v);
     const double nDotL = glm::dot(n, l), nDotV = std::max(glm::dot(n, v), minNDotV);
     const glm::dvec3 h = halfVector(l, v);
     if (nDotL <= minNDotL || h == glm::dvec3(0.0)) return 0.0;
@@ -122,7 +129,7 @@ double coatReflection(BrdfModel model, const ExtendedLobes<double>& lobes, const
 
 /// What the clearcoat leaves of the light.
 double belowCoat(BrdfModel model, const ExtendedLobes<double>& lobes, const glm::dvec3& v) {
-    const double nDotV = std::max(glm::dot(glm::normalize(lobes.clearcoatNormal), v), minNDotV);
+    const double nDotV = std::max(glm::dot(seenCoatNormal(lobes, v), v), minNDotV);
     const double albedo = specularAlbedo(model, glm::dvec3(DIELECTRIC_F0), nDotV, lobes.clearcoatRoughness).x;
     return 1.0 - lobes.clearcoat * albedo;
 }

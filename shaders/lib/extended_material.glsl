@@ -32,13 +32,16 @@ struct LobeFrame {
     vec3 toEye;  // unit length
 };
 
-// The clear coat's normal; any length over 0.
+// The clear coat's normal, turned so that it is seen from its front (`seenCoatNormal` of shared/extended_lobes.h), by as much more as its
+// packing may turn it back; any length over 0.
 vec3 clearcoatNormal(uint material, LobeFrame surface) {
     vec3 mapped = lobeSample(material, CLEARCOAT_NORMAL_SLOT).xyz * 2.0 - 1.0;
     float scale = lobeTexel(material, LOBE_SPECULAR_COLOR).w;
     vec3 normal = mapped.x * scale * surface.tangent + mapped.y * scale * surface.bitangent + mapped.z * surface.meshNormal;
     bool usable = scale != 0.0 && surface.tangent != vec3(0.0) && dot(normal, normal) > 0.0;
-    return usable ? normal : surface.meshNormal;
+    vec3 chosen = usable ? normal : surface.meshNormal;
+    vec3 unit = chosen * inversesqrt(max(dot(chosen, chosen), 1.0e-30));
+    return unit + surface.toEye * max(0.004 - dot(unit, surface.toEye), 0.0);
 }
 
 // Reflectance of the surface at normal incidence, linear Rec.709, and at grazing angles.

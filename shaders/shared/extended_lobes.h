@@ -62,10 +62,10 @@ SHARED_FUNCTION Real visibleWeight(const int brdf, LocalVector v, Real length, L
     return lit / (lit + (sqrt(stretchedLength2(l, tangentAlpha2, bitangentAlpha2)) - l.n) * v.n);
 }
 
-// Directional albedo has no table for two alphas: it is the mean over 40 normals visible from v, and a little more (ANISOTROPIC_BIAS), so that no
+// Directional albedo has no table for two alphas: it is the mean over 64 normals visible from v, and a little more (ANISOTROPIC_BIAS), so that no
 // surface returns more than it receives. The normals come from points of a spherical cap: Dupuy and Benyoub, "Sampling visible GGX normals with
 // spherical caps", 2023.
-const int ALBEDO_HEIGHTS = 5;
+const int ALBEDO_HEIGHTS = 8;
 const int ALBEDO_AZIMUTHS = 8;
 
 SHARED_FUNCTION LobeAlbedo anisotropicAlbedo(const int brdf, LocalVector v, Real tangentAlpha2, Real bitangentAlpha2, Real k) {
@@ -210,13 +210,21 @@ SHARED_FUNCTION ExtendedPoint pointWithBase(const int brdf, SurfaceLobes lobes, 
     return point;
 }
 
+// The clearcoat's normal, turned to be perpendicular to the way to the eye where it points away from it: a lobe that is seen from behind its own
+// normal reflects more than its albedo. `toEye` has unit length.
+SHARED_FUNCTION Real3 seenCoatNormal(Real3 normal, Real3 toEye) {
+    Real3 turned = normal + toEye * max(-dot(normal, toEye), 0.0f);
+    return turned * inversesqrt(max(dot(turned, turned), 1.0e-12f));
+}
+
 // The clearcoat: the model's own lobe on an interface of index 1.5.
 SHARED_FUNCTION ExtendedPoint withCoat(const int brdf, ExtendedPoint point, ExtendedLobes extended, AlbedoTable table) {
     SurfaceLobes lobes;
     lobes.baseColor = Real3(0.0f);
     lobes.metallic = extended.clearcoat * 0.0f;
     lobes.roughness = extended.clearcoatRoughness;
-    ShadingPoint coat = shadingPoint(brdf, lobes, extended.clearcoatNormal, point.base.position, point.base.toEye, table);
+    Real3 normal = seenCoatNormal(extended.clearcoatNormal, point.base.toEye);
+    ShadingPoint coat = shadingPoint(brdf, lobes, normal, point.base.position, point.base.toEye, table);
     point.clearcoat = extended.clearcoat;
     point.coat = scaledPoint(coat, extended.clearcoat);
     return point;

@@ -7,6 +7,6 @@ const Scalar MIN_N_DOT_V = Scalar(1.0e-4);
 const Scalar MIN_DISTANCE = Scalar(1.0e-3);  // metres
 const Scalar DIELECTRIC_F0 = Scalar(0.04);
 const Scalar MIN_SHEEN_ROUGHNESS = Scalar(0.07);
-// How much higher than the mean of 40 reflections the albedo of a lobe with two alphas is taken, and Schlick's weight in it.
-const Scalar ANISOTROPIC_BIAS = Scalar(0.06);
+// How much higher than the mean of 64 reflections the albedo of a lobe with two alphas is taken, and Schlick's weight in it.
+const Scalar ANISOTROPIC_BIAS = Scalar(0.03);
 const Scalar ANISOTROPIC_FRESNEL_BIAS = Scalar(0.004);

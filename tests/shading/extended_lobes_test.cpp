@@ -86,7 +86,7 @@ exact::ExtendedPoint mergedPoint(int brdf, const SurfacePoint& surface, const gl
 class Furnace {
   public:
     explicit Furnace(const SurfacePoint& surface, const glm::dvec3& v)
-        : surface_(surface), v_(v), base_(specularOf(surface)), coat_(coatOf(surface)) {}
+        : surface_(surface), v_(v), base_(specularOf(surface)), coat_(coatOf(surface, v)) {}
 
     double returned(BrdfModel model, int samples) const {
         glm::dvec3 sum(0.0);
@@ -119,8 +119,10 @@ class Furnace {
         return {lobes.anisotropyDirection, glm::cross(surface.normal, lobes.anisotropyDirection),
                 surface.normal, glm::mix(alpha, 1.0, lobes.anisotropy * lobes.anisotropy), alpha};
     }
-    static Lobe coatOf(const SurfacePoint& surface) {
-        const glm::dvec3& n = surface.extended->clearcoatNormal;
+    /// Where its normal points away from v, the one that is perpendicular to v.
+    static Lobe coatOf(const SurfacePoint& surface, const glm::dvec3& v) {
+        const glm::dvec3& own = surface.extended->clearcoatNormal;
+        const glm::dvec3 n = glm::normalize(own - v * std::min(glm::dot(own, v), 0.0));
         const glm::dvec3 t =
             glm::normalize(glm::cross(n, std::abs(n.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
         const double alpha = alphaOf(surface.extended->clearcoatRoughness);
@@ -183,14 +185,60 @@ TEST(ExtendedFurnace, noStackOfLobesReturnsMoreThanItReceives) {
             const glm::dvec3 n = random.direction();
             const SurfacePoint surface = randomSurface(random, n, 0.05);
             const glm::dvec3 v = randomView(random, n);
-            // Seen from behind its own normal, a coat has no albedo to speak of.
-            if (glm::dot(surface.extended->clearcoatNormal, v) <= 0.0) continue;
             const double returned = Furnace(surface, v).returned(model, 40);
             EXPECT_LE(returned, 1.0 + quadratureError) << toString(model) << " surface " << i;
             highest = std::max(highest, returned);
         }
         std::printf("%s: at most %.4f\n", toString(model), highest);
     }
+}
+
+// A mirror-like coat whose normal is up to 90 degrees off, seen at grazing angles: from behind its own
+// normal.
+TEST(ExtendedFurnace, aCoatSeenFromBehindItsNormalReturnsNoMore) {
+    Random random;
+    for (const BrdfModel model : models) {
+        double highest = 0.0;
+        int seenFromBehind = 0;
+        for (int i = 0; i < 60; ++i) {
+            const glm::dvec3 n = random.direction(), v = randomView(random, n);
+            SurfacePoint surface = randomSurface(random, n, 0.05);
+            ExtendedLobes<double>& lobes = *surface.extended;
+            lobes.clearcoat = 1.0;
+            lobes.sheenColor = glm::dvec3(0.0);
+            lobes.clearcoatNormal = glm::normalize(n - random(0.5, 3.0) * v);
+            if (glm::dot(lobes.clearcoatNormal, v) < 0.0) ++seenFromBehind;
+            const double returned = Furnace(surface, v).returned(model, 40);
+            EXPECT_LE(returned, 1.0 + quadratureError) << toString(model) << " surface " << i;
+            highest = std::max(highest, returned);
+        }
+        EXPECT_GT(seenFromBehind, 30);
+        std::printf("%s: at most %.4f\n", toString(model), highest);
+    }
+}
+
+// The albedo that compensation divides by is 3 % too high, and its mean over 64 reflections another 2 % at
+// most.
+TEST(ExtendedFurnace, anisotropicMetalLosesATwentiethAtMost) {
+    Random random;
+    double lowest = 1.0;
+    for (int i = 0; i < 60; ++i) {
+        const glm::dvec3 n = random.direction(), v = randomView(random, n);
+        SurfacePoint surface = randomSurface(random, n, 0.05);
+        surface.lobes.metallic = 1.0;
+        ExtendedLobes<double> lobes;
+        lobes.f0 = glm::dvec3(1.0);
+        lobes.f90 = 1.0;
+        lobes.anisotropy = random(0.1, 1.0);
+        lobes.anisotropyDirection = random.perpendicular(n);
+        lobes.clearcoatNormal = n;
+        surface.extended = lobes;
+        const double returned = Furnace(surface, v).returned(BrdfModel::gltf, 60);
+        EXPECT_GE(returned, 0.95 - quadratureError) << "surface " << i;
+        EXPECT_LE(returned, 1.0 + quadratureError) << "surface " << i;
+        lowest = std::min(lowest, returned);
+    }
+    std::printf("at least %.4f\n", lowest);
 }
 
 TEST(ExtendedMerged, isTheTextbookForm) {
@@ -209,7 +257,8 @@ TEST(ExtendedMerged, isTheTextbookForm) {
                 ASSERT_NEAR(merged[c], textbook[c], 1.0e-5 * textbook[c] + 1.0e-9) << "surface " << i;
             const ExtendedLobes<double>& lobes = *surface.extended;
             EXPECT_TRUE(textbook == glm::dvec3(0.0) ||
-                        exact::facingOfLobes(n, lobes.clearcoat, lobes.clearcoatNormal,
+                        exact::facingOfLobes(n, lobes.clearcoat,
+                                             exact::seenCoatNormal(lobes.clearcoatNormal, v),
                                              lobes.diffuseTransmission, l) > 0.0);
         }
     }
