@@ -336,7 +336,7 @@ void renderFrames(const Options& options) {
     upload.subdivision = options.subdivision;
     upload.vertexEvaluator = options.vertexEvaluator;
     candela::GpuScene gpuScene =
-        uploading(options.scene, [&] { return candela::GpuScene(context, scene, upload); });
+        uploading(options.scene, [&] { return candela::GpuScene::takingPixels(context, scene, upload); });
     noteLights(session, gpuScene.lightReport());
     noteMissingSubdivider(session, gpuScene.cageReport());
     candela::Renderer renderer(context);

@@ -104,6 +104,10 @@ class CANDELA_API GpuScene {
     /// Uploads. Throws `Error`: badInput when the scene breaks a rule of `validate`, an option is out of its
     /// range or the subdivider rejects a cage; limit that names what does not fit the device.
     GpuScene(const Context& context, const Scene& scene, const GpuSceneOptions& options = {});
+    /// The same, and frees the pixels of each image of the scene as soon as they are uploaded, so that pixels
+    /// and textures of all images are not in memory together. The images of `scene` have no pixels then, also
+    /// where an error is thrown; the rest of it stays.
+    static GpuScene takingPixels(const Context& context, Scene& scene, const GpuSceneOptions& options = {});
     GpuScene(GpuScene&&) noexcept;
     GpuScene& operator=(GpuScene&&) noexcept;
     ~GpuScene();
@@ -166,6 +170,8 @@ class CANDELA_API GpuScene {
   private:
     friend class Accumulator;
     friend class Renderer;
+    GpuScene(const Context& context, const Scene& scene, std::span<Image> taken,
+             const GpuSceneOptions& options);
     void requireContext() const;
 
     std::shared_ptr<State> state_;

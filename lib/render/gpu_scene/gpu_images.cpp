@@ -196,7 +196,14 @@ SampledTexture GpuImages::get(const std::optional<Texture>& texture, TextureCont
     return {upload(texture->image, content), sampler(*texture)};
 }
 
+void GpuImages::takeSources(std::span<Image> images) {
+    for (Image& image : images)
+        kept_.push_back({image.name, image.width, image.height, image.format, std::move(image.pixels)});
+    images_ = kept_;
+}
+
 void GpuImages::releaseSources() {
+    if (!kept_.empty()) return;
     for (std::uint32_t i = 0; i < images_.size(); ++i) {
         const Image& image = images_[i];
         const bool uploaded =
@@ -272,7 +279,7 @@ GLuint GpuImages::upload(std::uint32_t index, TextureContent content) {
     if (images_[index].pixels.empty()) restorePixels(index);
     writePixels(texture.name(), content, images_[index]);
     glGenerateTextureMipmap(texture.name());
-    if (!kept_.empty()) kept_[index].pixels.clear();
+    if (!kept_.empty()) kept_[index].pixels = std::vector<std::byte>();
     return textures_.emplace(Key(index, content), std::move(texture)).first->second.name();
 }
 

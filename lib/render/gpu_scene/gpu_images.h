@@ -45,6 +45,9 @@ class GpuImages {
     /// The alpha of an image, read back from the device where it has been uploaded.
     AlphaImage readAlpha(std::uint32_t index) const;
 
+    /// Takes the pixels of the constructor's images, which are `images`, and frees each of them once it is
+    /// uploaded. To be called before anything else.
+    void takeSources(std::span<Image> images);
     /// Ends the use of the constructor's images: pixels that no material has read yet are copied, others can
     /// be read back.
     void releaseSources();
@@ -61,7 +64,7 @@ class GpuImages {
 
     ColorDecoding decoding_;
     std::size_t maxTransferBytes_;
-    std::span<const Image> images_;  ///< The caller's until `releaseSources`, then `kept_`.
+    std::span<const Image> images_;  ///< The caller's until `takeSources` or `releaseSources`, then `kept_`.
     std::vector<Image> kept_;        ///< Without pixels where these are in a texture.
     std::map<Key, gl::Texture> textures_;
     std::map<std::tuple<Wrap, Wrap, Filter, Filter>, gl::Sampler> samplers_;

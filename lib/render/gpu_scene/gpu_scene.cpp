@@ -10,13 +10,21 @@
 
 namespace candela {
 
-GpuScene::GpuScene(const Context& context, const Scene& scene, const GpuSceneOptions& options) {
+GpuScene::GpuScene(const Context& context, const Scene& scene, const GpuSceneOptions& options)
+    : GpuScene(context, scene, {}, options) {}
+
+GpuScene GpuScene::takingPixels(const Context& context, Scene& scene, const GpuSceneOptions& options) {
+    return {context, scene, scene.images, options};
+}
+
+GpuScene::GpuScene(const Context& context, const Scene& scene, std::span<Image> taken,
+                   const GpuSceneOptions& options) {
     context.makeCurrent();
     validate(scene);
     const std::shared_ptr<gl::ContextBinding>& binding = context.state().binding;
     // Images are uploaded with the pixel storage that it sets.
     const gl::StateGuard guard(*binding, "a GpuScene");
-    state_ = std::shared_ptr<State>(new State(context, scene, options),
+    state_ = std::shared_ptr<State>(new State(context, scene, taken, options),
                                     gl::ContextDeleter<State>{binding, "GpuScene"});
 }
 

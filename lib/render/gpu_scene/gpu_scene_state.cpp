@@ -76,7 +76,8 @@ ErrorContext GpuScene::State::nodeContext(std::uint32_t node) const {
     return {"node", node, sceneState.nodes[node].name};
 }
 
-GpuScene::State::State(const Context& context, const Scene& scene, const GpuSceneOptions& sceneOptions)
+GpuScene::State::State(const Context& context, const Scene& scene, std::span<Image> taken,
+                       const GpuSceneOptions& sceneOptions)
     : binding(context.state().binding),
       options(checked(sceneOptions)),
       sceneState(editableParts(scene)),
@@ -96,6 +97,7 @@ GpuScene::State::State(const Context& context, const Scene& scene, const GpuScen
       nodeTracks_(sceneState),
       isHidden_(sceneState.nodes.size(), false),
       isVisible_(sceneState.nodes.size(), true) {
+    if (!taken.empty()) images.takeSources(taken);
     if (scene.environment) draws.setOcclusionTextures(OcclusionTextures::read, sceneState.materials, images);
     addDraws(scene);
     images.releaseSources();

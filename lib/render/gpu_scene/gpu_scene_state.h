@@ -31,7 +31,8 @@ class TriangleFilter;
 
 /// What a `GpuScene` holds. Edits only mark what they change; `update` does the work, in proportion to that.
 struct GpuScene::State {
-    State(const Context& context, const Scene& scene, const GpuSceneOptions& options);
+    /// The pixels of `taken` are those of the scene's images, or there are none.
+    State(const Context& context, const Scene& scene, std::span<Image> taken, const GpuSceneOptions& options);
     ~State();
 
     void setTransform(std::uint32_t node, const glm::mat4& local);

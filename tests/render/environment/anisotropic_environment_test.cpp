@@ -112,9 +112,12 @@ class AnisotropicEnvironmentTest : public DrawingTest {
 };
 
 TEST_F(AnisotropicEnvironmentTest, isThatOfIntegration) {
-    // What docs/environment.md states, with a fifth more.
-    constexpr std::array<double, strengths.size()> bounds{1.0, 1.0, 1.0};
-    for (const NamedSky& sky : skies(256)) {
+    // The means that docs/environment.md states, with a fifth more: one a sky.
+    constexpr std::array bounds{0.036, 0.26, 0.28, 0.075, 0.65};
+    const std::vector<NamedSky> all = skies(256);
+    ASSERT_EQ(all.size(), bounds.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const NamedSky& sky = all[i];
         for (const BrdfModel model : models) {
             const RowErrors errors = errorsUnder(sky, model);
             std::printf("%-12s %-7s", sky.name.c_str(), toString(model));
@@ -122,7 +125,7 @@ TEST_F(AnisotropicEnvironmentTest, isThatOfIntegration) {
                 std::printf(" | strength %.1f: mean %.3f max %.2f", static_cast<double>(strengths[row]),
                             errors[row].mean(), errors[row].largest);
                 EXPECT_GT(errors[row].count, 50);
-                EXPECT_LT(errors[row].mean(), bounds[row]) << sky.name << ", strength " << strengths[row];
+                EXPECT_LT(errors[row].mean(), bounds[i]) << sky.name << ", strength " << strengths[row];
             }
             std::printf("\n");
         }

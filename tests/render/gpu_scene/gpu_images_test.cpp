@@ -40,6 +40,41 @@ std::vector<float> texelsOf(GLuint texture) {
 
 class GpuImagesTest : public DrawingTest {};
 
+TEST_F(GpuImagesTest, TakenPixelsAreFreedOnceUploaded) {
+    const std::vector<Image> source{imageOf(PixelFormat::rgba8), imageOf(PixelFormat::rgba16)};
+    GpuImages copied(source, ColorDecoding::exact);
+    std::vector<Image> given = source;
+    GpuImages taken(given, ColorDecoding::exact);
+    taken.takeSources(given);
+    for (const Image& image : given) EXPECT_EQ(image.pixels.capacity(), 0u);
+    // Both contents, the second one from what is read back; and one that is first read after the release.
+    const Texture first{}, second{.image = 1};
+    const auto expectSame = [&](const Texture& texture, TextureContent content) {
+        EXPECT_EQ(texelsOf(taken.get(texture, content).texture),
+                  texelsOf(copied.get(texture, content).texture));
+    };
+    expectSame(first, TextureContent::color);
+    expectSame(first, TextureContent::data);
+    taken.releaseSources();
+    copied.releaseSources();
+    expectSame(second, TextureContent::data);
+    EXPECT_EQ(taken.readAlpha(0).alpha, copied.readAlpha(0).alpha);
+}
+
+TEST_F(GpuImagesTest, ASceneWhosePixelsAreTakenLooksTheSame) {
+    Material material;
+    material.unlit = true;
+    material.baseColorTexture = Texture{};
+    Scene scene = sceneOf(makeQuad(1.0f), material);
+    scene.images = {imageOf(PixelFormat::rgba8)};
+    const FrameRequest request{24, 24, lookAt({0, 0, 3}, {0, 0, 0}, 0.7f)};
+    const HdrImage expected = drawn(upload(scene), request);
+    GpuScene uploaded = GpuScene::takingPixels(context(), scene);
+    EXPECT_EQ(drawn(uploaded, request).rgba, expected.rgba);
+    EXPECT_TRUE(scene.images.at(0).pixels.empty());
+    EXPECT_EQ(scene.meshes.at(0).positions.size(), 4u);
+}
+
 void expectBlocksGiveTheWholeImage(ColorDecoding decoding) {
     for (const PixelFormat format : {PixelFormat::rgba8, PixelFormat::rgba16, PixelFormat::rgba32f}) {
         const std::vector<Image> source{imageOf(format)};

@@ -40,6 +40,7 @@ void corruptMesh(Mesh& mesh, FuzzInput& fuzz) {
             break;
         case 7:
             mesh.uv1.resize(fuzz.below(6));
+            mesh.furtherUvs.resize(fuzz.below(4), std::vector<glm::vec2>(fuzz.below(6)));
             break;
         default:
             fuzz.corrupt(fuzz.pick(mesh.tangents));

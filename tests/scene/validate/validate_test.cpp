@@ -196,12 +196,6 @@ TEST(Validate, MeshArrays) {
          [](Scene& s) { s.meshes[0].uv0.resize(1); }},
         {"mesh 0 'wheel': has 1 texture coordinates 1 for 4 vertices",
          [](Scene& s) { s.meshes[0].uv1.resize(1); }},
-        {"mesh 0 'wheel': has 1 texture coordinates 3 for 4 vertices",
-         [](Scene& s) {
-             s.meshes[0].furtherUvs = {{}, std::vector<glm::vec2>(1)};
-         }},
-        {"mesh 0 'wheel': may have 18 sets of texture coordinates at most",
-         [](Scene& s) { s.meshes[0].furtherUvs.resize(17); }},
         {"mesh 0 'wheel': has 6 colours for 4 vertices", [](Scene& s) { s.meshes[0].colors.resize(6); }},
         {"mesh 0 'wheel': position 2 is not a finite number",
          [](Scene& s) { s.meshes[0].positions[2].y = nan_; }},
@@ -209,8 +203,6 @@ TEST(Validate, MeshArrays) {
          [](Scene& s) { s.meshes[0].uv0[1].y = INFINITY; }},
         {"mesh 0 'wheel': texture coordinate 1 of vertex 0 is not a finite number",
          [](Scene& s) { s.meshes[0].uv1.assign(4, glm::vec2(nan_)); }},
-        {"mesh 0 'wheel': texture coordinate 2 of vertex 0 is not a finite number",
-         [](Scene& s) { s.meshes[0].furtherUvs = {std::vector<glm::vec2>(4, glm::vec2(nan_))}; }},
         {"mesh 0 'wheel': colour 3 is not a finite number", [](Scene& s) { s.meshes[0].colors[3].w = nan_; }},
         {"mesh 0 'wheel': normal 1 does not have unit length",
          [](Scene& s) {
@@ -246,11 +238,6 @@ TEST(Validate, MeshIndicesAndSubmeshes) {
          [](Scene& s) { s.meshes[0].uv0.clear(); }},
         {"mesh 0 'wheel': has no texture coordinates 1, which a texture of material 0 'wall' reads",
          [](Scene& s) { s.materials[0].baseColorTexture->uvSet = 1; }},
-        {"mesh 0 'wheel': has no texture coordinates 3, which a texture of material 0 'wall' reads",
-         [](Scene& s) {
-             s.materials[0].baseColorTexture->uvSet = 3;
-             s.meshes[0].furtherUvs = {s.meshes[0].uv0};
-         }},
     });
 }
 
