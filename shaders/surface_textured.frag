@@ -27,6 +27,9 @@ layout(location = 6) in vec3 eyePosition;  // relative to the eye
 #ifdef REFRACTION
 layout(location = 7) flat in float instanceScale;
 #endif
+#ifdef LAYER
+layout(location = 4, component = 1) flat in uint drawNumber;
+#endif
 
 layout(location = RADIANCE_OUTPUT) out vec4 radiance;
 
@@ -105,7 +108,7 @@ void main() {
     // After all textures have been read: a discarded fragment still gives its neighbours the derivatives.
 #ifdef LAYER
     float coverage = layerCoverage(lobes.alpha, state);
-    if (!isInLayer(coverage)) discard;
+    if (!isInLayer(coverage, drawNumber)) discard;
 #if defined(REFRACTION) && defined(EXTENDED)
     writeRefraction(coverage, refraction);
 #elif defined(REFRACTION)

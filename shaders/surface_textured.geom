@@ -19,6 +19,9 @@ layout(location = 7) in float cornerInstanceScale[];
 #ifdef FURTHER_UVS
 layout(location = FURTHER_UVS_VARYING) in vec4 cornerFurtherUvs[][FURTHER_UVS];
 #endif
+#ifdef LAYER
+layout(location = 4, component = 1) in uint cornerDrawNumber[];
+#endif
 
 layout(location = 0) out vec3 worldNormal;
 layout(location = 1) out vec4 worldTangent;
@@ -37,6 +40,9 @@ layout(location = 7) flat out float instanceScale;
 #ifdef FURTHER_UVS
 layout(location = FURTHER_UVS_VARYING) out vec4 furtherUvs[FURTHER_UVS];
 #endif
+#ifdef LAYER
+layout(location = 4, component = 1) flat out uint drawNumber;
+#endif
 
 void writeVertex(float t, vec3 offset) {
     worldNormal = mix(cornerNormal[0], cornerNormal[LAST_CORNER], t);
@@ -49,6 +55,9 @@ void writeVertex(float t, vec3 offset) {
     material = cornerMaterial[0];
 #ifdef REFRACTION
     instanceScale = cornerInstanceScale[0];
+#endif
+#ifdef LAYER
+    drawNumber = cornerDrawNumber[0];
 #endif
 #ifdef EXTENDED
     eyePosition = mix(cornerEyePosition[0], cornerEyePosition[LAST_CORNER], t) + offset;

@@ -8,7 +8,7 @@ invariant gl_Position;
 
 layout(location = POSITION_ATTRIBUTE) in vec3 position;
 layout(location = NORMAL_ATTRIBUTE) in vec3 normal;
-layout(location = DRAW_ATTRIBUTE) in uvec2 draw;
+layout(location = DRAW_ATTRIBUTE) in uvec3 draw;
 layout(location = TANGENT_ATTRIBUTE) in vec4 tangent;
 layout(location = UV0_ATTRIBUTE) in vec2 uv0;
 layout(location = UV1_ATTRIBUTE) in vec2 uv1;
@@ -34,6 +34,9 @@ layout(location = 7) flat out float instanceScale;
 #ifdef FURTHER_UVS
 layout(location = FURTHER_UVS_VARYING) out vec4 furtherUvs[FURTHER_UVS];
 #endif
+#ifdef LAYER
+layout(location = 4, component = 1) flat out uint drawNumber;
+#endif
 
 void main() {
     vec3 world = instancePosition(draw.x, position);
@@ -52,6 +55,9 @@ void main() {
 #endif
 #ifdef REFRACTION
     instanceScale = meanScale(draw.x);
+#endif
+#ifdef LAYER
+    drawNumber = draw.z;
 #endif
 #ifdef SHADOWS
     shadowPlane = vec4(world - frame.eye.xyz, dot(world - frame.eye.xyz, worldNormal));

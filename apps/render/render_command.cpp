@@ -156,8 +156,7 @@ class LayerNotes {
                                                        std::to_string(pictures_) + " pictures up to ";
         session.note(share + std::to_string(most_) +
                      " pixels of transparent surfaces are left out: they lie beyond the " +
-                     std::to_string(session.options.layers) +
-                     " layers that are drawn (--layers), or in the plane of another one");
+                     std::to_string(session.options.layers) + " layers that are drawn (--layers)");
     }
 
   private:

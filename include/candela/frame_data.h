@@ -33,8 +33,7 @@ struct ShadowCounts {
 /// The layers of transparent surfaces of a frame; see `Frame::layerCounts`.
 struct LayerCounts {
     std::uint32_t layers = 0;  ///< Drawn; at most `FrameSettings::layers`.
-    /// Fragments of transparent surfaces in front of the opaque ones that no layer holds: those beyond the
-    /// layers drawn, and of surfaces at exactly the same depth all but one.
+    /// Fragments of transparent surfaces in front of the opaque ones that lie beyond the layers drawn.
     std::uint64_t fragmentsBeyond = 0;
 };
 

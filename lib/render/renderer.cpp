@@ -68,8 +68,6 @@ CameraView withFarPlane(const CameraView& view, const GpuScene::State& scene, fl
 
 Renderer::State::State(const Context& context)
     : binding(context.state().binding),
-      drawsBeforeQueries(context.renderer().find("zink") != std::string::npos &&
-                         context.renderer().find("llvmpipe") != std::string::npos),
       timer(clockOf(context)),
       lighting(context),
       display(context.isSoftware() ? DisplayPass::Baking::always : DisplayPass::Baking::never),
@@ -118,7 +116,7 @@ LightingInputs Renderer::State::lightingInputs(const GpuScene::State& scene, Sha
             lightOf(scene),
             shaded.visibility.bytes,
             shaded.emits,
-            frame->traced.environment || shaded.targets->parts.occlusion ? &shaded.copy : nullptr,
+            &shaded.copy,
             shaded.visibility.texture};
 }
 
@@ -137,7 +135,7 @@ void Renderer::State::drawGeometry(const GpuScene::State& scene, const GBufferTa
                                    LoadOp radianceLoad) {
     scene.cull(frame->frustum, draws);
     if (scene.triangleFilter) scene.triangleFilter->filter(draws, frame->uniforms);
-    geometry.render({scene, draws, into, radianceLoad, set, nullptr, scene.triangleFilter.get()});
+    geometry.render({scene, draws, into, radianceLoad, set, scene.triangleFilter.get()});
 }
 
 void Renderer::State::drawLit(const GpuScene::State& scene) {
@@ -153,7 +151,7 @@ void Renderer::State::drawLit(const GpuScene::State& scene) {
     light(scene, frameSurfaces, timer);
     shadowCounts = technique.shadowCounts();
     if (scene.environment && scene.environment->isBackground()) drawBackground(scene);
-    if (layerCounts.layers > 0) compositeLayers();
+    if (layerCounts.layers > 0) compositeLayers(scene);
 }
 
 void Renderer::State::light(const GpuScene::State& scene, ShadedSurfaces& shaded, gl::PassTimer& passes) {
@@ -202,7 +200,7 @@ const std::uint8_t* Renderer::State::traceOnCpu(const GpuScene::State& scene,
         parts.occlusion ? copy.occlusion() : std::span<const std::uint8_t>{};
     return environmentOcclusion
         .compute({uniforms, copy.depth(), copy.surfaces(), copy.shadowWords(), textures,
-                  scene.occlusion->view(), rays})
+                  scene.occlusion->view(), rays, copy.rectangle()})
         .data();
 }
 
@@ -283,7 +281,7 @@ std::vector<float> Renderer::State::traceAmbientOcclusion(GpuScene::State& scene
     const GBufferTargets& from = prepareRays(scene, shown);
     const std::vector<float> depth = readDepth(from);
     std::vector<std::uint32_t> shadowWords(depth.size());
-    readWords(from, layout::SHADOW_OUTPUT, shadowWords);
+    readWords(from, wholeOf(from), layout::SHADOW_OUTPUT, shadowWords);
     const std::vector<GBufferTexel> surfaces = readSurfaces(from);
     return ambientOcclusion({frame->uniforms, depth, surfaces, shadowWords, scene.occlusion->view(),
                              frame->settings.ambientOcclusion});

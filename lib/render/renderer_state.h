@@ -13,6 +13,8 @@
 #include "render/gbuffer/gbuffer_copy.h"
 #include "render/gbuffer/geometry_pass.h"
 #include "render/gpu_scene/gpu_scene_state.h"
+#include "render/layers/fragment_lists.h"
+#include "render/layers/layer_draws.h"
 #include "render/layers/layer_pass.h"
 #include "render/layout.h"
 #include "render/lighting/lighting.h"
@@ -48,9 +50,11 @@ struct ShadedSurfaces {
     EnvironmentVisibility visibility;
     bool emits = false;  ///< The radiance target holds emission.
 
-    void reset(const GBufferTargets& drawn) {
+    void reset(const GBufferTargets& drawn) { reset(drawn, {0, 0, drawn.width, drawn.height}); }
+    /// `drawn` has no surfaces outside of `rectangle`.
+    void reset(const GBufferTargets& drawn, const gl::PixelRectangle& rectangle) {
         targets = &drawn;
-        copy.reset(drawn);
+        copy.reset(drawn, rectangle);
         visibility = {};
         emits = false;
     }
@@ -114,9 +118,6 @@ struct Renderer::State {
     void displayFrame(const DisplayTransform& transform, const FrameTarget& target);
 
     std::shared_ptr<gl::ContextBinding> binding;
-    /// Whether what a query counts is drawn once before it: a pipeline that is compiled within a query
-    /// corrupts the heap of Mesa's zink over lavapipe (22.3).
-    bool drawsBeforeQueries;
     gl::PassTimer timer;
     GeometryPass geometry;
     Lighting lighting;
@@ -141,6 +142,8 @@ struct Renderer::State {
     std::optional<EnvironmentOcclusionPass> environmentOcclusionPass;
     std::optional<OverlayPass> overlays;
     std::optional<LayerPass> layers;
+    std::optional<FragmentLists> fragmentLists;
+    std::optional<LayerDraws> layerDraws;
     GBufferTargets* targets = nullptr;                  ///< Of the frame: one of `targetSets`.
     std::map<GBufferParts, GBufferTargets> targetSets;  ///< Of the frame's size.
     std::optional<GBufferTargets> emissionTargets;      ///< Where `drawEmission` and `drawEnvironment` draw.
@@ -158,7 +161,8 @@ struct Renderer::State {
     void startSample(GpuScene::State& scene, const CameraView& view, std::uint32_t sample);
     void drawLit(const GpuScene::State& scene);
     void drawLayers(const GpuScene::State& scene);
-    void compositeLayers();
+    void drawLayer(const GpuScene::State& scene, std::uint32_t index, const LayerExtents::Layer& layer);
+    void compositeLayers(const GpuScene::State& scene);
     /// Adds all light to the targets of `shaded`, whose geometry has been drawn.
     void light(const GpuScene::State& scene, ShadedSurfaces& shaded, gl::PassTimer& passes);
     void findVisibility(const GpuScene::State& scene, ShadedSurfaces& shaded, gl::PassTimer& passes);

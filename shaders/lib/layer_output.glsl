@@ -1,24 +1,19 @@
 // What the geometry pass writes of a layer of transparent surfaces, and which fragments are part of it; see docs/layers.md. Follows
 // lib/material.glsl.
 
-layout(binding = LAYER_BEFORE_UNIT) uniform sampler2D depthBefore;
-layout(binding = OPAQUE_DEPTH_UNIT) uniform sampler2D opaqueDepth;
-layout(location = LAYER_LOCATION) uniform int layer;
+#include "lib/layer_surface.glsl"
+
+layout(binding = LAYER_NUMBERS_UNIT) uniform usampler2D layerNumbers;  // where surfaces share a depth: that of the layer's surface
+layout(location = LAYER_LOCATION) uniform int sharesDepths;
 
 layout(location = LAYER_OUTPUT) out uint layerWord;
 
-// The share of the pixel that the fragment covers.
-float layerCoverage(float alpha, MaterialState state) {
-    if (state.blends) return alpha;
-    return alpha < state.alphaCutoff ? 0.0 : 1.0;
-}
-
-// Does the fragment cover anything, lie in front of the opaque surfaces and behind the layer before? The depth test selects the nearest of
-// those that do.
-bool isInLayer(float coverage) {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if (packCoverage(coverage) == 0u || gl_FragCoord.z <= texelFetch(opaqueDepth, pixel, 0).x) return false;
-    return layer == 0 || gl_FragCoord.z < texelFetch(depthBefore, pixel, 0).x;
+// Does the fragment, which lies at the depth of the layer, cover anything, and is its surface that of the layer?
+bool isInLayer(float coverage, uint draw) {
+    if (packCoverage(coverage) == 0u) return false;
+    if (sharesDepths == 0) return true;
+    uint number = texelFetch(layerNumbers, ivec2(gl_FragCoord.xy), 0).x;
+    return number == surfaceNumber(draw) || number == LAYER_NO_NUMBER;
 }
 
 void writeLayer(float coverage) {

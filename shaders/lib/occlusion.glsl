@@ -106,7 +106,7 @@ float cutoutTransmittance(uint cutout, vec3 weights) {
                                                (image.w & OCCLUSION_NEAREST) != 0u);
         alpha *= sampleAlpha(int(image.x), sampling, uv);
     }
-    return alphaTransmittance(alpha, third.y, (image.w & OCCLUSION_BLENDS) != 0u);
+    return alphaTransmittance(alpha, third.y, (image.w & OCCLUSION_BLENDS) != 0u, third.z);
 }
 
 vec3 sheared(OcclusionRay ray, uvec4 corner) {

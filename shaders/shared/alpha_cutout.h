@@ -51,8 +51,8 @@ SHARED_FUNCTION float sampleAlpha(AlphaTexels texels, AlphaSampling sampling, ve
 // More than interpolation rounds an alpha of 1.
 const float ALPHA_ROUNDING = 1.0e-5f;
 
-// The share of a ray that passes where the alpha is `alpha`.
-SHARED_FUNCTION float alphaTransmittance(float alpha, float cutoff, bool blends) {
-    if (!blends) return alpha < cutoff ? 1.0f : 0.0f;
+// The share of a ray that passes where the alpha is `alpha`. `transmitted` is what a mask lets through where it covers.
+SHARED_FUNCTION float alphaTransmittance(float alpha, float cutoff, bool blends, float transmitted) {
+    if (!blends) return alpha < cutoff ? 1.0f : transmitted;
     return alpha > 1.0f - ALPHA_ROUNDING ? 0.0f : 1.0f - max(alpha, 0.0f);
 }

@@ -15,8 +15,8 @@ const int LOBE_RECORDS_UNIT = 7;   // RGBA32F buffer: LOBE_TEXELS a material
 const int LOBE_TEXTURES_UNIT = 8;  // the first of LOBE_TEXTURE_COUNT, in the order of shaders/lib/extended_material.glsl
 const int LOBE_TEXTURE_COUNT = 14;
 
-const int LAYER_BEFORE_UNIT = 22;  // depth of the layer in front of the one that is drawn
-const int OPAQUE_DEPTH_UNIT = 23;  // depth of the opaque surfaces
+const int LAYER_NUMBERS_UNIT = 22;  // R32UI: where surfaces share the depth of a layer, which of them it holds
+const int LAYER_DEPTHS_UNIT = 23;   // R32UI array: the depths of the fragments of each pixel, bits of floats, nearest first
 
 // Texture units of the lighting passes.
 const int SURFACE_UNIT = 0;  // RG32UI: the G-buffer's two words
@@ -54,6 +54,7 @@ const int LARGE_SUM_UNIT = 1;
 // Texture units of the layers of transparent surfaces.
 const int LAYER_COLOR_UNIT = 17;       // RGBA32F: radiance and coverage of a layer
 const int LAYER_REFRACTION_UNIT = 18;  // RGBA32UI: what is kept of its refraction
+const int OPAQUE_DEPTH_UNIT = 21;      // depth of the opaque surfaces
 const int BEHIND_UNIT = 19;            // RGBA32F: the picture behind a layer, with levels where it is blurred
 
 // Texture units of the debug views, after those of the G-buffer.
@@ -85,9 +86,14 @@ const int DEFORM_ENTRIES_STORAGE = 4;
 const int DEFORM_POSES_STORAGE = 5;
 const int DEFORM_SURFACE_STORAGE = 6;
 const int DEFORM_TANGENTS_STORAGE = 7;
+const int LAYERS_OF_DRAWS_STORAGE = 0;
 const int RADIANCE_IMAGE = 0;
 const int HIDDEN_IMAGE = 0;      // environment_occlusion: R32F, of each pixel the rays that do not arrive
 const int VISIBILITY_IMAGE = 1;  // environment_occlusion: R8
+const int FRAGMENT_DEPTHS_IMAGE = 0;  // layer_fragment: as LAYER_DEPTHS_UNIT
+const int FRAGMENT_COUNTS_IMAGE = 1;  // layer_fragment: R32UI, the fragments of each pixel
+const int DEPTH_TIES_IMAGE = 2;       // layer_fragment, layer_ties: R32UI, not 0 where fragments share a depth; bits of layers
+const int LAYER_NUMBERS_IMAGE = 3;    // layer_fragment: as LAYER_NUMBERS_UNIT
 
 // Uniform locations.
 const int FIRST_LIGHT_LOCATION = 0;       // tile_fill: the first light of a dispatch
@@ -96,7 +102,7 @@ const int LIGHT_SPAN_LOCATION = 2;        // tile_fill, tile_prefix, tile_shade:
 const int LIGHT_SPANS_LOCATION = 0;       // fullscreen: first and end of points and spots
 const int DIRECTIONAL_SPAN_LOCATION = 1;  // fullscreen: first and end of directional lights
 const int ENVIRONMENT_PARTS_LOCATION = 0; // environment: factors on diffuse and specular reflection
-const int LAYER_LOCATION = 0;             // surfaces of a layer: 0 for the first layer, which no other one is in front of
+const int LAYER_LOCATION = 0;             // layer_fragment, layer_depth: the layer, from 0, or the first number of a draw; surfaces of a layer: 1 where some share its depth
 const int EXPOSURE_LOCATION = 0;          // display: factor before the transform
 const int ORIGIN_LOCATION = 1;            // display: lower left corner of the picture in the target
 const int SAMPLE_COUNT_LOCATION = 0;      // sample_mean: what the sum is divided by
@@ -123,7 +129,7 @@ const int REFRACTION_OUTPUT = 7;  // layers of which a surface in view transmits
 // Vertex attributes.
 const int POSITION_ATTRIBUTE = 0;
 const int NORMAL_ATTRIBUTE = 1;
-const int DRAW_ATTRIBUTE = 2;  // uvec2 a draw: instance, material
+const int DRAW_ATTRIBUTE = 2;  // uvec3 a draw: instance, material, its place among the scene's draws
 const int TANGENT_ATTRIBUTE = 3;
 const int UV0_ATTRIBUTE = 4;
 const int UV1_ATTRIBUTE = 5;
@@ -133,6 +139,7 @@ const int FURTHER_UVS_VARYING = 8;    // their first location between stages, be
 const int LIGHT_ATTRIBUTE = 1;  // uint an instance of a light volume: light
 
 const uint DEFORM_NONE = 0xffffffffu;
+const uint LAYER_NO_NUMBER = 0xffffffffu;  // as many layers share the depth as surfaces do, or more
 
 // Texels a record.
 const int INSTANCE_TEXELS = 6;  // rows of the world matrix, then of its cofactor matrix with the handedness in w
@@ -154,7 +161,7 @@ const int OCCLUSION_NODE_TEXELS = 6;      // origin; in w uint: the exponents of
 const int OCCLUSION_TRIANGLE_TEXELS = 3;  // corners; w of the first uint: index of its cut-out or OCCLUSION_NONE
 const int OCCLUSION_INSTANCE_TEXELS = 4;  // rows of the linear part of the matrix to the mesh, its world position in w; then uint: root.
                                           // The first texel of the buffer has the root of the tree over instances or OCCLUSION_NONE
-const int OCCLUSION_CUTOUT_TEXELS = 4;    // texture coordinates, alpha factors and cutoff; then uint: first texel of the image in the
+const int OCCLUSION_CUTOUT_TEXELS = 4;    // texture coordinates, alpha factors, cutoff and what a mask transmits; then uint: first texel of the image in the
                                           // alphas or OCCLUSION_NONE, width, height, flags
 const uint OCCLUSION_NONE = 0xffffffffu;
 const uint OCCLUSION_LEAF = 0x80000000u;   // a child is an instance, or a run of triangles: the number less one in 3 bits, then the first

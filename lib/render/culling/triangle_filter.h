@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace candela {
@@ -37,6 +38,9 @@ class TriangleFilter {
     std::span<const Run> runs() const { return runs_; }
     /// Binds the commands for `draw`.
     void bind() const { glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commandBuffer_.name()); }
+    std::span<const DrawCommand> commands(const Run& run) const {
+        return std::span(commands_).subspan(run.firstCommand, run.commandCount);
+    }
     static void draw(const Run& run);
     GLuint vertexArray() const { return vertexArray_.name(); }
 
@@ -85,6 +89,12 @@ class TriangleFilter {
     gl::Buffer commandBuffer_{"filtered draw commands", gl::BufferUsage::dynamic};
     gl::Buffer indexBuffer_{"filtered indices", gl::BufferUsage::dynamic};
     gl::VertexArray vertexArray_{"filtered meshes"};
+};
+
+/// Runs of a filter's draws, or of a selection's, with other commands.
+struct DrawRuns {
+    std::span<const TriangleFilter::Run> runs;
+    GLuint commandBuffer;
 };
 
 }  // namespace candela

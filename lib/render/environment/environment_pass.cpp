@@ -64,6 +64,19 @@ void EnvironmentPass::addLight(const LightingInputs& inputs, const gl::Framebuff
 }
 
 void EnvironmentPass::drawBackground(const GBufferTargets& targets, const GpuEnvironment& environment) {
+    drawPicture(targets.litWithDepth, targets, environment);
+}
+
+void EnvironmentPass::drawBehind(const gl::Framebuffer& picture, const GBufferTargets& targets,
+                                 const GpuEnvironment& environment) {
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
+    drawPicture(picture, targets, environment);
+    glDisable(GL_BLEND);
+}
+
+void EnvironmentPass::drawPicture(const gl::Framebuffer& target, const GBufferTargets& targets,
+                                  const GpuEnvironment& environment) {
     if (!background_) {
         background_.emplace(
             std::vector<gl::Stage>{{"fullscreen_triangle.vert", {}, {}}, {"background.frag", {}, {}}},
@@ -74,7 +87,7 @@ void EnvironmentPass::drawBackground(const GBufferTargets& targets, const GpuEnv
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_EQUAL);
     glDepthMask(GL_FALSE);
-    draw(targets.litWithDepth, targets);
+    draw(target, targets);
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
 }

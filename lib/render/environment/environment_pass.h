@@ -28,10 +28,16 @@ class EnvironmentPass {
     /// Writes the environment into the pixels of the radiance target that show no surface. The frame's
     /// uniform block is bound.
     void drawBackground(const GBufferTargets& targets, const GpuEnvironment& environment);
+    /// Adds the environment to `picture`, of associated alpha, to the share of each pixel that it does not
+    /// cover. The depth of `picture` is that of the opaque surfaces, where nothing is added.
+    void drawBehind(const gl::Framebuffer& picture, const GBufferTargets& targets,
+                    const GpuEnvironment& environment);
 
   private:
     const gl::Program& lightProgram(const LightingInputs& inputs, bool withVisibility);
     void bindVisibility(const LightingInputs& inputs);
+    void drawPicture(const gl::Framebuffer& target, const GBufferTargets& targets,
+                     const GpuEnvironment& environment);
     void draw(const gl::Framebuffer& target, const GBufferTargets& targets) const;
 
     std::array<std::optional<gl::Program>, 8> lightPrograms_;

@@ -9,11 +9,14 @@
 namespace candela {
 
 /// A G-buffer in the CPU's memory, for passes that run there. Each texture is read back when it is first
-/// asked for after `reset`. Rows from the bottom.
+/// asked for after `reset`. Rows from the bottom. Pixels outside of the rectangle that is read are undefined.
 class GBufferCopy {
   public:
-    /// Starts a copy of `targets`, which outlive its use.
+    /// Starts a copy of `targets`, which outlive its use: of all of them, or of a rectangle.
     void reset(const GBufferTargets& targets);
+    void reset(const GBufferTargets& targets, const gl::PixelRectangle& rectangle);
+
+    const gl::PixelRectangle& rectangle() const { return rectangle_; }
 
     std::span<const std::uint32_t> surfaces();  ///< Two words a pixel: `GBufferTexel`.
     std::span<const float> depth();             ///< Reversed.
@@ -28,6 +31,7 @@ class GBufferCopy {
     std::span<const T> once(std::vector<T>& values, std::size_t perPixel, unsigned part, const Read& read);
 
     const GBufferTargets* targets_ = nullptr;
+    gl::PixelRectangle rectangle_;
     unsigned present_ = 0;  ///< A bit for each of the following.
     std::vector<std::uint32_t> surfaces_, shadowWords_, lobeWords_, diffuseTransmission_;
     std::vector<float> depth_;

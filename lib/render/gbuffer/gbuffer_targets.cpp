@@ -102,8 +102,13 @@ void GBufferTargets::bind() const {
 
 const gl::Texture& GBufferTargets::litRadiance() const {
     if (!memory.radiance.empty()) {
-        glTextureSubImage2D(radiance.name(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT,
-                            memory.radiance.data());
+        const gl::PixelRectangle& part = memory.rectangle;
+        const std::size_t first = static_cast<std::size_t>(part.y) * static_cast<std::size_t>(width) +
+                                  static_cast<std::size_t>(part.x);
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, width);
+        glTextureSubImage2D(radiance.name(), 0, part.x, part.y, part.width, part.height, GL_RGBA, GL_FLOAT,
+                            memory.radiance.data() + 4 * first);
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
         memory = {};
     }
     return radiance;

@@ -100,9 +100,11 @@ struct GBufferTargets {
     gl::Framebuffer lit;                  ///< Radiance alone.
     gl::Framebuffer litWithDepth;         ///< Radiance and depth.
     /// What a technique on the CPU has left in its own memory: the radiance that `radiance` is still to get,
-    /// RGBA, and the depth, rows from the bottom. Empty where `radiance` holds all.
+    /// RGBA, and the depth, rows from the bottom, both defined in a rectangle. Empty where `radiance` holds
+    /// all.
     struct Memory {
         std::span<const float> radiance, depth;
+        gl::PixelRectangle rectangle;
     };
     mutable Memory memory;
 };

@@ -20,17 +20,6 @@ void bind(int unit, const SampledTexture& texture) {
     glBindSampler(static_cast<GLuint>(unit), texture.sampler);
 }
 
-void setLayer(const gl::Program& program, const LayerDepths& layer) {
-    glProgramUniform1i(program.name(), layout::LAYER_LOCATION, layer.before == nullptr ? 0 : 1);
-}
-
-void bindDepths(const LayerDepths& layer) {
-    glBindTextureUnit(layout::OPAQUE_DEPTH_UNIT, layer.opaque.name());
-    // Of the first layer it is not read.
-    const gl::Texture& before = layer.before != nullptr ? *layer.before : layer.opaque;
-    glBindTextureUnit(layout::LAYER_BEFORE_UNIT, before.name());
-}
-
 }  // namespace
 
 GeometryPass::Programs::Programs(const GBufferParts& parts)
@@ -87,39 +76,95 @@ void GeometryPass::render(const Inputs& inputs) {
         inputs.targets.clearRadiance();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
-    drawBatches(inputs);
+    drawSurfaces(inputs, DepthTies::none);
     glDisable(GL_DEPTH_TEST);
 }
 
-void GeometryPass::drawFragments(const Inputs& inputs) {
+void GeometryPass::renderLayer(const Inputs& inputs, DepthTies ties) {
+    if (inputs.radianceLoad == LoadOp::clear || inputs.draws.emits(inputs.surfaces))
+        inputs.targets.clearRadiance();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_EQUAL);
+    glDepthMask(GL_FALSE);
+    drawSurfaces(inputs, ties);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void GeometryPass::recordFragments(const Inputs& inputs) {
+    drawFragments(inputs, FragmentUse::record, GL_GREATER, 0);
+}
+
+void GeometryPass::findLayers(const Inputs& inputs, std::uint32_t firstNumber) {
+    drawFragments(inputs, FragmentUse::findLayers, GL_GREATER, firstNumber);
+}
+
+void GeometryPass::numberSurfaces(const Inputs& inputs, std::uint32_t index) {
+    drawFragments(inputs, FragmentUse::number, GL_EQUAL, index);
+}
+
+const gl::Program& GeometryPass::fragmentProgram(const PipelineKey& key, FragmentUse use) {
+    gl::Program& program = fragmentPrograms_[{key.topology, key.furtherUvPairs, use}];
+    if (program.name() != 0) return program;
+    std::vector<std::string> definitions{"USE " + std::to_string(static_cast<int>(use))};
+    if (key.furtherUvPairs != 0) definitions.push_back(furtherUvDefinition(key));
+    std::vector<gl::Stage> stages{{"layer_fragment.vert", definitions, {}},
+                                  {"layer_fragment.frag", definitions, {}}};
+    if (key.topology != Topology::triangles) {
+        definitions.push_back("WIDE_CORNERS " + std::to_string(cornersOf(key.topology)));
+        stages.push_back({"layer_fragment.geom", definitions, {}});
+    }
+    program = gl::Program(stages, "fragments of layers");
+    return program;
+}
+
+void GeometryPass::drawFragments(const Inputs& inputs, FragmentUse use, GLenum depthFunction,
+                                 std::uint32_t value) {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, inputs.targets.surfaces.name());
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    drawBatches(inputs);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(depthFunction);
+    glEnable(GL_DEPTH_TEST);
+    drawBatches(inputs, [&](const PipelineKey& key) {
+        const gl::Program& program = fragmentProgram(key, use);
+        glUseProgram(program.name());
+        if (use != FragmentUse::record)
+            glProgramUniform1i(program.name(), layout::LAYER_LOCATION, static_cast<GLint>(value));
+        bind(layout::BASE_COLOR_UNIT, key.textures[0]);
+    });
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void GeometryPass::drawBatches(const Inputs& inputs) {
+void GeometryPass::drawSurfaces(const Inputs& inputs, DepthTies ties) {
     Programs& programs = programsFor(inputs.targets);
-    if (inputs.layer != nullptr) bindDepths(*inputs.layer);
+    if (inputs.targets.parts.lobes)
+        glBindTextureUnit(layout::LOBE_RECORDS_UNIT, inputs.scene.materials.lobeRecords().name());
+    const bool isLayer = inputs.targets.parts.layer;
+    drawBatches(inputs, [&](const PipelineKey& key) {
+        const gl::Program& program = select(inputs, key, programs);
+        // Transparent surfaces are never drawn by the program of plain ones.
+        if (isLayer)
+            glProgramUniform1i(program.name(), layout::LAYER_LOCATION, ties == DepthTies::numbered ? 1 : 0);
+    });
+    if (programs.hasLobes()) glBindSamplers(layout::LOBE_TEXTURES_UNIT, layout::LOBE_TEXTURE_COUNT, nullptr);
+}
+
+template <typename Select>
+void GeometryPass::drawBatches(const Inputs& inputs, const Select& select) {
     glViewport(0, 0, inputs.targets.width, inputs.targets.height);
     glBindTextureUnit(layout::INSTANCES_UNIT, inputs.scene.instances.records().name());
     glBindTextureUnit(layout::MATERIALS_UNIT, inputs.scene.materials.records().name());
-    if (inputs.targets.parts.lobes)
-        glBindTextureUnit(layout::LOBE_RECORDS_UNIT, inputs.scene.materials.lobeRecords().name());
     // Emissive batches come last: otherwise, surfaces in front of emission would have to write black over it.
-    if (inputs.filter != nullptr) {
-        inputs.filter->bind();
-        for (const TriangleFilter::Run& run : inputs.filter->runs()) {
-            if (!run.key.isIn(inputs.surfaces)) continue;
-            select(inputs, run.key, programs);
-            glBindVertexArray(run.filtered ? inputs.filter->vertexArray()
-                                           : inputs.scene.vertexArrayOf(run.key));
-            TriangleFilter::draw(run);
-        }
+    if (inputs.runs != nullptr || inputs.filter != nullptr) {
+        drawRuns(inputs, select);
     } else {
         inputs.draws.bind();
         for (const DrawBatch& batch : inputs.draws.batches()) {
             if (!batch.key.isIn(inputs.surfaces)) continue;
-            select(inputs, batch.key, programs);
+            select(batch.key);
+            cull(batch.key);
             glBindVertexArray(inputs.scene.vertexArrayOf(batch.key));
             DrawSelection::draw(batch);
         }
@@ -127,7 +172,34 @@ void GeometryPass::drawBatches(const Inputs& inputs) {
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
     glBindSamplers(layout::BASE_COLOR_UNIT, textureUnits.size(), nullptr);
-    if (programs.hasLobes()) glBindSamplers(layout::LOBE_TEXTURES_UNIT, layout::LOBE_TEXTURE_COUNT, nullptr);
+}
+
+template <typename Select>
+void GeometryPass::drawRuns(const Inputs& inputs, const Select& select) {
+    std::span<const TriangleFilter::Run> runs;
+    if (inputs.runs != nullptr) {
+        runs = inputs.runs->runs;
+        glBindBuffer(GL_DRAW_INDIRECT_BUFFER, inputs.runs->commandBuffer);
+    } else {
+        runs = inputs.filter->runs();
+        inputs.filter->bind();
+    }
+    for (const TriangleFilter::Run& run : runs) {
+        if (!run.key.isIn(inputs.surfaces)) continue;
+        select(run.key);
+        cull(run.key);
+        glBindVertexArray(run.filtered ? inputs.filter->vertexArray() : inputs.scene.vertexArrayOf(run.key));
+        TriangleFilter::draw(run);
+    }
+}
+
+void GeometryPass::cull(const PipelineKey& key) {
+    glFrontFace(key.mirrored ? GL_CW : GL_CCW);
+    if (key.doubleSided) {
+        glDisable(GL_CULL_FACE);
+    } else {
+        glEnable(GL_CULL_FACE);
+    }
 }
 
 void GeometryPass::bindTextures(const PipelineKey& key) {
@@ -143,7 +215,7 @@ void GeometryPass::bindLobeTextures(const GpuScene::State& scene, const Pipeline
         bind(layout::LOBE_TEXTURES_UNIT + static_cast<int>(i), textures[i]);
 }
 
-void GeometryPass::select(const Inputs& inputs, const PipelineKey& key, Programs& programs) {
+const gl::Program& GeometryPass::select(const Inputs& inputs, const PipelineKey& key, Programs& programs) {
     const gl::Framebuffer& target =
         key.emissive ? inputs.targets.surfacesAndEmission : inputs.targets.surfaces;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.name());
@@ -151,16 +223,9 @@ void GeometryPass::select(const Inputs& inputs, const PipelineKey& key, Programs
     const bool extended = key.program == PipelineKey::Program::extended && programs.hasLobes();
     const gl::Program& program = programs.of(key);
     glUseProgram(program.name());
-    // Transparent surfaces are never drawn by the program of plain ones.
-    if (inputs.layer != nullptr) setLayer(program, *inputs.layer);
-    glFrontFace(key.mirrored ? GL_CW : GL_CCW);
-    if (key.doubleSided) {
-        glDisable(GL_CULL_FACE);
-    } else {
-        glEnable(GL_CULL_FACE);
-    }
     if (textured) bindTextures(key);
     if (extended) bindLobeTextures(inputs.scene, key);
+    return program;
 }
 
 }  // namespace candela

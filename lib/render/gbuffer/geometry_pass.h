@@ -10,11 +10,10 @@
 
 namespace candela {
 
-/// Between which depths the fragments of a layer lie.
-struct LayerDepths {
-    const gl::Texture& opaque;  ///< Of the opaque surfaces.
-    const gl::Texture* before;  ///< Of the layer in front; null for the first layer.
-};
+struct DrawRuns;
+
+/// Whether surfaces of a layer lie at the depth of others, so that their numbers tell which of them it holds.
+enum class DepthTies { none, numbered };
 
 /// Draws the surfaces in view into the G-buffer and their emission into the radiance target.
 class GeometryPass {
@@ -27,15 +26,21 @@ class GeometryPass {
         const GBufferTargets& targets;
         LoadOp radianceLoad;  ///< Where a draw emits, the target is cleared in any case.
         SurfaceSet surfaces = SurfaceSet::opaque;
-        /// Of transparent surfaces; null: targets without the part `layer`.
-        const LayerDepths* layer = nullptr;
         /// The draws without triangles that leave no trace in the picture; null: all are drawn.
         const TriangleFilter* filter = nullptr;
+        /// Of those draws or of `filter`'s, those that are drawn; null: all.
+        const DrawRuns* runs = nullptr;
     };
     void render(const Inputs& inputs);
-    /// Draws the fragments that layers may hold, all of them, and writes nothing: for a query that counts
-    /// them. The inputs are those of the first layer.
-    void drawFragments(const Inputs& inputs);
+    /// Draws the surfaces of a layer: those at the depths that the targets hold, whose words are cleared.
+    void renderLayer(const Inputs& inputs, DepthTies ties);
+    /// Draws all transparent fragments in front of what the targets hold, for the images that `FragmentLists`
+    /// has bound. Writes nothing else.
+    void recordFragments(const Inputs& inputs);
+    /// The same for the layers of each draw (`LayerDraws`), from the number `firstNumber` on.
+    void findLayers(const Inputs& inputs, std::uint32_t firstNumber);
+    /// The same of those at the depths that the targets hold, for their numbers in layer `index`.
+    void numberSurfaces(const Inputs& inputs, std::uint32_t index);
 
   private:
     /// With the fragment outputs of one set of parts of the G-buffer.
@@ -56,13 +61,27 @@ class GeometryPass {
         GBufferParts parts_;
     };
 
+    enum class FragmentUse { record, findLayers, number };
+
     Programs& programsFor(const GBufferTargets& targets);
-    void drawBatches(const Inputs& inputs);
+    const gl::Program& fragmentProgram(const PipelineKey& key, FragmentUse use);
+    void drawSurfaces(const Inputs& inputs, DepthTies ties);
+    /// `select` gets the key of each batch and makes its state current.
+    template <typename Select>
+    static void drawBatches(const Inputs& inputs, const Select& select);
+    template <typename Select>
+    static void drawRuns(const Inputs& inputs, const Select& select);
+    /// `value` is the program's uniform.
+    void drawFragments(const Inputs& inputs, FragmentUse use, GLenum depthFunction, std::uint32_t value);
     static void bindTextures(const PipelineKey& key);
     static void bindLobeTextures(const GpuScene::State& scene, const PipelineKey& key);
-    static void select(const Inputs& inputs, const PipelineKey& key, Programs& programs);
+    static void cull(const PipelineKey& key);
+    static const gl::Program& select(const Inputs& inputs, const PipelineKey& key, Programs& programs);
 
-    std::map<GBufferParts, Programs> programs_;  ///< Compiled when they are first needed.
+    // Compiled when they are first needed.
+    std::map<GBufferParts, Programs> programs_;
+    /// By topology and further sets of texture coordinates.
+    std::map<std::tuple<Topology, std::uint32_t, FragmentUse>, gl::Program> fragmentPrograms_;
 };
 
 }  // namespace candela

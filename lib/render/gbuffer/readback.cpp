@@ -23,17 +23,28 @@ PixelFormat wordFormat(const GBufferWordTexture& texture) {
     return {texture.readFormat, texture.readType, texture.bytes};
 }
 
-void read(const gl::Texture& texture, int width, int height, const PixelFormat& pixel, void* into) {
+/// `into` has rows of `width` pixels.
+void read(const gl::Texture& texture, const gl::PixelRectangle& from, int width, const PixelFormat& pixel,
+          void* into) {
+    if (from.width == 0 || from.height == 0) return;
     // OpenGL takes the size as an int: targets of 2 GiB and more are read in bands.
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelStorei(GL_PACK_ROW_LENGTH, width);
     const std::size_t rowBytes = static_cast<std::size_t>(width) * pixel.bytes;
+    const std::size_t left = static_cast<std::size_t>(from.x) * pixel.bytes,
+                      partBytes = static_cast<std::size_t>(from.width) * pixel.bytes;
     const int rows = static_cast<int>(std::max<std::size_t>(1, (std::size_t{1} << 30) / rowBytes));
-    for (int y = 0; y < height; y += rows) {
-        const int count = std::min(rows, height - y);
-        glGetTextureSubImage(texture.name(), 0, 0, y, 0, width, count, 1, pixel.format, pixel.type,
-                             static_cast<GLsizei>(rowBytes * static_cast<std::size_t>(count)),
-                             static_cast<std::byte*>(into) + rowBytes * static_cast<std::size_t>(y));
+    for (int y = from.y; y < from.y + from.height; y += rows) {
+        const int count = std::min(rows, from.y + from.height - y);
+        glGetTextureSubImage(texture.name(), 0, from.x, y, 0, from.width, count, 1, pixel.format, pixel.type,
+                             static_cast<GLsizei>(rowBytes * static_cast<std::size_t>(count - 1) + partBytes),
+                             static_cast<std::byte*>(into) + rowBytes * static_cast<std::size_t>(y) + left);
     }
+    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+}
+
+void read(const gl::Texture& texture, int width, int height, const PixelFormat& pixel, void* into) {
+    read(texture, {0, 0, width, height}, width, pixel, into);
 }
 
 template <typename T>
@@ -53,26 +64,32 @@ static_assert(sizeof(GBufferTexel) == surfaceTexture.bytes);
 
 }  // namespace
 
-void readWords(const GBufferTargets& targets, int output, std::span<std::uint32_t> into) {
+gl::PixelRectangle wholeOf(const GBufferTargets& targets) {
+    return {0, 0, targets.width, targets.height};
+}
+
+void readWords(const GBufferTargets& targets, const gl::PixelRectangle& from, int output,
+               std::span<std::uint32_t> into) {
     const std::size_t index = targets.indexOf(output);
     assert(into.size_bytes() == targets.layout[index].bytes * pixelCount(targets.width, targets.height));
-    read(targets.words[index], targets.width, targets.height, wordFormat(targets.layout[index]), into.data());
+    read(targets.words[index], from, targets.width, wordFormat(targets.layout[index]), into.data());
 }
 
-void readOcclusion(const GBufferTargets& targets, std::span<std::uint8_t> into) {
+void readOcclusion(const GBufferTargets& targets, const gl::PixelRectangle& from,
+                   std::span<std::uint8_t> into) {
     const std::size_t index = targets.indexOf(layout::OCCLUSION_OUTPUT);
     assert(into.size() == pixelCount(targets.width, targets.height));
-    read(targets.words[index], targets.width, targets.height, wordFormat(targets.layout[index]), into.data());
+    read(targets.words[index], from, targets.width, wordFormat(targets.layout[index]), into.data());
 }
 
-void readDepth(const GBufferTargets& targets, std::span<float> into) {
+void readDepth(const GBufferTargets& targets, const gl::PixelRectangle& from, std::span<float> into) {
     assert(into.size() == pixelCount(targets.width, targets.height));
-    read(targets.depth, targets.width, targets.height, depthFormat, into.data());
+    read(targets.depth, from, targets.width, depthFormat, into.data());
 }
 
-void readColor(const gl::Texture& texture, int width, int height, std::span<float> into) {
-    assert(into.size() == 4 * pixelCount(width, height));
-    read(texture, width, height, colorFormat, into.data());
+void readRadiance(const GBufferTargets& targets, const gl::PixelRectangle& from, std::span<float> into) {
+    assert(into.size() == 4 * pixelCount(targets.width, targets.height));
+    read(targets.radiance, from, targets.width, colorFormat, into.data());
 }
 
 std::vector<GBufferTexel> readSurfaces(const GBufferTargets& targets) {
@@ -83,13 +100,13 @@ std::vector<GBufferTexel> readSurfaces(const GBufferTargets& targets) {
 
 std::vector<float> readDepth(const GBufferTargets& targets) {
     std::vector<float> depth(pixelCount(targets.width, targets.height));
-    readDepth(targets, depth);
+    readDepth(targets, wholeOf(targets), depth);
     return depth;
 }
 
 std::vector<float> readColor(const gl::Texture& texture, int width, int height) {
     std::vector<float> rgba(4 * pixelCount(width, height));
-    readColor(texture, width, height, rgba);
+    read(texture, width, height, colorFormat, rgba.data());
     return rgba;
 }
 

@@ -13,16 +13,26 @@
 
 namespace candela {
 
-// Whole targets, rows from the bottom as OpenGL has them.
+// Rows from the bottom as OpenGL has them.
 
-/// Fills `into`, which has the words of each pixel, from the texture that `output` writes.
-void readWords(const GBufferTargets& targets, int output, std::span<std::uint32_t> into);
-/// Fills `into`, which has one byte a pixel. The targets have the part `occlusion`.
-void readOcclusion(const GBufferTargets& targets, std::span<std::uint8_t> into);
-/// Fills `into`, which has one float a pixel.
-void readDepth(const GBufferTargets& targets, std::span<float> into);
-/// Fills `into`, which has four floats a pixel.
-void readColor(const gl::Texture& texture, int width, int height, std::span<float> into);
+/// The pixels of the targets.
+gl::PixelRectangle wholeOf(const GBufferTargets& targets);
+
+// These fill the pixels of a rectangle in `into`, which is of the targets' size, and leave the others alone.
+
+/// The words of the texture that `output` writes.
+void readWords(const GBufferTargets& targets, const gl::PixelRectangle& from, int output,
+               std::span<std::uint32_t> into);
+/// One byte a pixel. The targets have the part `occlusion`.
+void readOcclusion(const GBufferTargets& targets, const gl::PixelRectangle& from,
+                   std::span<std::uint8_t> into);
+/// One float a pixel.
+void readDepth(const GBufferTargets& targets, const gl::PixelRectangle& from, std::span<float> into);
+/// Four floats a pixel.
+void readRadiance(const GBufferTargets& targets, const gl::PixelRectangle& from, std::span<float> into);
+
+// Whole targets.
+
 std::vector<GBufferTexel> readSurfaces(const GBufferTargets& targets);
 std::vector<float> readDepth(const GBufferTargets& targets);
 /// RGBA.

@@ -223,15 +223,15 @@ void DrawList::placeRecords() {
         const Draw& draw = draws_[i];
         return std::tuple(draw.geometry, draw.command.firstIndex, draw.command.baseVertex, draw.material);
     });
-    std::vector<std::array<std::uint32_t, 2>> records;
+    std::vector<std::array<std::uint32_t, 3>> records;
     records.reserve(draws_.size());
     for (const std::uint32_t i : order) {
         draws_[i].command.baseInstance = static_cast<std::uint32_t>(records.size());
-        records.push_back({draws_[i].instance, draws_[i].material});
-        instanceOfRecord_.push_back(draws_[i].instance);
+        records.push_back({draws_[i].instance, draws_[i].material, i});
+        numberOfRecord_.push_back(i);
     }
     recordBuffer_ =
-        gl::Buffer::immutable("draw records", std::span<const std::array<std::uint32_t, 2>>(records));
+        gl::Buffer::immutable("draw records", std::span<const std::array<std::uint32_t, 3>>(records));
 }
 
 std::span<DrawList::Draw> DrawList::drawsOf(std::uint32_t instance) {

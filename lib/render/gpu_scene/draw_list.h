@@ -185,7 +185,11 @@ class DrawList {
     const LobeTextures& lobeTextures(const PipelineKey& key) const { return lobeSets_[key.lobeTextures]; }
 
     /// The instance that a record is of: those of a command are its `baseInstance` and the ones that follow.
-    std::uint32_t instanceOfRecord(std::uint32_t record) const { return instanceOfRecord_[record]; }
+    std::uint32_t instanceOfRecord(std::uint32_t record) const {
+        return draws_[numberOfRecord_[record]].instance;
+    }
+    /// The place of its draw among all, in the order of instances.
+    std::uint32_t numberOfRecord(std::uint32_t record) const { return numberOfRecord_[record]; }
 
     /// Groups the draws whose keys have changed since the last call; to be called before `cull`. Returns how
     /// many those are.
@@ -198,7 +202,7 @@ class DrawList {
     /// indices.
     void cull(DrawSelection& selection) const;
 
-    /// The records: uvec2 a draw, see DRAW_ATTRIBUTE.
+    /// The records: uvec3 a draw, see DRAW_ATTRIBUTE.
     const gl::Buffer& records() const { return recordBuffer_; }
 
   private:
@@ -248,7 +252,7 @@ class DrawList {
     std::map<LobeTextures, std::uint32_t> lobeSetOf_;
     Groups groups_;
     std::vector<std::uint32_t> pending_;
-    std::vector<std::uint32_t> instanceOfRecord_;
+    std::vector<std::uint32_t> numberOfRecord_;
     gl::Buffer recordBuffer_;
 };
 

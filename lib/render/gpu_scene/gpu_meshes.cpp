@@ -50,10 +50,10 @@ void feedFloats(const gl::VertexArray& vertexArray, int location, int components
 
 void feedDraws(const gl::VertexArray& vertexArray, GLuint binding, const gl::Buffer& draws) {
     const GLuint name = vertexArray.name();
-    glVertexArrayVertexBuffer(name, binding, draws.name(), 0, 2 * sizeof(std::uint32_t));
+    glVertexArrayVertexBuffer(name, binding, draws.name(), 0, 3 * sizeof(std::uint32_t));
     glVertexArrayBindingDivisor(name, binding, 1);
     glEnableVertexArrayAttrib(name, layout::DRAW_ATTRIBUTE);
-    glVertexArrayAttribIFormat(name, layout::DRAW_ATTRIBUTE, 2, GL_UNSIGNED_INT, 0);
+    glVertexArrayAttribIFormat(name, layout::DRAW_ATTRIBUTE, 3, GL_UNSIGNED_INT, 0);
     glVertexArrayAttribBinding(name, layout::DRAW_ATTRIBUTE, binding);
 }
 

@@ -2,20 +2,12 @@
 
 #include "render/layout.h"
 
-#include <candela/error.h>
-
 #include <algorithm>
 #include <bit>
 
 namespace candela {
 
 namespace {
-
-GLuint createQuery() {
-    GLuint name = 0;
-    glCreateQueries(GL_SAMPLES_PASSED, 1, &name);
-    return name;
-}
 
 std::vector<const gl::Texture*> attachmentsOf(const gl::Texture& color, const gl::Texture& seenThrough) {
     if (seenThrough.name() == 0) return {&color};
@@ -41,26 +33,26 @@ LayerPass::Layer::Layer(int width, int height, const GBufferParts& parts)
                                    : gl::Texture{}),
       framebuffer(attachmentsOf(color, seenThrough), nullptr, "layer") {}
 
-LayerPass::LayerPass() : vertexArray_("layers"), query_(createQuery()) {}
+LayerPass::LayerPass() : vertexArray_("layers") {}
 
-void LayerPass::begin(int width, int height, const GBufferParts& parts, const gl::PixelRectangle& rectangle,
-                      BrdfModel model) {
+void LayerPass::begin(int width, int height, const GBufferParts& parts, BrdfModel model) {
     model_ = model;
-    const bool sized = targets_[0] && targets_[0]->width == width && targets_[0]->height == height;
+    const bool sized = targets_ && targets_->width == width && targets_->height == height;
     if (!sized) backdrop_.reset();
-    if (!sized || targets_[0]->parts != parts) {
-        layers_.clear();
-        for (std::optional<GBufferTargets>& targets : targets_) targets.emplace(width, height, parts);
-        rectangle_ = {};
-    }
-    // Passes that read whole targets find no surfaces of another rectangle.
-    if (rectangle_ != rectangle) {
-        for (const std::optional<GBufferTargets>& targets : targets_) {
-            targets->clearSurfaces();
-            targets->clearRadiance();
-        }
-    }
-    rectangle_ = rectangle;
+    if (sized && targets_->parts == parts) return;
+    layers_.clear();
+    targets_.reset();
+    targets_.emplace(width, height, parts);
+    targets_->clearRadiance();
+    written_ = {0, 0, width, height};
+}
+
+const GBufferTargets& LayerPass::clear(const gl::PixelRectangle& rectangle) {
+    // Passes that read more than the rectangle find no surfaces of another layer.
+    const gl::Scissor within(written_);
+    targets_->clearSurfaces();
+    written_ = rectangle;
+    return *targets_;
 }
 
 const gl::Program& LayerPass::programOf(const char* file, Backdrop backdrop) {
@@ -82,37 +74,48 @@ const gl::Program& LayerPass::programOf(const char* file, Backdrop backdrop) {
         .first->second;
 }
 
-std::uint64_t LayerPass::keep(std::uint32_t index) {
-    const GBufferTargets& from = targets(index);
+void LayerPass::keep(std::uint32_t index, const gl::PixelRectangle& rectangle) {
+    const GBufferTargets& from = *targets_;
     while (layers_.size() <= index) layers_.emplace_back(from.width, from.height, from.parts);
-    const Layer& layer = layers_[index];
+    Layer& layer = layers_[index];
+    layer.rectangle = rectangle;
     from.bind();
     glBindTextureUnit(layout::LAYER_COLOR_UNIT, from.litRadiance().name());
-    const gl::Scissor within(rectangle_);
+    const gl::Scissor within(rectangle);
     constexpr std::array<GLfloat, 4> nothing{0.0f, 0.0f, 0.0f, 0.0f};
     glClearNamedFramebufferfv(layer.framebuffer.name(), GL_COLOR, 0, nothing.data());
     const gl::Program& program = programOf("layer_store.frag", Backdrop::none);
-    return countFragments([&] { drawTriangle(program, layer.framebuffer); });
+    drawTriangle(program, layer.framebuffer);
 }
 
-void LayerPass::copyBackdrop(const gl::Texture& radiance, Backdrop backdrop) {
-    const int width = targets_[0]->width, height = targets_[0]->height;
-    if (!backdrop_) backdrop_.emplace(makeBackdrop(width, height));
-    glCopyImageSubData(radiance.name(), GL_TEXTURE_2D, 0, 0, 0, 0, backdrop_->name(), GL_TEXTURE_2D, 0, 0, 0,
-                       0, width, height, 1);
+void LayerPass::copyBackdrop(const GBufferTargets& frame, const gl::PixelRectangle& part, Backdrop backdrop,
+                             const DrawBehind& drawBehind) {
+    if (!backdrop_) backdrop_.emplace(makeBackdrop(frame.width, frame.height));
+    glCopyImageSubData(frame.radiance.name(), GL_TEXTURE_2D, 0, part.x, part.y, 0, backdrop_->name(),
+                       GL_TEXTURE_2D, 0, part.x, part.y, 0, part.width, part.height, 1);
+    if (drawBehind) {
+        const gl::Framebuffer picture({&*backdrop_}, &frame.depth, "backdrop");
+        const gl::Scissor within(part);
+        drawBehind(picture);
+    }
     if (backdrop >= Backdrop::blurred) glGenerateTextureMipmap(backdrop_->name());
     glBindTextureUnit(layout::BEHIND_UNIT, backdrop_->name());
 }
 
-void LayerPass::composite(std::uint32_t count, const GBufferTargets& frame, Backdrop backdrop) {
-    const gl::Texture& radiance = frame.litRadiance();  // The layers are drawn over it.
+void LayerPass::composite(std::uint32_t count, const GBufferTargets& frame, Backdrop backdrop,
+                          const DrawBehind& drawBehind) {
+    frame.litRadiance();  // The layers are drawn over it.
     glBindTextureUnit(layout::OPAQUE_DEPTH_UNIT, frame.depth.name());
     const gl::Program& program = programOf("layer_composite.frag", backdrop);
     for (std::uint32_t i = count; i-- > 0;) {
-        if (backdrop != Backdrop::none) copyBackdrop(radiance, backdrop);
+        if (backdrop != Backdrop::none) {
+            // The whole picture for the farthest layer, then what the one behind has changed.
+            const gl::PixelRectangle whole{0, 0, frame.width, frame.height};
+            copyBackdrop(frame, i + 1 == count ? whole : layers_[i + 1].rectangle, backdrop, drawBehind);
+        }
         if (refracts()) glBindTextureUnit(layout::LAYER_REFRACTION_UNIT, layers_[i].seenThrough.name());
         glBindTextureUnit(layout::LAYER_COLOR_UNIT, layers_[i].color.name());
-        const gl::Scissor within(rectangle_);
+        const gl::Scissor within(layers_[i].rectangle);
         glEnable(GL_BLEND);
         glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         drawTriangle(program, frame.lit);
@@ -124,24 +127,8 @@ void LayerPass::drawTriangle(const gl::Program& program, const gl::Framebuffer& 
     glUseProgram(program.name());
     glBindVertexArray(vertexArray_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, into.name());
-    glViewport(0, 0, targets_[0]->width, targets_[0]->height);
+    glViewport(0, 0, targets_->width, targets_->height);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-std::uint64_t LayerPass::countFragments(const std::function<void()>& draw) const {
-    GLint active = 0;
-    glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &active);
-    if (active != 0) {
-        throw Error(ErrorKind::badInput, "",
-                    "a query of GL_SAMPLES_PASSED is active while transparent surfaces are drawn, whose "
-                    "fragments are counted by one; the host has to end it before");
-    }
-    glBeginQuery(GL_SAMPLES_PASSED, query_.name());
-    draw();
-    glEndQuery(GL_SAMPLES_PASSED);
-    GLuint64 count = 0;
-    glGetQueryObjectui64v(query_.name(), GL_QUERY_RESULT, &count);
-    return count;
 }
 
 }  // namespace candela

@@ -37,7 +37,8 @@ struct LightingInputs {
     /// The share of the environment that each pixel sees, 0 to 255, rows from the bottom; null: all of it.
     const std::uint8_t* environmentVisibility;
     bool emissionDrawn;  ///< `targets.radiance` holds emission; else its content is that of `radianceLoadOp`.
-    GBufferCopy* copy = nullptr;  ///< Of `targets`; null: who needs one makes it.
+    /// Of `targets`, or of a rectangle outside of which these have no surfaces; null: who needs one makes it.
+    GBufferCopy* copy = nullptr;
     /// As `environmentVisibility`, for techniques that shade in shaders: R8, of the targets' size.
     const gl::Texture* environmentVisibilityTexture = nullptr;
 };

@@ -110,16 +110,19 @@ std::span<const std::uint8_t> EnvironmentOcclusion::compute(const EnvironmentOcc
     frame.surfaces = inputs.surfaces.data();
     frame.depth = inputs.depth.data();
     frame.shadowWords = inputs.shadowWords.data();
-    const int columns = (size.x + tileSide - 1) / tileSide, rows = (size.y + tileSide - 1) / tileSide;
+    const gl::PixelRectangle& part = inputs.rectangle;
+    const int left = part.x / tileSide, columns = (part.x + part.width + tileSide - 1) / tileSide - left;
+    const int bottom = part.y / tileSide, rows = (part.y + part.height + tileSide - 1) / tileSide - bottom;
     const std::shared_ptr<ThreadPool> pool = ThreadPool::shared();
     pool->run(static_cast<std::size_t>(columns * rows), [&](std::size_t i, unsigned) {
         const int tile = static_cast<int>(i);
-        trace(inputs, frame, directions, tile % columns * tileSide, tile / columns * tileSide);
+        trace(inputs, frame, directions, (left + tile % columns) * tileSide,
+              (bottom + tile / columns) * tileSide);
     });
     const VisibilityFilterJob job = filterJob(inputs);
     const EnvironmentKernel& kernel = environmentKernel();
-    pool->run(static_cast<std::size_t>(size.y),
-              [&](std::size_t y, unsigned) { kernel.visibility(job, static_cast<int>(y)); });
+    pool->run(static_cast<std::size_t>(part.height),
+              [&](std::size_t row, unsigned) { kernel.visibility(job, part.y + static_cast<int>(row)); });
     return visibility_;
 }
 

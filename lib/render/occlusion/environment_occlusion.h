@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gl/framebuffer.h"
 #include "render/layout.h"
 #include "render/occlusion/hemisphere_block.h"
 #include "render/occlusion/occlusion_view.h"
@@ -24,7 +25,8 @@ struct EnvironmentRays {
     float distance;        ///< Metres: what is farther hides nothing.
 };
 
-/// What they start from: whole targets of `frame.size` pixels, rows from the bottom.
+/// What they start from: targets of `frame.size` pixels, rows from the bottom. Surfaces lie in `rectangle`,
+/// four pixels or more from those of its sides that are not the targets'; what is outside is not read.
 struct EnvironmentOcclusionInputs {
     const layout::FrameUniforms& frame;
     std::span<const float> depth;             ///< Reversed.
@@ -34,6 +36,7 @@ struct EnvironmentOcclusionInputs {
         textures;  ///< What occlusion textures leave, 255 is 1; empty: nothing has one.
     const OcclusionView& occluders;
     EnvironmentRays rays;
+    gl::PixelRectangle rectangle;
 };
 
 /// How much of the environment each pixel sees, by Embree on all threads of the library; the result depends

@@ -231,7 +231,7 @@ void GpuOcclusion::writeCutouts(const Mesh& mesh, const OcclusionMesh& from) {
         record[0] = {bits(cutout.uv[0].x), bits(cutout.uv[0].y), bits(cutout.uv[1].x), bits(cutout.uv[1].y)};
         record[1] = {bits(cutout.uv[2].x), bits(cutout.uv[2].y), bits(cutout.alpha[0]),
                      bits(cutout.alpha[1])};
-        record[2] = {bits(cutout.alpha[2]), bits(cutout.cutoff), 0, 0};
+        record[2] = {bits(cutout.alpha[2]), bits(cutout.cutoff), bits(cutout.transmitted), 0};
         const auto flags = static_cast<std::uint32_t>(cutout.wrapS) |
                            static_cast<std::uint32_t>(cutout.wrapT) << layout::OCCLUSION_WRAP_T_SHIFT |
                            (cutout.nearest ? layout::OCCLUSION_NEAREST : 0u) |

@@ -79,7 +79,9 @@ class CutoutMaker {
         const Material& material = scene.sceneState.materials[materialIndex];
         const std::span<const glm::uvec4> record = scene.materials.record(materialIndex);
         const bool isMask = material.alphaMode == AlphaMode::mask;
-        if (!isMask) factor_ = 1.0f - transmittedShare(material);
+        const float transmitted = transmittedShare(material);
+        if (isMask) triangle_.transmitted = transmitted;
+        if (!isMask) factor_ = 1.0f - transmitted;
         if (material.alphaMode != AlphaMode::opaque) factor_ *= material.baseColor.a;
         triangle_.cutoff = std::bit_cast<float>(record[layout::MATERIAL_FACTORS].w);
         triangle_.blends = !isMask;

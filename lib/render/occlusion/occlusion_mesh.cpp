@@ -51,7 +51,7 @@ float transmittance(const OcclusionMesh& mesh, std::uint32_t cutout, const glm::
                                              static_cast<std::uint32_t>(triangle.wrapT), triangle.nearest};
         alpha *= shared::sampleAlpha(image, sampling, uv);
     }
-    return shared::alphaTransmittance(alpha, triangle.cutoff, triangle.blends);
+    return shared::alphaTransmittance(alpha, triangle.cutoff, triangle.blends, triangle.transmitted);
 }
 
 std::size_t OcclusionMesh::bytes() const {

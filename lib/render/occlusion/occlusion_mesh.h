@@ -21,16 +21,21 @@ struct AlphaImage {
 enum class AlphaWrap : std::uint32_t { repeat, clampToEdge, mirroredRepeat };
 
 /// A triangle of a material that masks, blends or transmits. Through a mask a ray passes where the alpha is
-/// below the cutoff, as fragments of the geometry pass are discarded there; what blends lets 1 - alpha of it
-/// through, and what transmits is taken as if it blended.
+/// below the cutoff, as fragments of the geometry pass are discarded there, and elsewhere what the material
+/// transmits; what blends lets 1 - alpha of it through, and what transmits without a mask is taken as if it
+/// blended.
 struct CutoutTriangle {
-    glm::vec2 uv[3];          ///< With the texture's coordinate transform applied.
-    float alpha[3];           ///< The material's factor times the vertex colour's.
-    float cutoff = 0.0f;      ///< As in the material record (MATERIAL_FACTORS).
-    std::uint32_t image = 0;  ///< Index into the images of the mesh; `noImage`: alpha 1.
+    glm::vec2 uv[3];           ///< With the texture's coordinate transform applied.
+    float alpha[3];            ///< The material's factor times the vertex colour's.
+    float cutoff = 0.0f;       ///< As in the material record (MATERIAL_FACTORS).
+    float transmitted = 0.0f;  ///< Of a mask: the share that passes where it covers.
+    std::uint32_t image = 0;   ///< Index into the images of the mesh; `noImage`: alpha 1.
     AlphaWrap wrapS = AlphaWrap::repeat, wrapT = AlphaWrap::repeat;
     bool nearest = false;  ///< No interpolation between texels.
     bool blends = false;   ///< The cutoff is not read.
+
+    /// May it let a part of a ray through?
+    bool dims() const { return blends || transmitted > 0.0f; }
 
     static constexpr std::uint32_t noImage = 0xffffffffu;
 };

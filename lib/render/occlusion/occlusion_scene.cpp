@@ -137,7 +137,7 @@ void OcclusionScene::build(const GpuScene::State& scene, std::uint32_t index) {
         entry.tree = buildWideTree(triangles);
     }
     fillTriangleBlocks(entry.tree, triangles, entry.blocks);
-    entry.blends = std::ranges::any_of(mesh->cutouts, &CutoutTriangle::blends);
+    entry.blends = std::ranges::any_of(mesh->cutouts, &CutoutTriangle::dims);
     entry.mesh = mesh;
     entry.isNewToShaders = true;
     embree_.setMesh(index, mesh);

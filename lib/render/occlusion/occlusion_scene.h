@@ -47,7 +47,7 @@ class OcclusionScene {
         std::uint64_t version = 0;       ///< Of the vertices.
         std::uint64_t alphaVersion = 0;  ///< Of the materials that mask or blend.
         bool readsAlpha = false;         ///< A part has such a material.
-        bool blends = false;             ///< A part has one that blends.
+        bool blends = false;             ///< A part has one that lets a part of a ray through.
         bool isNewToShaders = true;      ///< Has changed since `updateShaderForm`.
         double buildMilliseconds = 0.0;
         std::shared_ptr<const OcclusionMesh> mesh;

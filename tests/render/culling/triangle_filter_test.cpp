@@ -88,7 +88,7 @@ class TriangleFilterTest : public DrawingTest {
             if (counts != nullptr) *counts = filter->counts();
         }
         GeometryPass().render(
-            {state, draws, targets, LoadOp::clear, SurfaceSet::all, nullptr, filter ? &*filter : nullptr});
+            {state, draws, targets, LoadOp::clear, SurfaceSet::all, filter ? &*filter : nullptr});
         GBufferCopy copy;
         copy.reset(targets);
         Words words;

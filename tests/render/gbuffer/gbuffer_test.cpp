@@ -341,10 +341,10 @@ TEST_F(GBufferTest, layoutMayHaveAdditionalWords) {
         glClearNamedFramebufferuiv(framebuffer->name(), GL_COLOR, layout::SHADOW_OUTPUT, further.data());
         glClearNamedFramebufferfv(framebuffer->name(), GL_COLOR, layout::OCCLUSION_OUTPUT, open.data());
         std::vector<std::uint32_t> words(7 * 3);
-        readWords(targets, layout::SHADOW_OUTPUT, words);
+        readWords(targets, wholeOf(targets), layout::SHADOW_OUTPUT, words);
         EXPECT_EQ(words, std::vector<std::uint32_t>(7 * 3, 3));
         std::vector<std::uint8_t> bytes(7 * 3);
-        readOcclusion(targets, bytes);
+        readOcclusion(targets, wholeOf(targets), bytes);
         EXPECT_EQ(bytes, std::vector<std::uint8_t>(7 * 3, 255));
         EXPECT_EQ(readSurfaceAt(targets, 6, 2).y, 2u);
     }

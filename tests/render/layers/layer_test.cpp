@@ -254,15 +254,6 @@ TEST_F(LayerTest, whatLiesBeyondTheLayersIsCounted) {
     expectRefused([&] { draw(uploaded, settingsWith(65)); }, "expected 0 to 64");
 }
 
-TEST_F(LayerTest, surfacesAtOneDepthLeaveOneAndAreCounted) {
-    Scene scene = sceneOf(makeQuad(8.0f), unlit({1, 0, 0, 0.5f}), at({0, 0, -3}));
-    place(scene, makeQuad(8.0f), unlit({0, 1, 0, 0.5f}), at({0, 0, -3}));
-    GpuScene uploaded = upload(scene);
-    const Frame frame = draw(uploaded, settingsWith(8));
-    EXPECT_EQ(frame.layerCounts().layers, 1u);
-    EXPECT_EQ(frame.layerCounts().fragmentsBeyond, std::uint64_t{width} * height);
-}
-
 TEST_F(LayerTest, opaqueSurfacesHideLayersAndAnOpaqueAlphaNeedsNone) {
     Scene scene = sceneOf(makeQuad(8.0f), opaque({0.3f, 0.3f, 0.3f}), at({0, 0, -3}));
     place(scene, makeQuad(8.0f), unlit({1, 0, 0, 0.5f}), at({0, 0, -4}));

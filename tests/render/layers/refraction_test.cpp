@@ -3,6 +3,7 @@
 
 #include "support/drawing_test.h"
 #include "support/procedural_scene.h"
+#include "support/skies.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -300,12 +301,71 @@ TEST_F(RefractionTest, LightPassesThroughGlass) {
           glm::rotate(at({12, 0, -6.8f}), 0.5f * std::numbers::pi_v<float>, {0, 1, 0}));
     GpuScene uploaded =
         upload(scene, std::vector{directionalLight(glm::normalize(glm::vec3(-10, 0, -1)), glm::vec3(3.0f))});
-    for (const Form& form : forms) {
+    const auto glassIndex = static_cast<std::uint32_t>(scene.materials.size() - 1);
+    const auto expectShare = [&](const Form& form, float share, const std::string& what) {
         FrameRequest lit = request(form);
         const float without = test::pixelOf(drawn(uploaded, lit), 48, 32).g;
         lit.shadows = Shadows::on;
-        EXPECT_NEAR(test::pixelOf(drawn(uploaded, lit), 48, 32).g / without, 0.5f * 0.6f, 1.0e-5f)
-            << form.name;
+        EXPECT_NEAR(test::pixelOf(drawn(uploaded, lit), 48, 32).g / without, share, 1.0e-5f)
+            << form.name << ", " << what;
+    };
+    for (const Form& form : forms) {
+        uploaded.setMaterial(glassIndex, material);
+        expectShare(form, 0.5f * 0.6f, "glass");
+        Material masked = material;
+        masked.alphaMode = AlphaMode::mask;
+        uploaded.setMaterial(glassIndex, masked);
+        expectShare(form, 0.5f * 0.6f, "where a mask covers");
+        masked.baseColor.a = 0.4f;
+        uploaded.setMaterial(glassIndex, masked);
+        expectShare(form, 1.0f, "where a mask does not cover");
+    }
+}
+
+// What lights the scene and is not shown behind it is seen through glass, whose alpha is its coverage.
+TEST_F(RefractionTest, GlassOverNothingShowsTheEnvironmentThatLightsIt) {
+    Material pane;
+    pane.unlit = true;
+    pane.alphaMode = AlphaMode::blend;
+    pane.baseColor = {0.8f, 0.1f, 0.2f, 0.25f};
+    Material material = glass();
+    material.volume.thickness = 0.3f;
+    Scene scene = sceneOf(makeSphere(1.0f), material, at({-0.5f, 0.2f, -4}));
+    material.roughness = 0.3f;
+    place(scene, makeQuad(1.0f), material, at({0.8f, -0.2f, -5}));
+    material.roughness = 0.0f;
+    material.baseColor.a = 0.5f;
+    material.alphaMode = AlphaMode::blend;
+    place(scene, makeQuad(0.5f), material, at({0.9f, 0.9f, -3}));
+    place(scene, makeQuad(2.0f), pane, at({0.3f, 0, -7}));
+    Environment environment;
+    environment.picture =
+        makeSky(64, [](const glm::dvec3& d) { return glm::vec3(0.3 + 0.2 * d.x, 0.4, 0.5 + 0.3 * d.y); });
+    environment.isBackground = true;
+    scene.environment = environment;
+    GpuScene shown = upload(scene);
+    scene.environment->isBackground = false;
+    GpuScene hidden = upload(scene);
+    for (const Form& form : forms) {
+        const HdrImage behind = drawn(shown, request(form)), over = drawn(hidden, request(form));
+        int covered = 0, empty = 0;
+        for (std::size_t i = 0; i < over.rgba.size(); i += 4) {
+            EXPECT_EQ(over.rgba[i + 3], behind.rgba[i + 3]) << "alpha is coverage in both";
+            if (over.rgba[i + 3] == 1.0f) {
+                ++covered;
+                // Blending rounds in another order.
+                for (std::size_t c = 0; c < 3; ++c) ASSERT_NEAR(over.rgba[i + c], behind.rgba[i + c], 2.0e-6);
+            }
+            if (over.rgba[i + 3] > 0.0f) continue;
+            ++empty;
+            for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(over.rgba[i + c], 0.0f);
+        }
+        EXPECT_GT(covered, 500) << form.name;
+        EXPECT_GT(empty, 500) << form.name;
+        // The half of the light that the pane of alpha 0.5 leaves is associated with its alpha, of 16 bits.
+        const std::size_t at = 4 * (std::size_t(8) * width + 70);
+        EXPECT_NEAR(over.rgba[at + 3], 0.5f, 1.0e-4f);
+        EXPECT_NEAR(over.rgba[at + 1] + 0.5f * 0.4f, behind.rgba[at + 1], 0.4f * 0.55f / 65535.0f);
     }
 }
 

@@ -91,7 +91,7 @@ class VisibilityTest : public DrawingTest {
             const auto textures =
                 targets.parts.occlusion ? copy.occlusion() : std::span<const std::uint8_t>{};
             const auto bytes = occlusion.compute({uniforms, copy.depth(), copy.surfaces(), copy.shadowWords(),
-                                                  textures, state.occlusion->view(), rays});
+                                                  textures, state.occlusion->view(), rays, copy.rectangle()});
             picture.bytes.assign(bytes.begin(), bytes.end());
             return picture;
         }

@@ -107,6 +107,7 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     frame.width = inputs.targets.width;
     frame.height = inputs.targets.height;
     GBufferCopy& copy = copyOf(inputs);
+    rectangle_ = copy.rectangle();
     frame.surfaces = copy.surfaces().data();
     frame.depth = copy.depth().data();
     frame.environment = inputs.environment == nullptr ? nullptr : &inputs.environment->view();
@@ -129,6 +130,14 @@ TileFrame CpuTiles::frameOf(const LightingInputs& inputs) {
     return frame;
 }
 
+bool CpuTiles::isShaded(int tileX, int tileY) const {
+    const auto overlaps = [](int tile, int first, int size) {
+        return tile * tileSize < first + size && (tile + 1) * tileSize > first;
+    };
+    return overlaps(tileX, rectangle_.x, rectangle_.width) &&
+           overlaps(tileY, rectangle_.y, rectangle_.height);
+}
+
 void CpuTiles::shadeTiles(const TileFrame& frame, BrdfModel brdf, ThreadPool& pool) {
     for (Worker& worker : workers_) {
         worker.reserve(bins_.longest());
@@ -139,8 +148,9 @@ void CpuTiles::shadeTiles(const TileFrame& frame, BrdfModel brdf, ThreadPool& po
     const auto shade = kernel_.shade[static_cast<std::size_t>(brdf)];
     pool.run(bins_.order().size(), [&](std::size_t i, unsigned worker) {
         const std::uint32_t tile = bins_.order()[i];
-        const auto lights = bins_.lights(tile);
         const int x = static_cast<int>(tile) % bins_.columns(), y = static_cast<int>(tile) / bins_.columns();
+        if (!isShaded(x, y)) return;
+        const auto lights = bins_.lights(tile);
         shade(frame, x, y, lights.data(), static_cast<std::uint32_t>(lights.size()),
               *workers_[worker].scratch);
     });
@@ -168,7 +178,7 @@ void CpuTiles::shadeAll(TileFrame frame, BrdfModel brdf) {
 
 void CpuTiles::capture(const LightingInputs& inputs) {
     frame_ = frameOf(inputs);
-    if (inputs.emissionDrawn) readColor(inputs.targets.radiance, frame_.width, frame_.height, radiance_);
+    if (inputs.emissionDrawn) readRadiance(inputs.targets, rectangle_, radiance_);
     brdf_ = inputs.brdf;
 }
 

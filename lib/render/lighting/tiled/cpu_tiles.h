@@ -47,7 +47,9 @@ class CpuTiles final : public LightingTechnique {
     void shadeOnto(std::span<float> sum);
     bool hasEmission() const { return frame_.loadRadiance; }
     /// What the last `shade` has written, until the next `capture`.
-    GBufferTargets::Memory result() const { return {radiance_, {frame_.depth, radiance_.size() / 4}}; }
+    GBufferTargets::Memory result() const {
+        return {radiance_, {frame_.depth, radiance_.size() / 4}, rectangle_};
+    }
     std::uint64_t countEvaluated(const LightingInputs& inputs, PairCounter& counter) override;
     std::uint64_t lightListBytes() const override { return listBytes_; }
     ShadowCounts shadowCounts() const override;
@@ -73,6 +75,7 @@ class CpuTiles final : public LightingTechnique {
 
     GBufferCopy& copyOf(const LightingInputs& inputs);
     TileFrame frameOf(const LightingInputs& inputs);
+    bool isShaded(int tileX, int tileY) const;
     void shadeTiles(const TileFrame& frame, BrdfModel brdf, ThreadPool& pool);
     void shadeAll(TileFrame frame, BrdfModel brdf);
 
@@ -85,7 +88,8 @@ class CpuTiles final : public LightingTechnique {
     std::vector<glm::vec4> keptRecords_, keptCones_;
     std::vector<float> radiance_;
     std::array<float, 256> srgbDecode_;
-    TileFrame frame_{};  ///< Of the last `capture`.
+    TileFrame frame_{};             ///< Of the last `capture`.
+    gl::PixelRectangle rectangle_;  ///< Whose tiles are shaded.
     BrdfModel brdf_ = BrdfModel::course;
 };
 
