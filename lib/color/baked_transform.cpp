@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace candela {
@@ -55,6 +56,7 @@ bool isPerChannel(const OCIO::ConstTransformRcPtr& step) {
         applyTo(cpu, pixels);
         for (std::size_t c = 0; c < 3; ++c) {
             const float together = pixels[c], alone = pixels[4 * (c + 1) + c];
+            if (together == alone) continue;  // Infinity too.
             if (!(std::abs(together - alone) <= 1e-6f * std::max(1.0f, std::abs(alone)))) return false;
         }
     }
@@ -83,13 +85,87 @@ std::vector<float> testColors() {
     return colors;
 }
 
+/// The step of a matrix, if it is one: alpha is 1.
+std::optional<DisplayStep> matrixStep(const OCIO::ConstTransformRcPtr& transform) {
+    const auto matrix = OCIO_DYNAMIC_POINTER_CAST<const OCIO::MatrixTransform>(transform);
+    if (!matrix || matrix->getDirection() != OCIO::TRANSFORM_DIR_FORWARD) return {};
+    double rows[16], offset[4];
+    matrix->getMatrix(rows);
+    matrix->getOffset(offset);
+    DisplayStep step{.kind = DisplayStep::Kind::matrix};
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column)
+            step.matrix[row][column] = float(rows[4 * row + column]);
+        step.matrix[row][3] = float(rows[4 * row + 3] + offset[row]);
+    }
+    return step;
+}
+
+/// The step of a range that clamps, if it is one.
+std::optional<DisplayStep> clampStep(const OCIO::ConstTransformRcPtr& transform) {
+    const auto range = OCIO_DYNAMIC_POINTER_CAST<const OCIO::RangeTransform>(transform);
+    if (!range || range->getStyle() != OCIO::RANGE_CLAMP) return {};
+    const bool hasMin = range->hasMinInValue(), hasMax = range->hasMaxInValue();
+    if (hasMin != range->hasMinOutValue() || hasMax != range->hasMaxOutValue()) return {};
+    if (hasMin && range->getMinInValue() != range->getMinOutValue()) return {};
+    if (hasMax && range->getMaxInValue() != range->getMaxOutValue()) return {};
+    constexpr float unlimited = std::numeric_limits<float>::max();
+    return DisplayStep{.kind = DisplayStep::Kind::clamp,
+                       .low = hasMin ? float(range->getMinInValue()) : -unlimited,
+                       .high = hasMax ? float(range->getMaxInValue()) : unlimited};
+}
+
+void applyPlanes(const void* processor, float* red, float* green, float* blue, std::size_t count) {
+    std::vector<float> alpha(count, 1.0f);
+    OCIO::PlanarImageDesc planes(red, green, blue, alpha.data(), long(count), 1);
+    static_cast<const OCIO::CPUProcessor*>(processor)->apply(planes);
+}
+
+void addOther(const OCIO::ConstCPUProcessorRcPtr& processor, OwnedDisplaySteps& owned) {
+    owned.processors.push_back(processor);
+    owned.steps.push_back(
+        {.kind = DisplayStep::Kind::other, .processor = processor.get(), .apply = applyPlanes});
+}
+
+/// The steps of an exact part: matrices and ranges that clamp are applied as such.
+void addExact(const OCIO::ConstProcessorRcPtr& part, OwnedDisplaySteps& owned) {
+    const Group all = stepsOf(part);
+    for (const OCIO::ConstTransformRcPtr& transform : all) {
+        if (const auto matrix = matrixStep(transform)) {
+            owned.steps.push_back(*matrix);
+            continue;
+        }
+        if (const auto clamp = clampStep(transform)) {
+            owned.steps.push_back(*clamp);
+            continue;
+        }
+        addOther(processorOf({&transform, 1})->getOptimizedCPUProcessor(ocioPrecision), owned);
+    }
+}
+
+/// The curves of a table: a row serves all channels, or each has its own.
+void setCurves(const CurveTable& table, DisplayStep& step, OwnedDisplaySteps& owned) {
+    std::vector<float>& values = owned.tables.emplace_back();
+    table.appendTo(values);
+    const std::size_t next = table.isShared() ? 0 : 2 * std::size_t(CurveTable::rowLength());
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        step.curves[channel] = values.data() + channel * next;
+}
+
 std::string number(std::size_t value) {
     return std::to_string(value);
 }
 
 }  // namespace
 
-std::optional<BakedTransform> BakedTransform::make(const OCIO::ConstProcessorRcPtr& processor) {
+OwnedDisplaySteps exactStep(const OCIO::ConstCPUProcessorRcPtr& processor) {
+    OwnedDisplaySteps owned;
+    addOther(processor, owned);
+    return owned;
+}
+
+std::optional<BakedTransform> BakedTransform::make(const OCIO::ConstProcessorRcPtr& processor,
+                                                   std::size_t minCurves) {
     const Group all = stepsOf(processor);
     BakedTransform baked;
     std::size_t curves = 0;
@@ -123,9 +199,9 @@ std::optional<BakedTransform> BakedTransform::make(const OCIO::ConstProcessorRcP
         exactFrom = i = end;
     }
     add(Step::Kind::exact, exactFrom, all.size());
-    if (curves < 2) return {};
-    Step& last = baked.steps_.back();
-    if (last.kind == Step::Kind::curves) last.table->clampToCodes();
+    if (curves < minCurves) return {};
+    if (!baked.steps_.empty() && baked.steps_.back().kind == Step::Kind::curves)
+        baked.steps_.back().table->clampToCodes();
     const auto exact = processor->getOptimizedCPUProcessor(ocioPrecision);
     if (!(baked.maxError(exact) <= errorLimit)) return {};
     return baked;
@@ -150,6 +226,23 @@ float BakedTransform::maxError(const OCIO::ConstCPUProcessorRcPtr& exact) const 
     for (std::size_t i = 0; i < expected.size(); ++i)
         max = std::max(max, std::abs(sanitizedCode(expected[i]) - sanitizedCode(actual[i])));
     return 255.0f * max;
+}
+
+OwnedDisplaySteps BakedTransform::steps() const {
+    OwnedDisplaySteps owned;
+    owned.tables.reserve(steps_.size());  // Steps refer to what the tables hold.
+    for (const Step& step : steps_) {
+        if (step.kind == Step::Kind::exact) {
+            addExact(step.processor, owned);
+            continue;
+        }
+        const auto kind = step.kind == Step::Kind::glowAndRed  ? DisplayStep::Kind::glowAndRed
+                          : step.kind == Step::Kind::darkToDim ? DisplayStep::Kind::darkToDim
+                                                               : DisplayStep::Kind::curves;
+        owned.steps.push_back({.kind = kind});
+        if (step.table) setCurves(*step.table, owned.steps.back(), owned);
+    }
+    return owned;
 }
 
 DisplayShader BakedTransform::shader() const {

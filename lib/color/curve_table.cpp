@@ -1,5 +1,7 @@
 #include "color/curve_table.h"
 
+#include "color/curve_segments.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -8,33 +10,19 @@ namespace candela {
 
 namespace {
 
-// 128 segments per octave approximate a power function to a relative error of 1e-5; display curves are
-// locally powers. That is more than 8 bits need, but a view's matrix subtracts channels from each other, and
-// near black the display's curve amplifies the remaining error. On llvmpipe 32 segments per octave are no
-// faster. `start` is added to a number before its bits are taken, so that the segments below it have a
-// constant length down to zero: 2^-31, over which the steepest of the displays' curves, gamma 2.6, rises by a
-// fifteenth of a code.
-constexpr float start = 1.0f / 16777216.0f;
-constexpr int segmentBits = 16;
-constexpr std::int32_t startBits = std::bit_cast<std::int32_t>(start);  // a multiple of a segment
-constexpr std::int32_t endBits = std::bit_cast<std::int32_t>(CurveTable::end);
-constexpr int segments = (endBits - startBits) >> segmentBits;
-constexpr std::int32_t lastBits = startBits + (segments << segmentBits) - 1;
-constexpr std::int32_t segmentMask = (1 << segmentBits) - 1;
-
 float numberAt(int segment) {
-    return std::bit_cast<float>(startBits + (segment << segmentBits)) - start;
+    return std::bit_cast<float>(curveStartBits + (segment << curveSegmentBits)) - curveStart;
 }
 
 float slope(const std::vector<float>& row, std::size_t segment) {
-    return (row[segment + 1] - row[segment]) * (1.0f / float(1 << segmentBits));
+    return (row[segment + 1] - row[segment]) * (1.0f / float(1 << curveSegmentBits));
 }
 
 }  // namespace
 
 CurveTable::CurveTable(const Function& function) {
     std::vector<Values> values;
-    for (int i = 0; i <= segments; ++i) values.push_back({numberAt(i), numberAt(i), numberAt(i)});
+    for (int i = 0; i <= curveSegments; ++i) values.push_back({numberAt(i), numberAt(i), numberAt(i)});
     function(values);
     rows_.resize(3);
     for (const Values& value : values) {
@@ -52,9 +40,9 @@ void CurveTable::clampToCodes() {
 
 float CurveTable::at(int channel, float x) const {
     const Row& row = rows_[isShared() ? 0 : std::size_t(channel)];
-    const std::int32_t bits = std::clamp(std::bit_cast<std::int32_t>(x + start), startBits, lastBits);
-    const auto segment = std::size_t((bits - startBits) >> segmentBits);
-    return row[segment] + float(bits & segmentMask) * slope(row, segment);
+    const std::int32_t bits = std::clamp(std::bit_cast<std::int32_t>(x + curveStart), curveStartBits, curveLastBits);
+    const auto segment = std::size_t((bits - curveStartBits) >> curveSegmentBits);
+    return row[segment] + float(bits & curveSegmentMask) * slope(row, segment);
 }
 
 int CurveTable::appendTo(std::vector<float>& texels) const {
@@ -65,11 +53,11 @@ int CurveTable::appendTo(std::vector<float>& texels) const {
 }
 
 int CurveTable::rowLength() {
-    return segments;
+    return curveSegments;
 }
 
 std::string CurveTable::glsl() {
-    const std::string first = std::to_string(startBits), last = std::to_string(lastBits);
+    const std::string first = std::to_string(curveStartBits), last = std::to_string(curveLastBits);
     // As integers, the bits of negative numbers are negative and those of NaN lie beyond all others, so that
     // the clamp covers both.
     return "uniform samplerBuffer candelaCurves;\n"
@@ -78,10 +66,10 @@ std::string CurveTable::glsl() {
            first + ")), " + first + ", " + last +
            ");\n"
            "    vec2 segment = texelFetch(candelaCurves, firstTexel + (bits >> " +
-           std::to_string(segmentBits) + ") - " + std::to_string(startBits >> segmentBits) +
+           std::to_string(curveSegmentBits) + ") - " + std::to_string(curveStartBits >> curveSegmentBits) +
            ").rg;\n"
            "    return segment.x + float(bits & " +
-           std::to_string(segmentMask) +
+           std::to_string(curveSegmentMask) +
            ") * segment.y;\n"
            "}\n";
 }

@@ -10,11 +10,9 @@ namespace candela {
 /// A function of one number, or of each channel of a colour, as a table of linear segments. A segment is
 /// indexed by the bits of a floating-point number: no logarithm is needed to distribute them over octaves.
 ///
-/// The domain is 0 to `end`; arguments beyond it are clamped. NaN gives the value of either end.
+/// The domain is 0 to `curveEnd`; arguments beyond it are clamped. NaN gives the value of either end.
 class CurveTable {
   public:
-    static constexpr float end = 131072.0f;  ///< Twice the largest radiance.
-
     /// A value of the function for each channel, of the same number.
     struct Values {
         float red, green, blue;

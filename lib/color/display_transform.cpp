@@ -3,9 +3,37 @@
 
 #include "color/display_transform.h"
 
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <string>
 #include <utility>
 
 namespace candela {
+
+namespace {
+
+using KeptSteps = std::shared_ptr<const OwnedDisplaySteps>;
+
+KeptSteps makeSteps(const DisplayTransform::State& state) {
+    const auto baked = BakedTransform::make(state.processor, 0);
+    return std::make_shared<OwnedDisplaySteps>(baked ? baked->steps() : exactStep(state.cpu));
+}
+
+/// Transforms that differ in exposure alone have the same steps, which are kept for the last few processors.
+KeptSteps keptSteps(const DisplayTransform::State& state) {
+    constexpr std::size_t maxKept = 16;
+    static std::mutex mutex;
+    static std::deque<std::pair<std::string, KeptSteps>> kept;
+    const std::string id = state.processor->getCacheID();
+    const std::lock_guard lock(mutex);
+    for (const auto& [known, steps] : kept)
+        if (known == id) return steps;
+    if (kept.size() == maxKept) kept.pop_front();
+    return kept.emplace_back(id, makeSteps(state)).second;
+}
+
+}  // namespace
 
 DisplayTransform::DisplayTransform(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
@@ -34,6 +62,12 @@ void DisplayTransform::apply(std::span<float> rgba) const {
         for (std::size_t i = 0; i < part.size(); ++i)
             if (i % 4 != 3) part[i] = sanitizedCode(pixels[i]);
     }
+}
+
+std::span<const DisplayStep> displaySteps(const DisplayTransform& transform) {
+    const DisplayTransform::State& state = transform.state();
+    std::call_once(state.stepsOnce, [&] { state.steps = keptSteps(state); });
+    return state.steps->steps;
 }
 
 }  // namespace candela

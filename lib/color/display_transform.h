@@ -2,11 +2,13 @@
 
 #include <candela/color.h>
 
+#include "color/baked_transform.h"
 #include "color/display_shader.h"
 #include "color/ocio.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -23,6 +25,8 @@ struct DisplayTransform::State {
     mutable DisplayShader shader;
     mutable std::once_flag bakedOnce;
     mutable std::optional<DisplayShader> baked;
+    mutable std::once_flag stepsOnce;
+    mutable std::shared_ptr<const OwnedDisplaySteps> steps;
 };
 
 // The rule for numbers outside the range of colours, on the CPU and in GLSL: before the transform, NaN

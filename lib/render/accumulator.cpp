@@ -6,6 +6,7 @@
 #include "render/debug/aovs.h"
 #include "render/display/display_pass.h"
 #include "render/display/display_target.h"
+#include "render/display/memory_display.h"
 #include "render/gbuffer/readback.h"
 #include "render/renderer_state.h"
 
@@ -34,6 +35,11 @@ std::string sizeText(int width, int height) {
 AovFilter resolved(AovFilter filter, const GBufferChannel& channel) {
     if (filter != AovFilter::automatic) return filter;
     return channel.filter == SampleFilter::average ? AovFilter::average : AovFilter::first;
+}
+
+/// The mean, where the sums are in memory; else without radiance.
+MemoryPicture meanInMemory(SampleSums& sums) {
+    return {sums.isInMemory() ? sums.meanInMemory() : std::span<const float>{}, sums.width(), sums.height()};
 }
 
 /// The sum of the samples of an AOV, or its first sample.
@@ -82,6 +88,7 @@ struct Accumulator::State {
     std::vector<AovSum> aovSums;     ///< As `options.aovs`; empty before the first frame.
     gl::PassTimer timer;
     DisplayPass display;
+    MemoryDisplay memoryDisplay;
     std::optional<DisplayTarget> displayTarget;
 };
 
@@ -205,13 +212,22 @@ void Accumulator::display(const DisplayTransform& transform, const FrameTarget& 
     const gl::StateGuard guard(*state.binding, user);
     requireTarget(target);
     const gl::PassTimer::Scope pass(state.timer, "display");
-    const gl::Texture& mean = state.sums->mean();
-    state.display.render({mean, state.sums->width(), state.sums->height(), transform, target});
+    SampleSums& sums = *state.sums;
+    if (const MemoryPicture mean = meanInMemory(sums);
+        !mean.radiance.empty() && MemoryDisplay::suits(target)) {
+        state.memoryDisplay.render(mean, transform, target);
+    } else {
+        state.display.render({sums.mean(), sums.width(), sums.height(), transform, target});
+    }
 }
 
 std::vector<std::uint8_t> Accumulator::displayPicture(const DisplayTransform& transform) const {
     State& state = filled();
     const gl::StateGuard guard(*state.binding, user);
+    if (const MemoryPicture mean = meanInMemory(*state.sums); !mean.radiance.empty()) {
+        const gl::PassTimer::Scope pass(state.timer, "display");
+        return state.memoryDisplay.codes(mean, transform);
+    }
     if (!state.displayTarget) state.displayTarget.emplace(state.sums->width(), state.sums->height());
     display(transform, {.framebuffer = state.displayTarget->framebuffer.name()});
     return state.displayTarget->read();
@@ -221,7 +237,10 @@ HdrImage Accumulator::radiance() const {
     State& state = filled();
     const gl::StateGuard guard(*state.binding, user);
     const int width = state.sums->width(), height = state.sums->height();
-    HdrImage image{width, height, readColor(state.sums->mean(), width, height)};
+    const MemoryPicture mean = meanInMemory(*state.sums);
+    HdrImage image{width, height,
+                   mean.radiance.empty() ? readColor(state.sums->mean(), width, height)
+                                         : std::vector<float>(mean.radiance.begin(), mean.radiance.end())};
     flipRows(image.rgba, width, height);
     return image;
 }

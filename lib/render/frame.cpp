@@ -77,10 +77,7 @@ void Frame::display(const DisplayTransform& transform, const FrameTarget& target
 std::vector<std::uint8_t> Frame::displayPicture(const DisplayTransform& transform) const {
     Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
-    const int width = state.targets->width, height = state.targets->height;
-    if (!state.displayTarget) state.displayTarget.emplace(width, height);
-    state.displayFrame(transform, {.framebuffer = state.displayTarget->framebuffer.name()});
-    return state.displayTarget->read();
+    return state.displayPicture(transform);
 }
 
 LayerCounts Frame::layerCounts() const {

@@ -41,9 +41,8 @@ bool Renderer::State::canOverlapSamples(const GpuScene::State& scene) const {
     const bool surfacesRest = !scene.hasCages() && !scene.hasDeformations() && !scene.draws.hasTransparent();
     // What has lobes may come into view in a later sample, and the targets are those of the first.
     const bool hasLobeWords = targets->parts.lobes == scene.materials.hasLobes();
-    const bool hasLines = settings.overlays.wireframe || settings.overlays.cage;
     return onCpu && surfacesRest && hasLobeWords && !isBackground && settings.debugView == DebugView::none &&
-           !hasLines;
+           !hasLines(settings.overlays);
 }
 
 /// Inputs of the CPU tiles, which read a copy of the targets for themselves.

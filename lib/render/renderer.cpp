@@ -32,10 +32,6 @@ gl::PassTimer::Clock clockOf(const Context& context) {
 /// Of orthographic views: twice the size of the largest scene that `validate` takes.
 constexpr float maxFarPlane = 4.0e9f;
 
-bool hasLines(const Overlays& overlays) {
-    return overlays.wireframe || overlays.cage;
-}
-
 bool castsShadows(const FrameSettings& settings) {
     return settings.shadows != Shadows::off && hasShadows();
 }
@@ -291,17 +287,6 @@ glm::vec3 Renderer::State::emissionAt(const GpuScene::State& scene, int x, int y
     if (!draws.emits(SurfaceSet::all)) return glm::vec3(0.0f);
     const gl::Scissor pixel({x, y, 1, 1});
     return readColorAt(drawEmission(scene).radiance, x, y);
-}
-
-void Renderer::State::displayFrame(const DisplayTransform& transform, const FrameTarget& target) {
-    const FrameSettings& settings = frame->settings;
-    const gl::PassTimer::Scope pass(timer, "display");
-    if (settings.debugView == DebugView::none) {
-        display.render({targets->litRadiance(), settings.width, settings.height, transform, target});
-    } else {
-        debugView->display(*targets, target);
-    }
-    if (hasLines(settings.overlays)) overlays->display(target);
 }
 
 void Renderer::State::describeFrame(const GpuScene::State& scene, const CameraView& requested,

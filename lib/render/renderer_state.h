@@ -8,6 +8,7 @@
 #include "render/debug/overlay_pass.h"
 #include "render/display/display_pass.h"
 #include "render/display/display_target.h"
+#include "render/display/memory_display.h"
 #include "render/environment/environment_pass.h"
 #include "render/frustum.h"
 #include "render/gbuffer/gbuffer_copy.h"
@@ -30,6 +31,10 @@
 #include <vector>
 
 namespace candela {
+
+inline bool hasLines(const Overlays& overlays) {
+    return overlays.wireframe || overlays.cage;
+}
 
 /// What a frame traces rays for.
 struct TracedRays {
@@ -116,6 +121,8 @@ struct Renderer::State {
     glm::vec3 emissionAt(const GpuScene::State& scene, int x, int y);
     /// Shows the frame and its overlays in a complete framebuffer.
     void displayFrame(const DisplayTransform& transform, const FrameTarget& target);
+    /// The same as 8-bit RGBA, rows from the top.
+    std::vector<std::uint8_t> displayPicture(const DisplayTransform& transform);
 
     std::shared_ptr<gl::ContextBinding> binding;
     gl::PassTimer timer;
@@ -123,6 +130,7 @@ struct Renderer::State {
     Lighting lighting;
     EnvironmentPass environment;
     DisplayPass display;
+    MemoryDisplay memoryDisplay;
     gl::Buffer frameBuffer;
     InstancePass instances;
     DrawSelection draws;  ///< Of the frame's view.
@@ -177,6 +185,10 @@ struct Renderer::State {
     void drawBackground(const GpuScene::State& scene);
     void drawDebugView(const GpuScene::State& scene);
     void drawOverlays(GpuScene::State& scene);
+    /// The lit frame where a technique has left it in memory; else, and in a debug view, without radiance.
+    MemoryPicture pictureInMemory() const {
+        return {targets->memory.radiance, targets->width, targets->height};
+    }
     /// Targets with the shadow word, from which occlusion rays start, with `scene.occlusion` in step: those
     /// `shown`, or drawn again for a frame without shadows.
     const GBufferTargets& prepareRays(GpuScene::State& scene, const GBufferTargets& shown);

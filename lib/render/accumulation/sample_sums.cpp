@@ -60,7 +60,7 @@ void SampleSums::clear() {
     }
     memory_.largeSum.clear();
     onDevice_ = false;
-    count_ = meanOf_ = 0;
+    count_ = meanOf_ = memory_.meanOf = 0;
 }
 
 void SampleSums::add(const GBufferTargets& targets) {
@@ -148,25 +148,28 @@ void SampleSums::writeMeanOnDevice(float divisor, const SampleTarget& into) cons
     draw(device_->meanProgram, into);
 }
 
-void SampleSums::writeMeanInMemory(float divisor) {
-    std::vector<float> mean(memory_.sum.size());
+std::span<const float> SampleSums::meanInMemory() {
+    if (memory_.meanOf == count_) return memory_.mean;
+    memory_.meanOf = count_;
+    memory_.mean.resize(memory_.sum.size());
+    const auto divisor = static_cast<float>(count_);
     forSpans(memory_.coverage.size(), [&](std::size_t first, std::size_t end) {
+        float* mean = memory_.mean.data();
         for (std::size_t c = 4 * first; c < 4 * end; ++c) {
             const float large = memory_.largeSum.empty() ? 0.0f : memory_.largeSum[c];
             mean[c] = (memory_.sum[c] + large) / divisor;
         }
         for (std::size_t i = first; i < end; ++i) mean[4 * i + 3] = memory_.coverage[i] / divisor;
     });
-    upload(mean_, width_, height_, mean);
+    return memory_.mean;
 }
 
 const gl::Texture& SampleSums::mean() {
     if (meanOf_ == count_) return mean_.texture;
-    const auto divisor = static_cast<float>(count_);
     if (onDevice_)
-        writeMeanOnDevice(divisor, mean_);
+        writeMeanOnDevice(static_cast<float>(count_), mean_);
     else
-        writeMeanInMemory(divisor);
+        upload(mean_, width_, height_, meanInMemory());
     meanOf_ = count_;
     return mean_.texture;
 }

@@ -43,6 +43,8 @@ class SampleSums {
 
     /// The mean of the frames added, of which there is one or more: RGBA32F, coverage in A.
     const gl::Texture& mean();
+    /// The same where the sums are in memory, without OpenGL.
+    std::span<const float> meanInMemory();
 
   private:
     /// The sums on the device, and what draws into them.
@@ -55,7 +57,8 @@ class SampleSums {
     /// The sums in memory, RGBA without meaning in A, rows from the bottom; `largeSum` is empty before it is
     /// needed. Coverage is a whole number of frames, exact in single precision.
     struct Memory {
-        std::vector<float> sum, largeSum, coverage;
+        std::vector<float> sum, largeSum, coverage, mean;
+        std::uint32_t meanOf = 0;  ///< The count of which `mean` is.
     };
 
     void addOnDevice(const GBufferTargets& targets);
@@ -65,7 +68,6 @@ class SampleSums {
     void draw(const gl::Program& program, const SampleTarget& into) const;
     /// Writes the sum of both levels over `divisor`.
     void writeMeanOnDevice(float divisor, const SampleTarget& into) const;
-    void writeMeanInMemory(float divisor);
 
     int width_, height_;
     std::uint32_t count_ = 0;

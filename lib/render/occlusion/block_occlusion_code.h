@@ -133,9 +133,10 @@ inline std::uint32_t raysHidden(const TrianglesSeen& seen, int lane, const Block
 
 // ---- The rays against boxes
 
-/// The rays as a box is clipped by them: origin + t × direction, t from 0 to `maxT`.
+/// The rays as they are clipped by boxes. The side of a box at the coordinate `c` of an axis is met at
+/// c × inverse + offset of that axis, for 0 to `maxT`.
 struct ClippedRays {
-    BlockVectors origins, inverse;  ///< One over the directions.
+    BlockVectors inverse, offset;
     float maxT;
     float rounding;  ///< More than boxes and rays together are off.
 };
@@ -154,11 +155,10 @@ inline ClippedRays clippedRays(const BlockRays& rays) {
         const Vec3 from = isPoint ? splat3(rays.origin) : splat3(rays.origin) + end;
         const Vec3 way = isPoint ? end : splat3(rays.light.place);
         largest = max(largest, max(maxMagnitude(splat3(rays.origin)), maxMagnitude(end)));
-        store(clipped.origins.x + first, from.x), store(clipped.origins.y + first, from.y);
-        store(clipped.origins.z + first, from.z);
-        store(clipped.inverse.x + first, inverseOf(way.x)),
-            store(clipped.inverse.y + first, inverseOf(way.y));
-        store(clipped.inverse.z + first, inverseOf(way.z));
+        const Vec3 inverse{inverseOf(way.x), inverseOf(way.y), inverseOf(way.z)};
+        store(clipped.inverse.x + first, inverse.x), store(clipped.offset.x + first, -from.x * inverse.x);
+        store(clipped.inverse.y + first, inverse.y), store(clipped.offset.y + first, -from.y * inverse.y);
+        store(clipped.inverse.z + first, inverse.z), store(clipped.offset.z + first, -from.z * inverse.z);
     }
     clipped.rounding = -2.0e-6f * minOfLanes(-largest);
     return clipped;
@@ -170,17 +170,17 @@ inline std::uint32_t raysInto(const ClippedRays& rays, ChildBox box) {
     const int lane = box.lane;
     std::uint32_t into = 0;
     for (int first = 0; first < raysPerBlock; first += laneCount) {
-        const Vec3 origin = rays.origins.lanes(first), inverse = rays.inverse.lanes(first);
+        const Vec3 inverse = rays.inverse.lanes(first), offset = rays.offset.lanes(first);
         Floats low = splat(0.0f), high = splat(rays.maxT);
-        const auto clip = [&](Floats from, Floats scale, float lower, float upper) {
-            const Floats a = (lower - rays.rounding - from) * scale,
-                         b = (upper + rays.rounding - from) * scale;
+        const auto clip = [&](Floats scale, Floats shift, float lower, float upper) {
+            const Floats a = (lower - rays.rounding) * scale + shift,
+                         b = (upper + rays.rounding) * scale + shift;
             low = max(low, min(a, b));
             high = min(high, max(a, b));
         };
-        clip(origin.x, inverse.x, node.minX[lane], node.maxX[lane]);
-        clip(origin.y, inverse.y, node.minY[lane], node.maxY[lane]);
-        clip(origin.z, inverse.z, node.minZ[lane], node.maxZ[lane]);
+        clip(inverse.x, offset.x, node.minX[lane], node.maxX[lane]);
+        clip(inverse.y, offset.y, node.minY[lane], node.maxY[lane]);
+        clip(inverse.z, offset.z, node.minZ[lane], node.maxZ[lane]);
         into |= laneBits(low <= high * (1.0f + hullTolerance) + hullTolerance) << first;
     }
     return into;
