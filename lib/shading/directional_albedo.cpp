@@ -1,5 +1,7 @@
 #include "shading/directional_albedo.h"
 
+#include "base/thread_pool.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -152,13 +154,14 @@ using AlbedoTable = std::array<float, std::size_t{2} * albedoTableSize * albedoT
 AlbedoTable computeTable(BrdfModel model) {
     AlbedoTable table{};
     constexpr double last = albedoTableSize - 1;
-    for (int j = 0; j < albedoTableSize; ++j) {
+    ThreadPool::shared()->run(albedoTableSize, [&](std::size_t row, unsigned) {
+        const int j = static_cast<int>(row);
         const Lobe lobe(model, j / last);
         for (int i = 0; i < albedoTableSize; ++i) {
             const auto texel = tableTexel(i / last, lobe);
             std::copy(texel.begin(), texel.end(), table.begin() + 2 * (j * albedoTableSize + i));
         }
-    }
+    });
     return table;
 }
 

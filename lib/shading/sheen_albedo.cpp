@@ -1,5 +1,6 @@
 #include "shading/sheen_albedo.h"
 
+#include "base/thread_pool.h"
 #include "shading/argument_checks.h"
 
 #include <glm/common.hpp>
@@ -47,14 +48,15 @@ using Table = std::array<float, std::size_t{2} * albedoTableSize * albedoTableSi
 
 Table computeTable() {
     Table table{};
-    for (int j = 0; j < albedoTableSize; ++j) {
+    ThreadPool::shared()->run(albedoTableSize, [&](std::size_t row, unsigned) {
+        const int j = static_cast<int>(row);
         const double roughness = MIN_SHEEN_ROUGHNESS + (1.0 - MIN_SHEEN_ROUGHNESS) * j / last;
         for (int i = 0; i < albedoTableSize; ++i) {
             const double nDotV = std::max(i / last * (i / last), minNDotV);
             table[static_cast<std::size_t>(2 * (j * albedoTableSize + i))] =
                 static_cast<float>(integratedAlbedo(nDotV, roughness) * sheenAlbedoBias);
         }
-    }
+    });
     return table;
 }
 
