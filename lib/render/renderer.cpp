@@ -163,7 +163,7 @@ void Renderer::State::light(const GpuScene::State& scene, ShadedSurfaces& shaded
 
 void Renderer::State::drawBackground(const GpuScene::State& scene) {
     const gl::PassTimer::Scope pass(timer, "background");
-    targets->litRadiance();  // The background is drawn over it.
+    targets->takeLitRadiance();  // The background is drawn over it.
     environment.drawBackground(*targets, *scene.environment);
 }
 

@@ -37,10 +37,12 @@ bool isRed(const PngPicture& picture) {
 }
 
 constexpr const char* red = "    code = vec4(1.0, 0.0, 0.0, 1.0);\n";
+/// A technique whose frames the shader `display.frag` shows on software devices, too.
+constexpr const char* onDevice = "volumes";
 constexpr const char* wrong = "    this is no GLSL;\n";
 
 TEST_F(ShaderSession, ABrokenShaderIsAnErrorUntilItIsFixedAndTheLastGoodProgramStays) {
-    ViewSession session({"square.gltf", "--size", smallSize});
+    ViewSession session({"square.gltf", "--size", smallSize, "--technique", onDevice});
     session.awaitScene();
     const PngPicture first = session.picture();
     const std::string good = text("display.frag");
@@ -100,7 +102,7 @@ TEST_F(ShaderSession, AProgramThatIsCompiledLaterFailsWithAMessage) {
 }
 
 TEST_F(ShaderSession, CagesAndEditsSurviveAReload) {
-    ViewSession session({"sculpture:64", "--size", smallSize});
+    ViewSession session({"sculpture:64", "--size", smallSize, "--technique", onDevice});
     session.awaitScene();
     session.document().scatterLights({.count = 40, .range = 9.0f, .candela = 20.0f, .seed = 2});
     const PngPicture first = session.picture();
@@ -113,7 +115,7 @@ TEST_F(ShaderSession, CagesAndEditsSurviveAReload) {
 }
 
 TEST_F(ShaderSession, AreReloadedWithoutAScene) {
-    ViewSession session({"--size", smallSize});
+    ViewSession session({"--size", smallSize, "--technique", onDevice});
     const std::string good = text("display.frag");
     session.step(2);
     insert("display.frag", good, red);

@@ -101,7 +101,7 @@ void GBufferTargets::bind() const {
 }
 
 const gl::Texture& GBufferTargets::litRadiance() const {
-    if (!memory.radiance.empty()) {
+    if (!memory.radiance.empty() && !memory.isUploaded) {
         const gl::PixelRectangle& part = memory.rectangle;
         const std::size_t first = static_cast<std::size_t>(part.y) * static_cast<std::size_t>(width) +
                                   static_cast<std::size_t>(part.x);
@@ -109,8 +109,14 @@ const gl::Texture& GBufferTargets::litRadiance() const {
         glTextureSubImage2D(radiance.name(), 0, part.x, part.y, part.width, part.height, GL_RGBA, GL_FLOAT,
                             memory.radiance.data() + 4 * first);
         glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-        memory = {};
+        memory.isUploaded = true;
     }
+    return radiance;
+}
+
+const gl::Texture& GBufferTargets::takeLitRadiance() const {
+    litRadiance();
+    memory = {};
     return radiance;
 }
 

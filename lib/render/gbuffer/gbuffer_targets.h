@@ -85,8 +85,10 @@ struct GBufferTargets {
     void clearRadiance() const;  ///< To black.
     /// Binds the word textures and the depth for reading by shaders.
     void bind() const;
-    /// The radiance of the frame, after its lighting: writes it first where it is still in memory.
+    /// The radiance of the frame, after its lighting: writes it first where it is only in memory.
     const gl::Texture& litRadiance() const;
+    /// The same for a pass that draws over it: what is in memory is out of date then.
+    const gl::Texture& takeLitRadiance() const;
 
     int width, height;
     GBufferParts parts;
@@ -99,12 +101,12 @@ struct GBufferTargets {
     gl::Framebuffer surfacesAndEmission;  ///< Words, radiance and depth.
     gl::Framebuffer lit;                  ///< Radiance alone.
     gl::Framebuffer litWithDepth;         ///< Radiance and depth.
-    /// What a technique on the CPU has left in its own memory: the radiance that `radiance` is still to get,
-    /// RGBA, and the depth, rows from the bottom, both defined in a rectangle. Empty where `radiance` holds
-    /// all.
+    /// What a technique on the CPU has left in its own memory: the lit radiance, RGBA, and the depth, rows
+    /// from the bottom, both defined in a rectangle. Empty where only `radiance` holds it.
     struct Memory {
         std::span<const float> radiance, depth;
         gl::PixelRectangle rectangle;
+        bool isUploaded = false;  ///< `radiance` holds it too.
     };
     mutable Memory memory;
 };

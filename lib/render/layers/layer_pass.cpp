@@ -104,7 +104,7 @@ void LayerPass::copyBackdrop(const GBufferTargets& frame, const gl::PixelRectang
 
 void LayerPass::composite(std::uint32_t count, const GBufferTargets& frame, Backdrop backdrop,
                           const DrawBehind& drawBehind) {
-    frame.litRadiance();  // The layers are drawn over it.
+    frame.takeLitRadiance();  // The layers are drawn over it.
     glBindTextureUnit(layout::OPAQUE_DEPTH_UNIT, frame.depth.name());
     const gl::Program& program = programOf("layer_composite.frag", backdrop);
     for (std::uint32_t i = count; i-- > 0;) {
