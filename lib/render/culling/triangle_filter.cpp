@@ -3,6 +3,7 @@
 #include "base/thread_pool.h"
 #include "gl/buffer_mapping.h"
 #include "render/gpu_scene/gpu_scene_state.h"
+#include "render/instruction_sets.h"
 
 #include <glm/mat3x4.hpp>
 #include <glm/vec4.hpp>
@@ -73,10 +74,8 @@ extern const TriangleFilterKernel triangleKernelAvx2, triangleKernelAvx512;
 std::vector<const TriangleFilterKernel*> triangleFilterKernels() {
     std::vector<const TriangleFilterKernel*> kernels;
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-        kernels.push_back(&triangleKernelAvx512);
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        kernels.push_back(&triangleKernelAvx2);
+    if (runsAvx512Kernels()) kernels.push_back(&triangleKernelAvx512);
+    if (runsAvx2Kernels()) kernels.push_back(&triangleKernelAvx2);
 #endif
     kernels.push_back(&triangleKernelBaseline);
     return kernels;

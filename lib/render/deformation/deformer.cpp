@@ -2,6 +2,7 @@
 
 #include "base/thread_pool.h"
 #include "gl/buffer_mapping.h"
+#include "render/instruction_sets.h"
 #include "render/layout.h"
 
 #include <candela/error.h>
@@ -54,7 +55,7 @@ std::vector<const DeformKernel*> deformKernels() {
     std::vector<const DeformKernel*> kernels;
 #if defined(__x86_64__)
     // Wider vectors gain nothing: blending has as many loads with them.
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) kernels.push_back(&deformKernelAvx2);
+    if (runsAvx2Kernels()) kernels.push_back(&deformKernelAvx2);
 #endif
     kernels.push_back(&deformKernelBaseline);
     return kernels;

@@ -1,6 +1,7 @@
 #include "render/display/memory_display.h"
 
 #include "base/thread_pool.h"
+#include "render/instruction_sets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,10 +45,8 @@ extern const DisplayKernel displayKernelAvx2, displayKernelAvx512;
 std::vector<const DisplayKernel*> displayKernels() {
     std::vector<const DisplayKernel*> kernels;
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-        kernels.push_back(&displayKernelAvx512);
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        kernels.push_back(&displayKernelAvx2);
+    if (runsAvx512Kernels()) kernels.push_back(&displayKernelAvx512);
+    if (runsAvx2Kernels()) kernels.push_back(&displayKernelAvx2);
 #endif
     kernels.push_back(&displayKernelBaseline);
     return kernels;

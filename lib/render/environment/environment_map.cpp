@@ -1,6 +1,7 @@
 #include "render/environment/environment_map.h"
 
 #include "base/thread_pool.h"
+#include "render/instruction_sets.h"
 #include "render/layout.h"
 
 #include <glm/vec2.hpp>
@@ -20,10 +21,8 @@ extern const EnvironmentKernel environmentKernelAvx2, environmentKernelAvx512;
 std::vector<const EnvironmentKernel*> environmentKernels() {
     std::vector<const EnvironmentKernel*> kernels;
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-        kernels.push_back(&environmentKernelAvx512);
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        kernels.push_back(&environmentKernelAvx2);
+    if (runsAvx512Kernels()) kernels.push_back(&environmentKernelAvx512);
+    if (runsAvx2Kernels()) kernels.push_back(&environmentKernelAvx2);
 #endif
     kernels.push_back(&environmentKernelBaseline);
     return kernels;

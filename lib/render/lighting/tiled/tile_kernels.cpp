@@ -1,5 +1,7 @@
 #include "render/lighting/tiled/tile_kernel.h"
 
+#include "render/instruction_sets.h"
+
 namespace candela {
 
 extern const TileKernel tileKernelBaseline;
@@ -10,9 +12,8 @@ extern const TileKernel tileKernelAvx2, tileKernelAvx512;
 std::vector<const TileKernel*> tileKernels() {
     std::vector<const TileKernel*> kernels;
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-        kernels.push_back(&tileKernelAvx512);
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) kernels.push_back(&tileKernelAvx2);
+    if (runsAvx512Kernels()) kernels.push_back(&tileKernelAvx512);
+    if (runsAvx2Kernels()) kernels.push_back(&tileKernelAvx2);
 #endif
     kernels.push_back(&tileKernelBaseline);
     return kernels;
