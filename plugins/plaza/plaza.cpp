@@ -57,20 +57,6 @@ void addSpheres(const Host& host) {
         }
 }
 
-// At (0, 12, 45), looking at the origin: rotated about x by the angle whose cosine is 45 / |eye|. Square
-// roots and divisions round the same on every machine.
-void addPlacedCamera(const Host& host) {
-    constexpr double height = 12.0, distance = 45.0;
-    const double cosine = distance / std::sqrt(height * height + distance * distance);
-    const std::string name = "camera";
-    candela_node node = plainNode(name, -1);
-    node.translation[1] = static_cast<float>(height);
-    node.translation[2] = static_cast<float>(distance);
-    node.rotation[0] = static_cast<float>(-std::sqrt((1.0 - cosine) / 2.0));
-    node.rotation[3] = static_cast<float>(std::sqrt((1.0 + cosine) / 2.0));
-    addCamera(host, node);
-}
-
 candela_light lightAt(std::uint32_t index) {
     const auto drawn = [&](Property property, double low, double high) {
         return static_cast<float>(between(low, high, hashedFraction(index, property)));
@@ -90,7 +76,7 @@ void makePlaza(const Host& host, const std::string& arguments) {
     const std::uint32_t lights = parseCount(arguments, "number of lights", "plaza:4096");
     addGround(host);
     addSpheres(host);
-    addPlacedCamera(host);
+    addCameraAt(host, 12.0, 45.0);
     addLights(host, lights, lightAt);
 }
 

@@ -109,6 +109,19 @@ void addCamera(const Host& host, const candela_node& node) {
     host.add(camera);
 }
 
+// Rotated about x by the angle whose cosine is distance / |eye|. Square roots and divisions round the same on
+// every machine.
+void addCameraAt(const Host& host, double height, double distance) {
+    const double cosine = distance / std::sqrt(height * height + distance * distance);
+    const std::string name = "camera";
+    candela_node node = plainNode(name, -1);
+    node.translation[1] = static_cast<float>(height);
+    node.translation[2] = static_cast<float>(distance);
+    node.rotation[0] = static_cast<float>(-std::sqrt((1.0 - cosine) / 2.0));
+    node.rotation[3] = static_cast<float>(std::sqrt((1.0 + cosine) / 2.0));
+    addCamera(host, node);
+}
+
 candela_light plainLight(float candela, float range) {
     candela_light light{};
     light.struct_size = sizeof light;

@@ -61,6 +61,8 @@ void addGeometry(const Host& host, const Geometry& geometry, int32_t material, c
 
 /// Adds `node`, and a camera of 45 degrees at it with the same name.
 void addCamera(const Host& host, const candela_node& node);
+/// The same at (0, height, distance), looking at the origin.
+void addCameraAt(const Host& host, double height, double distance);
 
 /// A black point light at the origin, without a node. `candela` and `range` in candela and metres.
 candela_light plainLight(float candela, float range);

@@ -210,19 +210,6 @@ void addRocks(const Host& host, std::uint32_t triangles, Builder& builder) {
     }
 }
 
-// At (0, 20, 75), looking at the origin: `plaza.cpp` has the rotation.
-void addPlacedCamera(const Host& host) {
-    constexpr double height = 20.0, distance = 75.0;
-    const double cosine = distance / std::sqrt(height * height + distance * distance);
-    const std::string name = "camera";
-    candela_node node = plainNode(name, -1);
-    node.translation[1] = static_cast<float>(height);
-    node.translation[2] = static_cast<float>(distance);
-    node.rotation[0] = static_cast<float>(-std::sqrt((1.0 - cosine) / 2.0));
-    node.rotation[3] = static_cast<float>(std::sqrt((1.0 + cosine) / 2.0));
-    addCamera(host, node);
-}
-
 candela_light lightAt(std::uint32_t index) {
     const auto drawn = [&](std::uint32_t property, double low, double high) {
         return static_cast<float>(between(low, high, hashedFraction(index, property)));
@@ -263,7 +250,7 @@ void makeTriangles(const Host& host, const std::string& arguments) {
     addPatches(host, triangles, builder);
     addRocks(host, triangles, builder);
     builder.add(makeSplinters(builder.left()), addGreyMaterial(host, "splinters", 0.6f, 0.5f), "splinters");
-    addPlacedCamera(host);
+    addCameraAt(host, 20.0, 75.0);
     addLights(host, lights, lightAt);
 }
 
