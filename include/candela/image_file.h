@@ -3,14 +3,17 @@
 #include <candela/export.h>
 #include <candela/image.h>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace candela {
@@ -29,32 +32,88 @@ struct DisplayEncoding {
     std::optional<Chromaticities> chromaticities;  ///< None when unknown.
 };
 
+/// How a PNG is compressed. Of every level the pixels are the same.
+struct PngOptions {
+    /// 0 (not compressed) to 9 (smallest). Levels 1 to 3 predict a pixel from the one on its left, those
+    /// above choose a predictor row by row. Level 1 takes an eighth of the time of level 6, for files that
+    /// are a fifth larger.
+    int level = 1;
+};
+
+/// The type of the values of a channel in the file.
+enum class ExrPixelType {
+    half,     ///< 16 bits: 11 bits of precision; values beyond ±65504 become that, infinity stays.
+    float32,  ///< 32 bits: as they are.
+};
+
 /// One channel of an EXR file: width × height floats, rows from the top.
 struct ExrChannel {
     std::string name;
     std::span<const float> values;
+    ExrPixelType type = ExrPixelType::float32;
 };
 
-/// A text in the header of an EXR file.
+enum class ExrCompression {
+    none,
+    zip,   ///< Deflate of 16 rows, without loss.
+    piz,   ///< Wavelets of 32 rows, without loss; the fastest one for half.
+    dwaa,  ///< Cosine transforms of 32 rows; loses what is hardly seen, in R, G, B and channels named after.
+};
+
+/// "none", "zip", "piz", "dwaa".
+CANDELA_API const char* toString(ExrCompression compression);
+
+struct ExrOptions {
+    ExrCompression compression = ExrCompression::zip;
+    /// Threads that compress beside each other, 1 to `maxThreadCount`; the file is the same. More than one
+    /// enlarges OpenEXR's global pool of threads where it is smaller, which must not happen while another
+    /// thread uses OpenEXR.
+    unsigned threads = 1;
+};
+
+/// A fraction, such as 24000/1001.
+struct ExrRational {
+    std::int32_t numerator = 0;
+    std::uint32_t denominator = 1;  ///< 1 or more.
+};
+
+/// Of a matrix, row i of the file's is column i of this: OpenEXR multiplies row vectors by it.
+using ExrValue = std::variant<std::string, std::int32_t, float, ExrRational, glm::mat4>;
+
+/// An attribute in the header of an EXR file.
 struct ExrAttribute {
-    std::string name;  ///< 1 to 255 bytes; not one of those that the file format itself defines.
-    std::string value;
+    /// 1 to 255 bytes; of those that the file format itself defines only screenWindowWidth.
+    std::string name;
+    ExrValue value;
 };
 
-/// Writes 8-bit RGBA, rows from the top, straight (not premultiplied) alpha, as PNG, tagged with `encoding`.
-/// The file is written atomically (`writeWholeFile`). Throws `Error` (environment)
-/// naming the file when the folder is missing, the disk full, and so on; and (badInput), before a file is
-/// touched, when a side is not 1 to 2^31 - 1 or `rgba` does not have 4 bytes per pixel.
-CANDELA_API void writePng(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
-                          std::span<const std::uint8_t> rgba, const DisplayEncoding& encoding);
+/// Encodes 8-bit RGBA, rows from the top, straight (not premultiplied) alpha, as PNG, tagged with `encoding`.
+/// A picture that is opaque everywhere is written without alpha. `name` is what errors name. Throws `Error`
+/// (badInput) when a side is not 1 to 2^31 - 1, `rgba` does not have 4 bytes per pixel or an option is not in
+/// the range that it states; and (environment) when memory is not enough.
+CANDELA_API std::vector<std::byte> encodePng(const std::string& name, std::uint32_t width,
+                                             std::uint32_t height, std::span<const std::uint8_t> rgba,
+                                             const DisplayEncoding& encoding, const PngOptions& options = {});
 
-/// Writes 32-bit float channels as one single-part scan-line EXR file (ZIP), with the chromaticities of its
-/// colour channels and `attributes`. Written atomically; throws as `writePng`; badInput also when there is no
-/// channel, two channels or attributes have the same name, a name is not 1 to 255 bytes long, or a channel
-/// does not have one value per pixel.
+/// Encodes channels as one single-part scan-line EXR file, with the chromaticities of its colour channels and
+/// `attributes`. Throws as `encodePng`; badInput also when there is no channel, two channels or attributes
+/// have the same name, a name is not 1 to 255 bytes long, or a channel does not have one value per pixel.
+CANDELA_API std::vector<std::byte> encodeExr(const std::string& name, std::uint32_t width,
+                                             std::uint32_t height, std::span<const ExrChannel> channels,
+                                             const Chromaticities& chromaticities,
+                                             std::span<const ExrAttribute> attributes = {},
+                                             const ExrOptions& options = {});
+
+/// Writes what `encodePng` makes, atomically (`writeWholeFile`). Throws as both: (environment) naming the
+/// file when the folder is missing, the disk full, and so on; (badInput) before a file is touched.
+CANDELA_API void writePng(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
+                          std::span<const std::uint8_t> rgba, const DisplayEncoding& encoding,
+                          const PngOptions& options = {});
+
+/// Writes what `encodeExr` makes; likewise.
 CANDELA_API void writeExr(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
                           std::span<const ExrChannel> channels, const Chromaticities& chromaticities,
-                          std::span<const ExrAttribute> attributes = {});
+                          std::span<const ExrAttribute> attributes = {}, const ExrOptions& options = {});
 
 /// A picture of linear light, and what was repaired in it.
 struct HdrFile {

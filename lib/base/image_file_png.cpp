@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace candela {
@@ -87,50 +88,90 @@ void tag(png_structp png, png_infop info, const DisplayEncoding& encoding) {
                      primaries->green.x, primaries->green.y, primaries->blue.x, primaries->blue.y);
 }
 
+/// The levels whose rows are all predicted from the left.
+constexpr int lastQuickLevel = 3;
+
+/// zlib compresses in pieces of so many bytes, which are appended to the output.
+constexpr std::size_t pieceBytes = 65536;
+
+/// Sub is the quickest predictor that makes rendered pictures small: see docs/farm.md for sizes and times.
+int filtersOf(int level) {
+    if (level == 0) return PNG_FILTER_NONE;
+    return level <= lastQuickLevel ? PNG_FILTER_SUB : PNG_ALL_FILTERS;
+}
+
+bool isOpaque(std::span<const std::uint8_t> rgba) {
+    for (std::size_t i = 3; i < rgba.size(); i += 4)
+        if (rgba[i] != 255) return false;
+    return true;
+}
+
+struct PngPixels {
+    std::uint32_t width, height;
+    const std::uint8_t* rgba;
+    int colorType;
+};
+
 /// Runs libpng. It leaves this function by longjmp when it fails, so nothing here has a destructor.
-bool encode(const PngWriter& writer, PngOutput& output, std::uint32_t width, std::uint32_t height,
-            const std::uint8_t* rgba, const DisplayEncoding& encoding) {
+bool encode(const PngWriter& writer, PngOutput& output, const PngPixels& pixels,
+            const DisplayEncoding& encoding, int level) {
     if (setjmp(png_jmpbuf(writer.png())) != 0) return false;
     png_set_write_fn(writer.png(), &output, onWrite, onFlush);
     png_set_user_limits(writer.png(), PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_benign_errors(writer.png(), 1);
-    png_set_IHDR(writer.png(), writer.info(), width, height, 8, PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(writer.png(), writer.info(), pixels.width, pixels.height, 8, pixels.colorType,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_compression_level(writer.png(), level);
+    png_set_compression_buffer_size(writer.png(), pieceBytes);
+    png_set_filter(writer.png(), PNG_FILTER_TYPE_BASE, filtersOf(level));
     tag(writer.png(), writer.info(), encoding);
     png_write_info(writer.png(), writer.info());
-    for (std::uint32_t row = 0; row < height; ++row)
-        png_write_row(writer.png(), rgba + std::size_t{row} * width * 4);
+    if (pixels.colorType == PNG_COLOR_TYPE_RGB) png_set_filler(writer.png(), 0, PNG_FILLER_AFTER);
+    for (std::uint32_t row = 0; row < pixels.height; ++row)
+        png_write_row(writer.png(), pixels.rgba + std::size_t{row} * pixels.width * 4);
     png_write_end(writer.png(), writer.info());
     return true;
 }
 
-void requireFits(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
-                 std::size_t bytes) {
+void requireFits(const std::string& name, std::uint32_t width, std::uint32_t height, std::size_t bytes) {
     const std::string size = std::to_string(width) + " x " + std::to_string(height);
     if (width < 1 || height < 1 || width > PNG_UINT_31_MAX || height > PNG_UINT_31_MAX)
-        throw Error(ErrorKind::badInput, path.string(),
+        throw Error(ErrorKind::badInput, name,
                     "a PNG can not have " + size + " pixels; 1 to 2147483647 along each side were expected");
     const std::uint64_t pixels = std::uint64_t{width} * height;
     if (bytes / 4 != pixels || bytes % 4 != 0)
-        throw Error(ErrorKind::badInput, path.string(),
+        throw Error(ErrorKind::badInput, name,
                     "there are " + std::to_string(bytes) + " bytes for " + size +
                         " pixels of RGBA; 4 per pixel were expected");
 }
 
 }  // namespace
 
-void writePng(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
-              std::span<const std::uint8_t> rgba, const DisplayEncoding& encoding) {
-    requireFits(path, width, height, rgba.size());
+std::vector<std::byte> encodePng(const std::string& name, std::uint32_t width, std::uint32_t height,
+                                 std::span<const std::uint8_t> rgba, const DisplayEncoding& encoding,
+                                 const PngOptions& options) {
+    requireFits(name, width, height, rgba.size());
     const bool hasGamma = encoding.transfer == DisplayEncoding::Transfer::gamma;
     if (hasGamma && !(encoding.gamma > 0.0 && std::isfinite(encoding.gamma)))
-        throw Error(ErrorKind::badInput, path.string(), "the gamma of a display must be finite and over 0");
+        throw Error(ErrorKind::badInput, name, "the gamma of a display must be finite and over 0");
+    if (options.level < 0 || options.level > 9)
+        throw Error(ErrorKind::badInput, name,
+                    "a PNG can not have the compression level " + std::to_string(options.level) +
+                        "; 0 to 9 was expected");
     PngOutput output;
     const PngWriter writer(output, onError, onWarning);
-    if (!writer.isReady() || !encode(writer, output, width, height, rgba.data(), encoding))
-        throw Error(ErrorKind::environment, path.string(),
+    const PngPixels pixels{width, height, rgba.data(),
+                           isOpaque(rgba) ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA};
+    if (!writer.isReady() || !encode(writer, output, pixels, encoding, options.level))
+        throw Error(ErrorKind::environment, name,
                     "can not be encoded as PNG: " + std::string(output.failure.data()));
-    writeWholeFile(path, output.bytes);
+    return std::move(output.bytes);
+}
+
+void writePng(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
+              std::span<const std::uint8_t> rgba, const DisplayEncoding& encoding,
+              const PngOptions& options) {
+    writeWholeFile(path, encodePng(path.string(), width, height, rgba, encoding, options));
 }
 
 }  // namespace candela
