@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 
 namespace {
@@ -22,6 +23,7 @@ constexpr const char* description =
 constexpr const char* footer =
     "Examples:\n"
     "  candela-bench --json r.json                                  the plaza with 4096 lights\n"
+    "  candela-bench plaza:100 --json -                             with 100, onto standard output\n"
     "  candela-bench --lights 64,1024,16384 --technique all --json r.json --plot r.svg\n"
     "                                                               every technique, as a plot too\n"
     "  candela-bench --baseline --lights 4096 --json r.json         with textbook baselines\n"
@@ -100,6 +102,19 @@ bool hasEnvironment(const BenchOptions& options) {
     return options.environment.source != EnvironmentOption::Source::own;
 }
 
+/// plaza:100 is the scene plaza with --lights 100; likewise the other scenes that are made for the benchmark.
+void takeLightsOfName(BenchOptions& options) {
+    const std::size_t colon = options.scene.find(':');
+    if (colon == options.scene.npos) return;
+    const std::string name = options.scene.substr(0, colon), count = options.scene.substr(colon + 1);
+    constexpr std::array scenes{"plaza", "cloud", "rooms", "outside", "hidden"};
+    if (std::ranges::find(scenes, name) == scenes.end()) return;
+    if (!options.lights.empty())
+        throw UsageError("--scene " + options.scene + " and --lights exclude each other");
+    options.scene = name;
+    options.lights = parseLights(count);
+}
+
 void checkTogether(const BenchOptions& options) {
     if (options.json.empty()) throw UsageError("--json is missing: name the file to write the results to");
     if (options.scene.empty()) throw UsageError("--scene \"\": expected a name or a file");
@@ -120,7 +135,7 @@ void checkTogether(const BenchOptions& options) {
         throw UsageError("--baseline draws with the model course only: leave --brdf out");
 }
 
-void declare(CLI::App& app, BenchOptions& options, std::string& json) {
+void declare(CLI::App& app, BenchOptions& options, std::string& json, std::optional<DeviceOption>& device) {
     app.add_option("--scene", options.scene,
                    "plaza, cloud, rooms, outside (the plaza's lights, all behind the camera),\n"
                    "hidden (the plaza and as many lights again that reach no visible surface),\n"
@@ -129,6 +144,8 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
                    "crowd:N (moving N skinned characters, against copies of their vertices), or a\n"
                    "file. Default: plaza")
         ->type_name("NAME|FILE");
+    app.add_option("SCENE", options.scene, "The same as --scene; plaza:100 is plaza with 100 lights")
+        ->type_name("");
     app.add_option("--variant", options.variant,
                    "The variant of a file that is drawn, by name or by number from 0. Default: none")
         ->type_name("NAME|INDEX");
@@ -197,16 +214,21 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json) {
         ->type_name("N");
     app.add_option("--view", options.view, "View of the built-in colour config. Default: the config's")
         ->type_name("NAME");
-    app.add_option("--json", json, "File to write the results to. Required")->type_name("FILE");
+    app.add_option("--json", json,
+                   "File to write the results to, as a table where its name ends in .csv; - is\n"
+                   "standard output. Required")
+        ->type_name("FILE|-");
     app.add_option("--plot", options.plot, "Also draw lighting time against the number of lights")
         ->type_name("FILE.svg");
     app.add_option("--plugin-path", options.pluginFolders, "Search this folder for plugins first")
         ->type_name("DIR")
         ->allow_extra_args(false);
     app.add_option_function<std::string>(
-           "--device", [&](const std::string& text) { options.device = parseDevice(text); },
-           "A device of candela-render --list devices, or the software rasteriser")
-        ->type_name("N|software");
+           "--device", [&](const std::string& text) { device = parseDevice("--device", text); },
+           "A device of candela-render --list devices, the software rasteriser, or auto:\n"
+           "processes take turns with the GPUs. Default: $CANDELA_DEVICE, else a GPU if\n"
+           "there is one")
+        ->type_name("N|software|auto");
     app.add_option_function<std::string>(
            "--subdivision-evaluator",
            [&](const std::string& text) { options.vertexEvaluator = parseVertexEvaluator(text); },
@@ -230,7 +252,8 @@ std::optional<BenchOptions> parseBenchOptions(int argc, const char* const* argv)
     app.set_help_flag("-h,--help", "Show this help");
     app.set_version_flag("--version", "candela " CANDELA_VERSION, "Show the version");
     app.footer(footer);
-    declare(app, options, json);
+    std::optional<DeviceOption> device;
+    declare(app, options, json, device);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {
@@ -240,6 +263,10 @@ std::optional<BenchOptions> parseBenchOptions(int argc, const char* const* argv)
         throw UsageError(error.what());
     }
     options.json = json;
+    options.device = chooseDevice(device);
+    if (app.count("SCENE") > 0 && app.count("--scene") > 0)
+        throw UsageError("--scene and \"" + options.scene + "\" exclude each other: name one scene");
+    takeLightsOfName(options);
     checkTogether(options);
     if (options.shadows.empty()) options.shadows = {defaultShadows};
     return options;

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "common/device_option.h"
 #include "common/scene_options.h"
 
 #include <candela/brdf.h>
-#include <candela/context.h>
 #include <candela/gpu_scene.h>
 #include <candela/renderer.h>
 
@@ -44,7 +44,7 @@ struct BenchOptions {
     std::filesystem::path json;
     std::optional<std::filesystem::path> plot;
     std::vector<std::filesystem::path> pluginFolders;
-    candela::DeviceOptions device;
+    DeviceOption device;
     candela::VertexEvaluator vertexEvaluator = candela::VertexEvaluator::automatic;
     unsigned threads = 0;  ///< As `candela::setThreadCount` takes it.
     bool quiet = false;

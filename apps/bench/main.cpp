@@ -12,6 +12,7 @@
 #include "measure.h"
 #include "programs.h"
 #include "results.h"
+#include "results_csv.h"
 
 #include <candela/color.h>
 #include <candela/error.h>
@@ -229,18 +230,32 @@ void requireCandelaResults(const std::vector<Result>& results) {
     }
 }
 
+/// Where the table goes: not between the results.
+std::ostream& tableStream(const BenchOptions& options) {
+    return options.json == "-" ? std::cerr : std::cout;
+}
+
+/// `json` is their text; a file that ends in .csv gets a table of them.
+void writeResults(const BenchOptions& options, const std::string& json) {
+    const std::string text = options.json.extension() == ".csv" ? resultsCsv(json) : json;
+    if (options.json == "-")
+        std::cout << text;
+    else
+        writeText(options.json, text);
+}
+
 void runCageBench(const BenchOptions& options, const candela::PluginRegistry& plugins,
                   const candela::Context& context) {
     const CageResult result = measureCages(plugins, context, options);
-    writeText(options.json, cageResultJson(context.renderer(), setupJson(options), result));
-    if (!options.quiet) std::cout << context.renderer() << "\n" << cageResultTable(result);
+    writeResults(options, cageResultJson(context.renderer(), setupJson(options), result));
+    if (!options.quiet) tableStream(options) << context.renderer() << "\n" << cageResultTable(result);
 }
 
 void runCrowdBench(const BenchOptions& options, const candela::PluginRegistry& plugins,
                    const candela::Context& context) {
     const CrowdResult result = measureCrowd(plugins, context, options);
-    writeText(options.json, crowdResultJson(context.renderer(), setupJson(options), result));
-    if (!options.quiet) std::cout << context.renderer() << "\n" << crowdResultTable(result);
+    writeResults(options, crowdResultJson(context.renderer(), setupJson(options), result));
+    if (!options.quiet) tableStream(options) << context.renderer() << "\n" << crowdResultTable(result);
 }
 
 /// Throws before anything is measured where the config has no such view.
@@ -251,11 +266,11 @@ void checkView(const BenchOptions& options) {
 }
 
 void runBench(const BenchOptions& options) {
-    checkWritable(options.json);
+    if (options.json != "-") checkWritable(options.json);
     if (options.plot) checkWritable(*options.plot);
     checkView(options);
     const candela::PluginRegistry plugins(options.pluginFolders);
-    const candela::Context context = candela::Context::createHeadless(options.device);
+    const candela::Context context = createContext(options.device);
     if (options.scene == cageScene) return runCageBench(options, plugins, context);
     if (isCrowd(options.scene)) return runCrowdBench(options, plugins, context);
     Bench bench(options, context);
@@ -265,13 +280,14 @@ void runBench(const BenchOptions& options) {
     bench.clearProgress();
     std::optional<Ceiling> ceiling;
     if (options.measuresCeiling) ceiling = measureCeiling(context, options.brdf);
-    writeText(options.json, resultsJson(context.renderer(), setupJson(options), bench.results(), ceiling));
+    writeResults(options, resultsJson(context.renderer(), setupJson(options), bench.results(), ceiling));
     if (options.plot) writeText(*options.plot, plotSvg(context.renderer(), bench.results()));
     if (!options.quiet) {
-        std::cout << context.renderer() << ", " << options.width << "x" << options.height << "\n"
-                  << (options.table == TableFormat::markdown ? "\n" + markdownTable(bench.results(), ceiling)
-                                                             : resultsTable(bench.results()))
-                  << (ceiling ? ceilingText(*ceiling) : "");
+        tableStream(options) << context.renderer() << ", " << options.width << "x" << options.height << "\n"
+                             << (options.table == TableFormat::markdown
+                                     ? "\n" + markdownTable(bench.results(), ceiling)
+                                     : resultsTable(bench.results()))
+                             << (ceiling ? ceilingText(*ceiling) : "");
     }
     requireCandelaResults(bench.results());
 }

@@ -1,11 +1,11 @@
 #include "output_file.h"
 
 #include <candela/error.h>
-#include <candela/image_file.h>
 #include <candela/whole_file.h>
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -86,6 +86,12 @@ std::array<std::vector<float>, 4> splitPlanes(const std::vector<float>& rgba) {
     return planes;
 }
 
+/// Whether an AOV is a depth, a position or a count, for which 11 bits are not enough.
+bool needsFloats(const std::string& aov) {
+    constexpr std::array names{"Z", "P", "light_count", "shadowed_count"};
+    return std::ranges::find(names, aov) != names.end();
+}
+
 }  // namespace
 
 void checkWritable(const std::filesystem::path& path) {
@@ -105,28 +111,42 @@ void writeText(const std::filesystem::path& path, const std::string& text) {
     candela::writeWholeFile(path, std::as_bytes(std::span(text)));
 }
 
+void makeOpaque(std::vector<std::uint8_t>& rgba) {
+    for (std::size_t i = 3; i < rgba.size(); i += 4) rgba[i] = 255;
+}
+
 void writeDisplayedFrame(const std::filesystem::path& path, int width, int height,
                          std::vector<std::uint8_t> rgba, const candela::DisplayTransform& display) {
-    for (std::size_t i = 3; i < rgba.size(); i += 4) rgba[i] = 255;
+    makeOpaque(rgba);
     const DeferredSignals deferred;
     candela::writePng(path, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), rgba,
                       display.encoding());
 }
 
-void writeRadiance(const std::filesystem::path& path, const candela::HdrImage& radiance,
-                   const std::vector<candela::Aov>& aovs, const candela::ColorConfig& color,
-                   const std::vector<candela::ExrAttribute>& attributes) {
+std::vector<std::byte> encodeRadiance(const std::string& name, const candela::HdrImage& radiance,
+                                      const std::vector<candela::Aov>& aovs,
+                                      const candela::Chromaticities& chromaticities,
+                                      const std::vector<candela::ExrAttribute>& attributes,
+                                      const RadianceEncoding& encoding) {
     const std::array<std::vector<float>, 4> planes = splitPlanes(radiance.rgba);
     std::vector<candela::ExrChannel> channels;
     constexpr std::array names{"R", "G", "B", "A"};
-    for (std::size_t i = 0; i < planes.size(); ++i) channels.push_back({names[i], planes[i]});
-
+    for (std::size_t i = 0; i < planes.size(); ++i)
+        channels.push_back({names[i], planes[i], encoding.pixels});
     for (const candela::Aov& aov : aovs)
         for (std::size_t i = 0; i < aov.channels.size(); ++i)
-            channels.push_back({aov.channels[i], aov.values[i]});
+            channels.push_back({aov.channels[i], aov.values[i],
+                                needsFloats(aov.name) ? candela::ExrPixelType::float32 : encoding.pixels});
+    return candela::encodeExr(name, static_cast<std::uint32_t>(radiance.width),
+                              static_cast<std::uint32_t>(radiance.height), channels, chromaticities,
+                              attributes, encoding.exr);
+}
 
+void writeRadiance(const std::filesystem::path& path, const candela::HdrImage& radiance,
+                   const std::vector<candela::Aov>& aovs, const candela::ColorConfig& color,
+                   const std::vector<candela::ExrAttribute>& attributes) {
+    const std::vector<std::byte> bytes =
+        encodeRadiance(path.string(), radiance, aovs, color.chromaticities(), attributes);
     const DeferredSignals deferred;
-    candela::writeExr(path, static_cast<std::uint32_t>(radiance.width),
-                      static_cast<std::uint32_t>(radiance.height), channels, color.chromaticities(),
-                      attributes);
+    candela::writeWholeFile(path, bytes);
 }

@@ -92,15 +92,6 @@ std::pair<int, int> parseSize(const std::string& text) {
             static_cast<int>(parseInteger("--size", text.substr(cross + 1), 1, maxSide))};
 }
 
-candela::DeviceOptions parseDevice(const std::string& text) {
-    if (text == "software") return {.index = std::nullopt, .softwareOnly = true};
-    if (text.empty() || !std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; }))
-        throw UsageError("--device \"" + text +
-                         "\": expected \"software\" or a number that --list devices shows");
-    return {.index = static_cast<int>(parseInteger("--device", text, 0, std::numeric_limits<int>::max())),
-            .softwareOnly = false};
-}
-
 unsigned parseThreads(const std::string& text) {
     return static_cast<unsigned>(parseInteger("--threads", text, 0, candela::maxThreadCount));
 }

@@ -3,7 +3,6 @@
 #include "program.h"
 
 #include <candela/brdf.h>
-#include <candela/context.h>
 #include <candela/gpu_scene.h>
 #include <candela/renderer.h>
 
@@ -37,9 +36,6 @@ glm::dvec3 parsePoint(std::string_view option, std::string_view text);
 
 /// "WIDTHxHEIGHT", each from 1 to 16384.
 std::pair<int, int> parseSize(const std::string& text);
-
-/// "software", or the number of a device.
-candela::DeviceOptions parseDevice(const std::string& text);
 
 /// A number of threads, 0 (as many as the process may use) to `candela::maxThreadCount`.
 unsigned parseThreads(const std::string& text);

@@ -155,14 +155,6 @@ std::optional<std::uint32_t> firstCamera(const candela::Scene& scene, const Matc
     return std::nullopt;
 }
 
-std::string listCameras(const candela::Scene& scene) {
-    if (scene.cameras.empty()) return "the scene has none";
-    std::string text = "there are";
-    for (std::uint32_t i = 0; i < scene.cameras.size(); ++i)
-        text += (i == 0 ? " " : ", ") + cameraLabel(scene, i);
-    return text;
-}
-
 candela::CameraView eyeView(const candela::Scene& scene, const EyeOptions& options, float fov,
                             const candela::Bounds& box) {
     const glm::vec3 eye(options.eye - scene.origin), target(options.target - scene.origin);
@@ -220,6 +212,20 @@ std::string cameraLabel(const candela::Scene& scene, std::uint32_t index) {
     return label;
 }
 
+std::string listCameras(const candela::Scene& scene) {
+    if (scene.cameras.empty()) return "the scene has none";
+    std::string text = "there are";
+    for (std::uint32_t i = 0; i < scene.cameras.size(); ++i)
+        text += (i == 0 ? " " : ", ") + cameraLabel(scene, i);
+    return text;
+}
+
+std::string cameraName(const candela::Scene& scene, std::uint32_t index) {
+    if (const std::string& node = nodeNameOf(scene, index); !node.empty()) return node;
+    const std::string& own = scene.cameras[index].name;
+    return own.empty() ? std::to_string(numberOf(scene, index)) : own;
+}
+
 CameraSelection::CameraSelection(const candela::Scene& scene, const SceneOptions& options,
                                  const std::function<candela::Bounds()>& box)
     : scene_(scene), verticalFov_(options.verticalFov), orthographicHeight_(options.orthographicHeight) {
@@ -237,6 +243,13 @@ CameraSelection::CameraSelection(const candela::Scene& scene, const SceneOptions
     }
     if (fixed_) useLensOptions(*fixed_);
 }
+
+CameraSelection::CameraSelection(const candela::Scene& scene, const SceneOptions& options,
+                                 std::uint32_t index)
+    : scene_(scene),
+      verticalFov_(options.verticalFov),
+      orthographicHeight_(options.orthographicHeight),
+      camera_(index) {}
 
 /// --fov takes the place of an orthographic lens, and --ortho that of a perspective one.
 void CameraSelection::useLensOptions(candela::CameraView& view) const {

@@ -59,6 +59,12 @@ std::string cameraText(const candela::Scene& scene, std::uint32_t index);
 /// A camera's name and that of its node, as lists and messages show them: "0 \"Camera\" of node \"Hero\"".
 std::string cameraLabel(const candela::Scene& scene, std::uint32_t index);
 
+/// What a user calls a camera: the name of its node, or its own, or its number in the file.
+std::string cameraName(const candela::Scene& scene, std::uint32_t index);
+
+/// The scene's cameras as messages list them.
+std::string listCameras(const candela::Scene& scene);
+
 /// The camera of the pictures: the eye of the options, a camera of the scene, or a view that frames the scene
 /// and the whole motion in it.
 class CameraSelection {
@@ -68,6 +74,9 @@ class CameraSelection {
     /// the options.
     CameraSelection(const candela::Scene& scene, const SceneOptions& options,
                     const std::function<candela::Bounds()>& box);
+
+    /// Camera `index` of the scene, with the lens of the options.
+    CameraSelection(const candela::Scene& scene, const SceneOptions& options, std::uint32_t index);
 
     /// The view at `time` (seconds); a camera may be animated, or on an animated node.
     candela::CameraView at(double time) const;

@@ -2,8 +2,9 @@
 
 #include "options.h"
 
-/// Reads the scene, draws its frames and writes them. Throws `candela::Error`; frames finished before stay.
-void renderFrames(const Options& options);
+/// Reads the scene, draws its pictures and writes them. Returns the signal that ended it early, after what it
+/// has done was said; 0 without one. Throws `candela::Error`; pictures finished before stay.
+int renderFrames(const Options& options);
 
 /// Prints what --list asks for, a line each, on standard output. Throws `candela::Error`.
 void printList(const Options& options);

@@ -2,6 +2,8 @@
 
 #include "common/parse.h"
 
+#include <algorithm>
+
 namespace {
 
 constexpr int lastFrameNumber = 9'999'999;
@@ -45,6 +47,13 @@ int FrameList::operator[](std::uint64_t index) const {
     auto run = runs_.begin();
     for (; index >= run->count; ++run) index -= run->count;
     return run->first + run->step * static_cast<int>(index);
+}
+
+int FrameList::max() const {
+    int largest = 0;
+    for (const Run& run : runs_)
+        largest = std::max(largest, run.first + run.step * static_cast<int>(run.count - 1));
+    return largest;
 }
 
 std::filesystem::path framePath(const std::filesystem::path& output, int frame) {

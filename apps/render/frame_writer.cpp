@@ -1,10 +1,9 @@
 #include "frame_writer.h"
 
-#include "common/output_file.h"
-
 #include <algorithm>
 #include <chrono>
 #include <string>
+#include <utility>
 
 candela::FrameSettings frameSettings(const Options& options) {
     candela::FrameSettings settings;
@@ -64,9 +63,10 @@ void FrameWriter::drawSamples(const SampleSource& source, FrameTiming& timing) {
     const std::uint32_t together = source.moves || (timed && !isSoftware_) ? 1 : samplesTogether;
     for (std::uint32_t first = 0; first < samples_; first += together) {
         const std::uint32_t end = std::min(first + together, samples_);
-        frame_.emplace(accumulator_->addSamples(renderer_, scene_, source.viewOf(first),
-                                                frameSettings(options_), options_.samplingSettings(), first,
-                                                end));
+        const candela::CameraView view = source.viewOf(first);
+        if (first == 0) view_ = view;
+        frame_.emplace(accumulator_->addSamples(renderer_, scene_, view, frameSettings(options_),
+                                                options_.samplingSettings(), first, end));
         if (timed) addPasses(frame_->passTimes(), timing.passes);
         if (timed && end < samples_) addPasses(accumulator_->passTimes(), timing.passes);
     }
@@ -80,7 +80,8 @@ FrameTiming FrameWriter::draw(const SampleSource& source) {
     if (accumulator_) {
         drawSamples(source, timing);
     } else {
-        frame_.emplace(renderer_.render(scene_, source.viewOf(0), frameSettings(options_)));
+        view_ = source.viewOf(0);
+        frame_.emplace(renderer_.render(scene_, view_, frameSettings(options_)));
         if (display_) pixels_ = frame_->displayPicture(*display_);
         timing.passes = frame_->passTimes();  // waits for the frame to end
     }
@@ -93,30 +94,37 @@ candela::HdrImage FrameWriter::radiance() const {
     return accumulator_ ? accumulator_->radiance() : frame_->radiance();
 }
 
-candela::ExposureCounts FrameWriter::exposureCounts() const {
-    candela::ExposureCounts counts = candela::countExposure(radiance(), color_.luminanceWeights(),
-                                                            display_ ? display_->options().exposure : 0.0);
-    if (display_) return counts;
+candela::ExposureCounts FrameWriter::exposureCounts(const DrawnPicture& picture) const {
+    const glm::vec3 weights = color_.luminanceWeights();
+    if (display_) return candela::countExposure(radiance(), weights, display_->options().exposure);
+    candela::ExposureCounts counts = candela::countExposure(picture.radiance, weights, 0.0);
     counts.overBlack = counts.lit;
     counts.overWhite = 0;
     return counts;
 }
 
-void FrameWriter::writeExr(const std::filesystem::path& path) const {
+void FrameWriter::takeRadiance(DrawnPicture& picture) const {
+    picture.chromaticities = color_.chromaticities();
+    picture.radiance = radiance();
     if (!accumulator_) {
-        std::vector<candela::Aov> aovs;
-        if (!options_.aovs.empty()) aovs = frame_->aovs(options_.aovs);
-        return writeRadiance(path, frame_->radiance(), aovs, color_);
+        if (!options_.aovs.empty()) picture.aovs = frame_->aovs(options_.aovs);
+        return;
     }
-    std::vector<candela::ExrAttribute> attributes{{"samples", std::to_string(samples_)}};
+    picture.aovs = accumulator_->aovs();
+    picture.attributes.push_back({"samples", std::to_string(samples_)});
     for (const std::string& aov : options_.aovs)
-        attributes.push_back({"filter." + aov, candela::toString(accumulator_->filterOf(aov))});
-    writeRadiance(path, accumulator_->radiance(), accumulator_->aovs(), color_, attributes);
+        picture.attributes.push_back({"filter." + aov, candela::toString(accumulator_->filterOf(aov))});
 }
 
-void FrameWriter::write(const std::filesystem::path& path) {
-    if (display_)
-        writeDisplayedFrame(path, options_.width, options_.height, pixels_, *display_);
-    else
-        writeExr(path);
+DrawnPicture FrameWriter::take() {
+    DrawnPicture picture;
+    picture.width = options_.width;
+    picture.height = options_.height;
+    if (display_) {
+        picture.encoding = display_->encoding();
+        picture.rgba = std::move(pixels_);
+    } else {
+        takeRadiance(picture);
+    }
+    return picture;
 }

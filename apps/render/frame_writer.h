@@ -1,6 +1,7 @@
 #pragma once
 
 #include "options.h"
+#include "picture_file.h"
 
 #include <candela/accumulator.h>
 #include <candela/color.h>
@@ -10,7 +11,6 @@
 #include <candela/sampling.h>
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -31,10 +31,10 @@ struct SampleSource {
     bool moves;  ///< Whether the times of the samples differ.
 };
 
-/// Draws pictures of one or more samples and writes them in the format that the options ask for.
+/// Draws pictures of one or more samples and reads them back in the form that the options' format needs.
 class FrameWriter {
   public:
-    /// All have to outlive it. `display` is set for a PNG.
+    /// All have to outlive it. `display` is set unless the format is EXR.
     FrameWriter(const candela::Context& context, candela::Renderer& renderer, candela::GpuScene& scene,
                 const candela::ColorConfig& color, const std::optional<candela::DisplayTransform>& display,
                 const Options& options);
@@ -42,16 +42,18 @@ class FrameWriter {
     FrameTiming draw(const SampleSource& source);
     /// The frame drawn last, of the last sample; `draw` comes first.
     const candela::Frame& frame() const { return *frame_; }
-    /// What a user should know of the picture drawn last. For an EXR, which takes no exposure, all that is
-    /// lit counts as over black and nothing as over white.
-    candela::ExposureCounts exposureCounts() const;
-    /// Writes the picture drawn last; the file is whole or absent.
-    void write(const std::filesystem::path& path);
+    /// The view of the first sample, which is the picture's without lens and shutter.
+    const candela::CameraView& view() const { return view_; }
+    /// What a user should know of the picture drawn last; `picture` is what `take` returned of it. For an
+    /// EXR, which takes no exposure, all that is lit counts as over black and nothing as over white.
+    candela::ExposureCounts exposureCounts(const DrawnPicture& picture) const;
+    /// The picture drawn last; once.
+    DrawnPicture take();
 
   private:
     void drawSamples(const SampleSource& source, FrameTiming& timing);
     candela::HdrImage radiance() const;
-    void writeExr(const std::filesystem::path& path) const;
+    void takeRadiance(DrawnPicture& picture) const;
 
     candela::Renderer& renderer_;
     candela::GpuScene& scene_;
@@ -62,5 +64,6 @@ class FrameWriter {
     std::uint32_t samples_;
     std::optional<candela::Accumulator> accumulator_;  ///< Of pictures with more than one sample.
     std::optional<candela::Frame> frame_;
+    candela::CameraView view_;
     std::vector<std::uint8_t> pixels_;
 };

@@ -2,6 +2,7 @@
 
 #include "common/parse.h"
 #include "common/program.h"
+#include "farm_options.h"
 #include "help.h"
 
 #include <candela/gbuffer.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <iostream>
 
 namespace {
@@ -30,16 +30,6 @@ ListKind parseListKind(const std::string& text) {
                                                     "environment", "contents"};
                          return names[static_cast<std::size_t>(kind)];
                      });
-}
-
-PictureFormat parseFormat(const std::filesystem::path& output) {
-    std::string ending = output.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](char c) {
-        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    });
-    if (ending == ".png") return PictureFormat::png;
-    if (ending == ".exr") return PictureFormat::exr;
-    throw UsageError("-o \"" + output.string() + "\": expected a file name that ends in .png or .exr");
 }
 
 std::vector<std::string> parseAovs(const std::string& text) {
@@ -65,6 +55,12 @@ candela::AovFilter parseAovFilter(const std::string& text) {
     using enum candela::AovFilter;
     return parseWord("--aov-filter", text, std::array{automatic, average, first},
                      [](candela::AovFilter filter) { return candela::toString(filter); });
+}
+
+/// True for "json".
+bool parseProgress(const std::string& text) {
+    return parseWord("--progress", text, std::array{false, true},
+                     [](bool json) { return json ? "json" : "terminal"; });
 }
 
 /// The names that the library has, in lines as wide as those of the other texts.
@@ -108,17 +104,17 @@ void declarePicture(CLI::App& app, Options& options, std::optional<std::string>&
            help::aoRays)
         ->type_name("N")
         ->group("Picture");
-    app.add_option_function<std::string>(
-           "--frames", [&](const std::string& text) { options.frames = FrameList::parse(text); },
-           help::frames)
-        ->type_name("LIST")
-        ->group("Picture");
 }
 
-void declareRunning(CLI::App& app, Options& options) {
+void declareRunning(CLI::App& app, Options& options, std::optional<DeviceOption>& device) {
     app.add_option_function<std::string>(
-           "--device", [&](const std::string& text) { options.device = parseDevice(text); }, help::device)
-        ->type_name("N|software")
+           "--device", [&](const std::string& text) { device = parseDevice("--device", text); }, help::device)
+        ->type_name("N|software|auto")
+        ->group("Running");
+    app.add_option_function<std::string>(
+           "--progress", [&](const std::string& text) { options.jsonProgress = parseProgress(text); },
+           help::progress)
+        ->type_name("WORD")
         ->group("Running");
     app.add_option("--stats", options.stats, help::stats)->type_name("FILE|-")->group("Running");
     app.add_flag("--quiet", options.quiet, help::quiet)->group("Running");
@@ -132,7 +128,7 @@ void resolve(const CLI::App& app, const std::optional<std::string>& aovs, Option
     if (options.scene.empty() && (!options.list || needsScene(*options.list)))
         throw UsageError("SCENE is missing: name a file such as room.glb, or plaza:4096");
     if (options.list) return;
-    options.format = parseFormat(options.output);
+    finishOutput(app, options);
     const bool exr = options.format == PictureFormat::exr;
     if (aovs) options.aovs = parseAovs(*aovs);
     if (aovs && !exr) throw UsageError("--aov needs an .exr picture: name one with -o");
@@ -157,6 +153,7 @@ candela::SamplingSettings Options::samplingSettings() const {
 std::optional<Options> parseOptions(int argc, const char* const* argv) {
     Options options;
     std::optional<std::string> aovs;
+    std::optional<DeviceOption> device;
     CLI::App app(help::description, "candela-render");
     app.get_formatter()->column_width(32);
     app.get_formatter()->label("OPTIONS", "OPTION...");
@@ -164,8 +161,11 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     app.set_version_flag("--version", "candela " CANDELA_VERSION, help::version)->group("Asking");
     app.footer(help::footer);
     SceneOptionReader sceneOptions(app, options, defaultSamples);
+    app.get_option("--camera")->description(help::camera)->type_name("NAME|INDEX|LIST|all");
     declarePicture(app, options, aovs);
-    declareRunning(app, options);
+    declareEncoding(app, options);
+    declareSequence(app, options);
+    declareRunning(app, options, device);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {
@@ -174,6 +174,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(error.what());
     }
+    options.device = chooseDevice(device);
     resolve(app, aovs, options);
     if (!options.list) sceneOptions.finish();
     return options;

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "common/device_option.h"
 #include "common/scene_options.h"
 
-#include <candela/context.h>
+#include <candela/image_file.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -28,7 +29,25 @@ inline bool needsScene(ListKind kind) {
     return kind >= ListKind::animations;
 }
 
-enum class PictureFormat { png, exr };
+enum class PictureFormat {
+    png,
+    exr,
+    rgba8,  ///< The bytes of a PNG without its file: rows from the top.
+};
+
+/// How pictures are encoded.
+struct EncodingOptions {
+    candela::PngOptions png;
+    candela::ExrPixelType pixels = candela::ExrPixelType::float32;
+    candela::ExrOptions exr;
+    unsigned threads = 0;  ///< 0: as many as the process uses.
+};
+
+/// The part of all pictures that a process draws.
+struct Shard {
+    std::uint64_t index = 0;  ///< From 0, below `count`.
+    std::uint64_t count = 1;
+};
 
 /// The frames of --frames, in the order in which they are drawn.
 class FrameList {
@@ -39,6 +58,8 @@ class FrameList {
     std::uint64_t count() const { return count_; }
     /// The frame at `index` (below `count`) of the list.
     int operator[](std::uint64_t index) const;
+    /// The largest number.
+    int max() const;
     int front() const { return runs_.front().first; }
     int back() const { return (*this)[count_ - 1]; }
 
@@ -59,17 +80,31 @@ std::filesystem::path framePath(const std::filesystem::path& output, int frame);
 
 /// The command line, checked as far as it can be without a file or a device.
 struct Options : SceneOptions {
-    std::filesystem::path output = "candela.png";
+    std::filesystem::path output = "candela.png";  ///< "-" for standard output.
     PictureFormat format = PictureFormat::png;
     std::vector<std::string> aovs;
     candela::AovFilter aovFilter = candela::AovFilter::automatic;
     candela::AmbientOcclusionSettings ambientOcclusion;
     std::optional<FrameList> frames;   ///< None: one picture, without a number.
     std::optional<std::string> stats;  ///< A file, or "-" for standard output.
-    candela::DeviceOptions device;
+    EncodingOptions encoding;
+    Shard shard;
+    std::optional<int> turntable;  ///< Pictures of a whole turn.
+    bool skipExisting = false;
+    bool placeholders = false;  ///< Implies `skipExisting`.
+    bool keepGoing = false;
+    bool mkdir = false;
+    DeviceOption device;
     bool quiet = false;
+    bool jsonProgress = false;
     std::optional<ListKind> list;
 
+    /// Whether the names of pictures have the number of a frame.
+    bool isSequence() const { return frames || turntable; }
+    /// None where this process draws every picture.
+    std::optional<std::uint64_t> shardIndex() const {
+        return shard.count > 1 ? std::optional(shard.index) : std::nullopt;
+    }
     /// How many samples are drawn of a pixel and where; one of a debug view.
     candela::SamplingSettings samplingSettings() const;
 };

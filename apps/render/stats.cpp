@@ -34,6 +34,7 @@ Json passTimes(const std::vector<FrameTiming>& timings) {
 }
 
 Json frameTimes(const std::vector<FrameTiming>& timings) {
+    if (timings.empty()) return {{"median", 0.0}, {"min", 0.0}, {"max", 0.0}, {"count", 0}};
     std::vector<double> times;
     for (const FrameTiming& timing : timings) times.push_back(timing.milliseconds);
     return {{"median", median(times)},
@@ -64,6 +65,18 @@ Json notesJson(const std::vector<candela::ImportNote>& notes) {
     return json;
 }
 
+Json picturesJson(const std::vector<PictureResult>& pictures) {
+    Json json = Json::array();
+    for (const PictureResult& result : pictures)
+        json.push_back({{"picture", result.picture.name()},
+                        {"frame", result.picture.frame},
+                        {"camera", result.camera},
+                        {"draw_ms", result.drawMilliseconds},
+                        {"encode_ms", result.encodeMilliseconds},
+                        {"bytes", result.bytes}});
+    return json;
+}
+
 }  // namespace
 
 std::string statsJson(const Stats& stats) {
@@ -90,6 +103,10 @@ std::string statsJson(const Stats& stats) {
         {"environment", stats.environment},
         {"samples", stats.samples},
         {"notes", notesJson(stats.notes)},
+        {"file", stats.file},
+        {"driver", stats.driver},
+        {"device", stats.device},
+        {"pictures", picturesJson(stats.pictures)},
     };
     constexpr int indent = 2;
     return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -55,6 +55,8 @@ class CANDELA_API Context {
 
     /// GL_RENDERER, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
     const std::string& renderer() const;
+    /// GL_VENDOR and GL_VERSION, such as "Mesa, 4.5 (Core Profile) Mesa 22.3.6".
+    const std::string& driver() const;
     /// True when the renderer runs on the CPU: the code paths that are fast there are used. False where the
     /// environment variable CANDELA_ASSUME_GPU is set, which makes tests draw as on a GPU.
     bool isSoftware() const;

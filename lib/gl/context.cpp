@@ -30,6 +30,14 @@ std::string checkedRenderer() {
     return renderer;
 }
 
+/// GL_VENDOR and GL_VERSION of the current context.
+std::string driverName() {
+    const auto* vendor = reinterpret_cast<const char*>(glGetString(GL_VENDOR));
+    const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+    return std::string(vendor != nullptr ? vendor : "unknown vendor") + ", " +
+           (version != nullptr ? version : "unknown version");
+}
+
 bool softwareName(const std::string& renderer) {
     constexpr std::array names{"llvmpipe", "softpipe", "SwiftShader", "Software Rasterizer"};
     return std::ranges::any_of(names,
@@ -86,6 +94,7 @@ Context Context::createHeadless(const DeviceOptions& options) {
                 throw Error(ErrorKind::environment, "",
                             "it is not a software rasteriser but " + state->renderer);
             }
+            state->driver = driverName();
             state->binding = std::make_shared<gl::ContextBinding>(std::move(headless));
             state->attempts.push_back({candidate.way, state->renderer});
             return Context(std::move(state));
@@ -103,6 +112,7 @@ Context Context::adoptCurrent() {
     }
     auto state = std::make_unique<State>();
     state->renderer = checkedRenderer();
+    state->driver = driverName();
     state->binding = std::make_shared<gl::ContextBinding>();
     return Context(std::move(state));
 }
@@ -123,6 +133,10 @@ void Context::makeCurrent() const {
 
 const std::string& Context::renderer() const {
     return state().renderer;
+}
+
+const std::string& Context::driver() const {
+    return state().driver;
 }
 
 bool Context::isSoftware() const {

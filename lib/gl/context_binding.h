@@ -93,7 +93,7 @@ namespace candela {
 struct Context::State {
     std::shared_ptr<gl::ContextBinding> binding;
     std::vector<ContextAttempt> attempts;
-    std::string renderer;
+    std::string renderer, driver;
 };
 
 }  // namespace candela

@@ -184,4 +184,33 @@ TEST(BenchResults, OfAVariant) {
         folder / "looks.gltf", "no variant \"Red\"; there are 0 \"Flat\"");
 }
 
+TEST(BenchResults, GoToStandardOutput) {
+    const CommandResult result = runCommand({"plaza:16", "--size", "64x36", "--frames", "1", "--json", "-"},
+                                            {.folder = TemporaryFolder().path()});
+    expectSuccess(result);
+    const Json bench = Json::parse(result.out);
+    ASSERT_EQ(bench["results"].size(), 1u);
+    EXPECT_EQ(bench["results"][0]["scene"], "plaza");
+    EXPECT_EQ(bench["results"][0]["lights"], 16);
+    EXPECT_NE(result.err.find("plaza"), std::string::npos) << "the table";
+}
+
+TEST(BenchResults, CsvHasARowForEach) {
+    const TemporaryFolder folder;
+    expectSuccess(runCommand({"rooms:16", "--size", "64x36", "--frames", "1", "--technique", "tiles,volumes",
+                              "--quiet", "--json", "r.csv"},
+                             {.folder = folder.path()}));
+    std::ifstream stream(folder / "r.csv");
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    ASSERT_EQ(lines.size(), 3u);
+    EXPECT_TRUE(lines[0].starts_with("renderer,scene,lights,technique,")) << lines[0];
+    // The name of the renderer has commas of its own.
+    for (const auto& [row, technique] : {std::pair{1, "tiles"}, {2, "volumes"}}) {
+        EXPECT_NE(lines[row].find(std::string(",rooms,16,") + technique + ","), std::string::npos)
+            << lines[row];
+        EXPECT_EQ(lines[row].back(), '\r');
+    }
+}
+
 }  // namespace

@@ -32,9 +32,27 @@ Json statsOf(std::vector<std::string> arguments) {
 
 TEST(Stats, KeysAreTheDocumentedOnes) {
     const Json stats = statsOf({"plaza:16", "--size", "64x36"});
-    EXPECT_EQ(keys(stats), (Names{"version", "renderer", "width", "height", "technique", "brdf", "scene",
-                                  "passes", "frame_ms", "counters", "threads", "tile_backend",
-                                  "subdivision_evaluator", "shadows", "environment", "samples", "notes"}));
+    EXPECT_EQ(keys(stats), (Names{"version",
+                                  "renderer",
+                                  "width",
+                                  "height",
+                                  "technique",
+                                  "brdf",
+                                  "scene",
+                                  "passes",
+                                  "frame_ms",
+                                  "counters",
+                                  "threads",
+                                  "tile_backend",
+                                  "subdivision_evaluator",
+                                  "shadows",
+                                  "environment",
+                                  "samples",
+                                  "notes",
+                                  "file",
+                                  "driver",
+                                  "device",
+                                  "pictures"}));
     EXPECT_EQ(keys(stats["scene"]),
               (Names{"triangles", "materials", "lights", "meshes", "cages", "nodes", "images", "cameras",
                      "animations", "variants", "material_kinds", "lines", "points"}));
@@ -96,6 +114,9 @@ TEST(Stats, ValuesMatchTheFrame) {
     const Json stats = statsOf({"plaza:16", "--size", "64x36", "--technique", "volumes", "--brdf", "gltf"});
     EXPECT_EQ(stats["version"], CANDELA_VERSION);
     EXPECT_FALSE(stats["renderer"].get<std::string>().empty());
+    EXPECT_EQ(stats["file"], "plaza:16");
+    EXPECT_NE(stats["driver"].get<std::string>().find("4."), std::string::npos) << stats["driver"];
+    EXPECT_FALSE(stats["device"].get<std::string>().empty());
     EXPECT_EQ(stats["width"], 64);
     EXPECT_EQ(stats["height"], 36);
     EXPECT_EQ(stats["technique"], "volumes");
