@@ -5,6 +5,7 @@
 layout(binding = RADIANCE_UNIT) uniform sampler2D radianceTexture;
 layout(location = EXPOSURE_LOCATION) uniform float exposure;
 layout(location = ORIGIN_LOCATION) uniform ivec2 origin;  // the picture's lower left corner in the target
+layout(location = PLACE_LOCATION) uniform ivec2 place;    // of a part of a larger picture: its lower left corner in it, for the dither
 
 layout(location = 0) out vec4 code;
 
@@ -24,6 +25,6 @@ void main() {
     vec3 radiance = texelFetch(radianceTexture, pixel, 0).rgb;
     vec3 value = displayTransform(vec4(radiance * exposure, 1.0)).rgb;
     // Clamped, so that a value within 1/16 of a code, such as that of a texture, always becomes this code. The mean of all others is kept.
-    float dither = clamp(pixelNoise(uvec2(pixel)) - 0.5, -7.0 / 16.0, 7.0 / 16.0) * (1.0 / 255.0);
+    float dither = clamp(pixelNoise(uvec2(pixel + place)) - 0.5, -7.0 / 16.0, 7.0 / 16.0) * (1.0 / 255.0);
     code = vec4(clamp(value + dither, 0.0, 1.0), 1.0);
 }

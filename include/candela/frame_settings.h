@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace candela {
@@ -102,6 +103,15 @@ struct EnvironmentOcclusionSettings {
 
 inline constexpr std::uint32_t maxLayers = 64;
 
+/// The part of a larger picture that a frame is. Parts are the same as that picture, to the rounding of their
+/// projection, where `x` and the way from the lower edge are multiples of 16; within 16 pixels of a part's
+/// edge ambient occlusion of the environment and refraction lack what lies beyond, so that hosts draw a margin
+/// and cut it off (docs/embedding.md).
+struct PictureRegion {
+    int width = 0, height = 0;  ///< Of the whole picture, which the view describes: 1 to 2^20 pixels.
+    int x = 0, y = 0;           ///< Of the frame's upper left pixel in it; it may lie outside.
+};
+
 /// How a frame is drawn.
 struct FrameSettings {
     int width = 1280, height = 720;  ///< Pixels, 1 or more each.
@@ -125,6 +135,11 @@ struct FrameSettings {
     std::uint32_t layers = 8;
     float pointSize = 3.0f;  ///< Side of the square that a point covers, pixels, finite and over 0.
     float lineWidth = 1.0f;  ///< Pixels, finite and over 0.
+    /// The frame is this part of a larger picture; none: it is all of it.
+    std::optional<PictureRegion> region = {};
+};
+    HostSurfaces hostSurfaces = {};
+    FrameHooks hooks = {};
 };
 
 }  // namespace candela

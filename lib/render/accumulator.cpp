@@ -38,8 +38,9 @@ AovFilter resolved(AovFilter filter, const GBufferChannel& channel) {
 }
 
 /// The mean, where the sums are in memory; else without radiance.
-MemoryPicture meanInMemory(SampleSums& sums) {
-    return {sums.isInMemory() ? sums.meanInMemory() : std::span<const float>{}, sums.width(), sums.height()};
+MemoryPicture meanInMemory(SampleSums& sums, const glm::ivec2& place) {
+    return {sums.isInMemory() ? sums.meanInMemory() : std::span<const float>{}, sums.width(), sums.height(),
+            place};
 }
 
 /// The sum of the samples of an AOV, or its first sample.
@@ -85,6 +86,7 @@ struct Accumulator::State {
     AccumulatorOptions options;
     std::vector<AovFilter> filters;  ///< Of `options.aovs`.
     std::optional<SampleSums> sums;  ///< Of the size of the first frame.
+    glm::ivec2 place{0, 0};          ///< Of the last frame's lower left pixel in its picture.
     std::vector<AovSum> aovSums;     ///< As `options.aovs`; empty before the first frame.
     gl::PassTimer timer;
     DisplayPass display;
@@ -153,6 +155,7 @@ void Accumulator::add(const Frame& frame) {
         state.sums.emplace(width, height);
         state.displayTarget.reset();
     }
+    state.place = {drawn.pixels.left, drawn.pixels.bottom};
     state.addAovs(frame);
     state.timer.beginFrame();
     const gl::PassTimer::Scope pass(state.timer, "accumulate");
@@ -167,7 +170,8 @@ Frame Accumulator::addSamples(Renderer& renderer, GpuScene& scene, const CameraV
     if (end > maxSamples || count() > maxSamples - (end - first))
         throw Error(ErrorKind::limit, "", "an Accumulator holds at most 65536 frames");
     const auto viewOf = [&](std::uint32_t sample) {
-        return sampleView(view, sampling, settings.width, settings.height, sample);
+        const FramePixels pixels = framePixels(settings);
+        return sampleView(view, sampling, pixels.pictureWidth, pixels.pictureHeight, sample);
     };
     viewOf(end - 1);  // refuses a sample beyond the count before anything is drawn
     std::optional<Frame> frame;
@@ -213,18 +217,18 @@ void Accumulator::display(const DisplayTransform& transform, const FrameTarget& 
     requireTarget(target);
     const gl::PassTimer::Scope pass(state.timer, "display");
     SampleSums& sums = *state.sums;
-    if (const MemoryPicture mean = meanInMemory(sums);
+    if (const MemoryPicture mean = meanInMemory(sums, state.place);
         !mean.radiance.empty() && MemoryDisplay::suits(target)) {
         state.memoryDisplay.render(mean, transform, target);
     } else {
-        state.display.render({sums.mean(), sums.width(), sums.height(), transform, target});
+        state.display.render({sums.mean(), sums.width(), sums.height(), transform, target, state.place});
     }
 }
 
 std::vector<std::uint8_t> Accumulator::displayPicture(const DisplayTransform& transform) const {
     State& state = filled();
     const gl::StateGuard guard(*state.binding, user);
-    if (const MemoryPicture mean = meanInMemory(*state.sums); !mean.radiance.empty()) {
+    if (const MemoryPicture mean = meanInMemory(*state.sums, state.place); !mean.radiance.empty()) {
         const gl::PassTimer::Scope pass(state.timer, "display");
         return state.memoryDisplay.codes(mean, transform);
     }
@@ -237,7 +241,7 @@ HdrImage Accumulator::radiance() const {
     State& state = filled();
     const gl::StateGuard guard(*state.binding, user);
     const int width = state.sums->width(), height = state.sums->height();
-    const MemoryPicture mean = meanInMemory(*state.sums);
+    const MemoryPicture mean = meanInMemory(*state.sums, state.place);
     HdrImage image{width, height,
                    mean.radiance.empty() ? readColor(state.sums->mean(), width, height)
                                          : std::vector<float>(mean.radiance.begin(), mean.radiance.end())};

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <numbers>
 
 namespace candela {
@@ -14,6 +15,21 @@ namespace candela {
 void refuse(const std::string& text) {
     throw Error(ErrorKind::badInput, "", text);
 }
+
+namespace {
+
+void checkRegion(const PictureRegion& region) {
+    constexpr int most = 1 << 20;
+    if (region.width < 1 || region.height < 1 || region.width > most || region.height > most) {
+        refuse("a part of a picture of " + std::to_string(region.width) + "x" + std::to_string(region.height) +
+               " pixels is asked for; width and height have to be 1 to " + std::to_string(most));
+    }
+    if (std::abs(region.x) <= most && std::abs(region.y) <= most) return;
+    refuse("the part at (" + std::to_string(region.x) + ", " + std::to_string(region.y) +
+           ") of a picture is asked for; both have to be within " + std::to_string(most));
+}
+
+}  // namespace
 
 void checkSettings(const FrameSettings& settings) {
     if (settings.width < 1 || settings.height < 1) {
@@ -38,6 +54,7 @@ void checkSettings(const FrameSettings& settings) {
         refuse("occlusion of the environment by " + std::to_string(settings.environmentOcclusion.rays) +
                " rays is asked for; expected 1 to " + std::to_string(maxRays));
     }
+    if (settings.region) checkRegion(*settings.region);
     const auto requireSize = [](const char* what, float pixels) {
         if (pixels > 0.0f && std::isfinite(pixels)) return;
         refuse(std::string(what) + " of " + std::to_string(pixels) +
@@ -78,6 +95,9 @@ void checkView(const CameraView& view) {
     if (!std::isfinite(view.shift.x) || !std::isfinite(view.shift.y)) {
         refuse("the view's shift is (" + std::to_string(view.shift.x) + ", " + std::to_string(view.shift.y) +
                "); it has to be finite");
+    }
+    if (view.aspect && !(*view.aspect > 0.0f && std::isfinite(*view.aspect))) {
+        refuse("the view's aspect is " + std::to_string(*view.aspect) + "; it has to be finite and over 0");
     }
     const bool orthographic = view.orthographicHeight.has_value();
     const auto isPositive = [](float number) { return number > 0.0f && std::isfinite(number); };

@@ -14,34 +14,51 @@ glm::vec4 depthRange(const CameraView& view) {
 
 }  // namespace
 
-layout::FrameUniforms frameUniforms(const CameraView& view, int width, int height,
+ViewWindow FramePixels::pictureWindow(const CameraView& view) const {
+    return viewWindow(view, static_cast<double>(pictureWidth) / pictureHeight);
+}
+
+ViewWindow FramePixels::window(const CameraView& view) const {
+    const ViewWindow picture = pictureWindow(view);
+    if (left == 0 && bottom == 0 && width == pictureWidth && height == pictureHeight) return picture;
+    return partOf(picture, {pictureWidth, pictureHeight}, {left, bottom}, {width, height});
+}
+
+FramePixels framePixels(const FrameSettings& settings) {
+    const int width = settings.width, height = settings.height;
+    if (!settings.region) return {width, height, width, height};
+    const PictureRegion& region = *settings.region;
+    return {width, height, region.width, region.height, region.x, region.height - region.y - height};
+}
+
+layout::FrameUniforms frameUniforms(const CameraView& view, const FramePixels& pixels,
                                     const glm::dmat3& workingFromRec709, const LightCounts& lights) {
-    const float aspect = static_cast<float>(width) / static_cast<float>(height);
     const glm::dmat4 frameOfCamera(view.worldFromCamera);
     const glm::dvec3 right(frameOfCamera[0]), up(frameOfCamera[1]), forward(-frameOfCamera[2]);
-    const double halfHeight = view.orthographicHeight ? 0.5 * static_cast<double>(*view.orthographicHeight)
-                                                      : std::tan(0.5 * static_cast<double>(view.verticalFov));
-    const double step = 2.0 * halfHeight / height;
+    // From the picture and not from the frame, so that parts of a picture have the picture's rays.
+    const ViewWindow picture = pixels.pictureWindow(view), window = pixels.window(view);
+    const glm::dvec2 whole(pixels.pictureWidth, pixels.pictureHeight);
+    const glm::dvec2 step = 2.0 * picture.halfExtent / whole;
     const glm::dvec3 middle = view.orthographicHeight ? glm::dvec3(0.0) : forward;
-    const glm::dvec2 shift = glm::dvec2(view.shift) * glm::dvec2(width, height);
-    const glm::dvec3 corner = middle + right * (step * (0.5 - 0.5 * width + shift.x)) +
-                              up * (step * (0.5 - 0.5 * height + shift.y));
+    const glm::dvec2 first =
+        step * (glm::dvec2(pixels.left, pixels.bottom) + 0.5 - 0.5 * whole + picture.shift * whole);
+    const glm::dvec3 corner = middle + right * first.x + up * first.y;
 
     layout::FrameUniforms frame{};
-    frame.clipFromWorld = projection(view, aspect) * glm::inverse(view.worldFromCamera);
+    frame.clipFromWorld = projection(view, window) * glm::inverse(view.worldFromCamera);
     frame.eye = glm::vec4(view.eye(), view.nearPlane);
     frame.rayCorner = glm::vec4(corner, 0.0);
-    frame.rayStepX = glm::vec4(right * step, view.shift.x);
-    frame.rayStepY = glm::vec4(up * step, view.shift.y);
-    frame.cameraRight = glm::vec4(right, halfHeight * width / height);
-    frame.cameraUp = glm::vec4(up, halfHeight);
+    frame.rayStepX = glm::vec4(right * step.x, window.shift.x);
+    frame.rayStepY = glm::vec4(up * step.y, window.shift.y);
+    frame.cameraRight = glm::vec4(right, window.halfExtent.x);
+    frame.cameraUp = glm::vec4(up, window.halfExtent.y);
     frame.cameraForward = glm::vec4(forward, 0.0);
     frame.depthRange = depthRange(view);
     frame.workingFromRed = glm::vec4(workingFromRec709[0], 0.0);
     frame.workingFromGreen = glm::vec4(workingFromRec709[1], 0.0);
     frame.workingFromBlue = glm::vec4(workingFromRec709[2], 0.0);
-    frame.size = {width, height, 0, 0};
-    frame.lightCounts = {lights.points, lights.spots, lights.directionals, 0};
+    frame.size = {pixels.width, pixels.height, pixels.left, pixels.bottom};
+    frame.lightCounts = {lights.points, lights.spots, lights.directionals, pixels.pictureWidth};
     return frame;
 }
 

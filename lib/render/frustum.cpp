@@ -19,16 +19,15 @@ using std::sqrt;
 
 }  // namespace
 
-Frustum::Frustum(const CameraView& view, float aspect)
+Frustum::Frustum(const CameraView& view, const ViewWindow& window)
     : eye_(view.eye()),
       right_(view.worldFromCamera[0]),
       up_(view.worldFromCamera[1]),
       forward_(-glm::vec3(view.worldFromCamera[2])),
       near_(view.nearPlane),
-      halfExtent_(view.orthographicHeight ? glm::vec2(0.0f)
-                                          : std::tan(0.5f * view.verticalFov) * glm::vec2(aspect, 1.0f)),
-      base_(0.5f * view.orthographicHeight.value_or(0.0f) * glm::vec2(aspect, 1.0f)),
-      shift_(view.shift),
+      halfExtent_(view.orthographicHeight ? glm::dvec2(0.0) : window.halfExtent),
+      base_(view.orthographicHeight ? window.halfExtent : glm::dvec2(0.0)),
+      shift_(window.shift),
       edgeScale_(edgeScale(halfExtent_.x, shift_.x), edgeScale(halfExtent_.y, shift_.y)) {}
 
 glm::vec3 Frustum::inCameraSpace(const glm::vec3& position) const {

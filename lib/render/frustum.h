@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scene/model/view_window.h"
+
 #include <candela/camera.h>
 
 #include <glm/vec2.hpp>
@@ -10,12 +12,15 @@ namespace candela {
 /// The view frustum without a far plane, for culling spheres (shaders/shared/light_bounds.h).
 class Frustum {
   public:
-    /// `aspect` is width over height.
-    Frustum(const CameraView& view, float aspect);
+    /// `aspect` is width over height; read where the view has none.
+    Frustum(const CameraView& view, float aspect) : Frustum(view, viewWindow(view, aspect)) {}
+    /// Of what a window shows.
+    Frustum(const CameraView& view, const ViewWindow& window);
 
     /// False only when the sphere lies wholly outside.
     bool meets(const glm::vec3& center, float radius) const;
-    /// `size` is the largest of points and lines that are drawn, a share of the picture's height; 0 at first.
+    /// `size` is the largest side of points and lines that are drawn, a share of the window's height; 0 at
+    /// first.
     void setElementSize(float size) { elementSize_ = size; }
     /// The radius of a sphere that holds what is drawn of points and lines whose corners lie in a sphere.
     float radiusOfElements(const glm::vec3& center, float radius) const;
@@ -38,7 +43,7 @@ class Frustum {
     float near_;
     glm::vec2 halfExtent_;  ///< Of the picture at a depth of one metre; 0 in an orthographic view.
     glm::vec2 base_;        ///< Half of the picture in an orthographic view; 0 in a perspective one.
-    glm::vec2 shift_;       ///< `CameraView::shift`.
+    glm::vec2 shift_;       ///< As `CameraView::shift`.
     glm::vec2 edgeScale_;   ///< As in `ViewFrustum`.
     float elementSize_ = 0.0f;
 };

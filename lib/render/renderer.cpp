@@ -48,12 +48,12 @@ bool drawsShadows(const FrameSettings& settings) {
 }
 
 /// The depth of an orthographic view is linear and needs a far plane: one behind everything.
-CameraView withFarPlane(const CameraView& view, const GpuScene::State& scene, float aspect) {
+CameraView withFarPlane(const CameraView& view, const GpuScene::State& scene, const FramePixels& pixels) {
     if (!view.orthographicHeight) return view;
     CameraView limited = view;
     constexpr float margin = 1.001f;
     const float minRange = 0.01f * *view.orthographicHeight;
-    const float range = margin * (scene.instances.farthestDepth(Frustum(view, aspect)) - view.nearPlane);
+    const float range = margin * (scene.instances.farthestDepth(Frustum(view, pixels.pictureWindow(view))) - view.nearPlane);
     // Written so that a range that is not a number is the least one.
     const float farPlane = view.nearPlane + (range > minRange ? range : minRange);
     limited.farPlane = std::min({view.farPlane.value_or(farPlane), farPlane, maxFarPlane});
@@ -255,7 +255,8 @@ const GBufferTargets& Renderer::State::drawEnvironment(const GpuScene::State& sc
 
 const GBufferTargets& Renderer::State::prepareRays(GpuScene::State& scene, const GBufferTargets& shown) {
     if (shown.parts.shadowWord) return shown;
-    scene.updateCages(frame->view, targets->width, targets->height, VertexScope::everywhere);
+    scene.updateCages(frame->view, frame->pixels.pictureWidth, frame->pixels.pictureHeight,
+                      VertexScope::everywhere);
     scene.updateDeformations(frame->frustum, VertexScope::everywhere);
     scene.updateOcclusion();
     const GBufferParts parts{.shadowWord = true};
@@ -292,14 +293,18 @@ glm::vec3 Renderer::State::emissionAt(const GpuScene::State& scene, int x, int y
 void Renderer::State::describeFrame(const GpuScene::State& scene, const CameraView& requested,
                                     const FrameSettings& settings, Technique technique,
                                     const TracedRays& traced) {
-    const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-    const CameraView view = withFarPlane(requested, scene, aspect);
-    frame.emplace(DrawnFrame{settings, view, technique, traced,
-                             frameUniforms(view, settings.width, settings.height,
-                                           scene.options.workingFromRec709, scene.lights.counts()),
-                             Frustum(view, aspect), scene.sceneState.origin});
-    frame->frustum.setElementSize(std::max(settings.pointSize, settings.lineWidth) /
-                                  static_cast<float>(settings.height));
+    const FramePixels pixels = framePixels(settings);
+    const CameraView view = withFarPlane(requested, scene, pixels);
+    const ViewWindow window = pixels.window(view);
+    frame.emplace(DrawnFrame{
+        settings, view, pixels, technique, traced,
+        frameUniforms(view, pixels, scene.options.workingFromRec709, scene.lights.counts()),
+        Frustum(view, window), scene.sceneState.origin});
+    // Of the wider side of a pixel.
+    const double pixelShare =
+        std::max(1.0 / settings.height, window.halfExtent.x / window.halfExtent.y / settings.width);
+    frame->frustum.setElementSize(std::max(settings.pointSize, settings.lineWidth) *
+                                  static_cast<float>(pixelShare));
     frame->uniforms.elementSizes = {settings.pointSize, settings.lineWidth, 0.0f, 0.0f};
     if (scene.environment) scene.environment->describe(frame->uniforms);
     frame->uniforms.cameraForward.w = settings.specularAntialiasing ? 1.0f : 0.0f;
@@ -347,7 +352,7 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
     const VertexScope scope = parts.shadowWord ? VertexScope::everywhere : VertexScope::inView;
     if (scene.hasCages()) {
         const gl::PassTimer::Scope pass(timer, "cages");
-        scene.updateCages(frame->view, settings.width, settings.height, scope);
+        scene.updateCages(frame->view, frame->pixels.pictureWidth, frame->pixels.pictureHeight, scope);
     }
     if (scene.hasDeformations()) {
         const gl::PassTimer::Scope pass(timer, "deform");

@@ -10,6 +10,7 @@
 #include "render/display/display_target.h"
 #include "render/display/memory_display.h"
 #include "render/environment/environment_pass.h"
+#include "render/frame_uniforms.h"
 #include "render/frustum.h"
 #include "render/gbuffer/gbuffer_copy.h"
 #include "render/gbuffer/geometry_pass.h"
@@ -68,7 +69,8 @@ struct ShadedSurfaces {
 /// The frame that a renderer's targets hold.
 struct DrawnFrame {
     FrameSettings settings;
-    CameraView view;      ///< Orthographic ones have a far plane.
+    CameraView view;      ///< Of the whole picture. Orthographic ones have a far plane.
+    FramePixels pixels;
     Technique technique;  ///< Never `automatic`.
     TracedRays traced;
     layout::FrameUniforms uniforms;
@@ -187,7 +189,10 @@ struct Renderer::State {
     void drawOverlays(GpuScene::State& scene);
     /// The lit frame where a technique has left it in memory; else, and in a debug view, without radiance.
     MemoryPicture pictureInMemory() const {
-        return {targets->memory.radiance, targets->width, targets->height};
+        return {targets->memory.radiance,
+                targets->width,
+                targets->height,
+                {frame->pixels.left, frame->pixels.bottom}};
     }
     /// Targets with the shadow word, from which occlusion rays start, with `scene.occlusion` in step: those
     /// `shown`, or drawn again for a frame without shadows.

@@ -105,6 +105,7 @@ const int ENVIRONMENT_PARTS_LOCATION = 0; // environment: factors on diffuse and
 const int LAYER_LOCATION = 0;             // layer_fragment, layer_depth: the layer, from 0, or the first number of a draw; surfaces of a layer: 1 where some share its depth
 const int EXPOSURE_LOCATION = 0;          // display: factor before the transform
 const int ORIGIN_LOCATION = 1;            // display: lower left corner of the picture in the target
+const int PLACE_LOCATION = 2;             // display: lower left corner of a part in its picture
 const int SAMPLE_COUNT_LOCATION = 0;      // sample_mean: what the sum is divided by
 const int ENVIRONMENT_RAYS_LOCATION = 0;  // environment_occlusion: first and end of a dispatch's rays, rays of a pixel, number of the sample
 const int ENVIRONMENT_DISTANCE_LOCATION = 1;  // environment_occlusion: metres; what is farther hides nothing

@@ -5,9 +5,9 @@ struct FrameUniforms {
     vec4 eye;  // w: distance of the near plane
     // Perspective: world direction, one metre deep, through the centre of pixel (0, 0). Orthographic: the way from the eye to that pixel.
     vec4 rayCorner;
-    vec4 rayStepX;       // added for each pixel to the right; w: CameraView::shift in x
-    vec4 rayStepY;       // added for each pixel up; w: CameraView::shift in y
-    vec4 cameraRight;    // w: half the picture's width, in a perspective view one metre deep
+    vec4 rayStepX;       // added for each pixel to the right; w: as CameraView::shift in x, of the frame
+    vec4 rayStepY;       // added for each pixel up; w: the same in y
+    vec4 cameraRight;    // w: half the frame's width, in a perspective view one metre deep
     vec4 cameraUp;       // w: half its height
     vec4 cameraForward;  // w: 1 with specular antialiasing, else 0
     // Perspective: near / far plane, 1 - near / far plane, 0, 0. Orthographic: 0, far plane, far - near plane, 1.
@@ -20,6 +20,6 @@ struct FrameUniforms {
     vec4 environmentY;
     vec4 environmentZ;
     vec4 elementSizes;  // size of points, width of lines, pixels
-    ivec4 size;         // width, height
-    ivec4 lightCounts;  // points, spots, directional lights
+    ivec4 size;         // width, height; z, w: of the picture's pixels, the one at the frame's lower left corner
+    ivec4 lightCounts;  // points, spots, directional lights; w: width of the picture, of which the frame may be a part
 };

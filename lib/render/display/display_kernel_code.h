@@ -152,12 +152,12 @@ inline Words codeOf(Floats value, Floats dither) {
     return (Words)__builtin_convertvector(code * 255.0f + 0.5f, Ints);
 }
 
-inline void storeCodes(const DisplayColors& colors, int left, int y, int count, std::uint32_t* codes) {
+inline void storeCodes(const DisplayColors& colors, std::uint32_t left, std::uint32_t y, int count, std::uint32_t* codes) {
     std::uint32_t run[displayRun];
     Words x;
-    for (int lane = 0; lane < laneCount; ++lane) x[lane] = static_cast<std::uint32_t>(left + lane);
+    for (int lane = 0; lane < laneCount; ++lane) x[lane] = left + static_cast<std::uint32_t>(lane);
     for (int i = 0; i < count; i += laneCount, x += laneCount) {
-        const Floats noise = pixelNoise(x, static_cast<std::uint32_t>(y)) - 0.5f;
+        const Floats noise = pixelNoise(x, y) - 0.5f;
         const Floats dither = min(max(noise, -7.0f / 16.0f), 7.0f / 16.0f) * (1.0f / 255.0f);
         const Vec3 color = colors.lanes(i);
         const Words packed = codeOf(color.x, dither) | codeOf(color.y, dither) << 8 |
@@ -176,7 +176,8 @@ void display(const DisplayJob& job, int first, int end) {
             const int count = job.width - x < displayRun ? job.width - x : displayRun;
             loadColors(row + 4 * static_cast<std::int64_t>(x), count, job.scale, colors);
             for (std::size_t i = 0; i < job.stepCount; ++i) applyStep(job.steps[i], colors, count);
-            storeCodes(colors, x, y, count, codes + x);
+            storeCodes(colors, job.left + static_cast<std::uint32_t>(x),
+                       job.bottom + static_cast<std::uint32_t>(y), count, codes + x);
         }
     }
 }

@@ -6,6 +6,8 @@
 #include <candela/color.h>
 #include <candela/frame_settings.h>
 
+#include <glm/vec2.hpp>
+
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -29,6 +31,8 @@ class DisplayPass {
         int width, height;
         const DisplayTransform& transform;
         FrameTarget target;
+        /// The lower left pixel in the picture of which this is a part: dither is that of the whole.
+        glm::ivec2 place{0, 0};
     };
     void render(const Inputs& inputs);
     /// Whether `transform`, which `render` was given before, is drawn through its baked shader.

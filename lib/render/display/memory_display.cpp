@@ -27,7 +27,9 @@ void writeCodes(const DisplayKernel& kernel, const MemoryPicture& picture, const
                          steps.data(),
                          steps.size(),
                          codes,
-                         rowStep};
+                         rowStep,
+                         static_cast<std::uint32_t>(picture.place.x),
+                         static_cast<std::uint32_t>(picture.place.y)};
     const auto shares = static_cast<std::size_t>((picture.height + rowsPerShare - 1) / rowsPerShare);
     ThreadPool::shared()->run(shares, [&](std::size_t share, unsigned) {
         const int first = static_cast<int>(share) * rowsPerShare;

@@ -6,6 +6,8 @@
 #include <candela/color.h>
 #include <candela/frame_settings.h>
 
+#include <glm/vec2.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -17,6 +19,7 @@ namespace candela {
 struct MemoryPicture {
     std::span<const float> radiance;
     int width, height;
+    glm::ivec2 place{0, 0};  ///< As in `DisplayPass::Inputs`.
 };
 
 /// Shows radiance that is in memory through a display transform, as `DisplayPass` shows a texture: vector code

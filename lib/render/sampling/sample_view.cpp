@@ -38,7 +38,8 @@ void moveOnLens(CameraView& view, const Lens& lens, double aspect, std::uint32_t
     const glm::dmat4 frame(view.worldFromCamera);
     view.worldFromCamera[3] = glm::vec4(frame[3] + point.x * frame[0] + point.y * frame[1]);
     const double height = 2.0 * std::tan(0.5 * view.verticalFov) * lens.focusDistance;
-    view.shift -= glm::vec2(point / (height * glm::dvec2(aspect, 1.0)));
+    const double ratio = view.aspect ? static_cast<double>(*view.aspect) : aspect;
+    view.shift -= glm::vec2(point / (height * glm::dvec2(ratio, 1.0)));
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace {
 
 bool sameView(const CameraView& a, const CameraView& b) {
     return a.worldFromCamera == b.worldFromCamera && a.verticalFov == b.verticalFov &&
-           a.orthographicHeight == b.orthographicHeight && a.nearPlane == b.nearPlane && a.shift == b.shift;
+           a.orthographicHeight == b.orthographicHeight && a.nearPlane == b.nearPlane && a.shift == b.shift &&
+           a.aspect == b.aspect;
 }
 
 }  // namespace

@@ -52,34 +52,6 @@ void requireFiniteBox(const Bounds& bounds) {
     box.requireFinite("its maximum", bounds.max);
 }
 
-void requirePlanes(const CameraView& view) {
-    const ErrorContext element("camera view");
-    if (view.orthographicHeight) {
-        element.requirePositive("its orthographic height", *view.orthographicHeight);
-        element.requireNotNegative("its near plane", view.nearPlane);
-    } else {
-        element.requirePositive("its near plane", view.nearPlane);
-    }
-    if (!view.farPlane) return;
-    element.requireFinite("its far plane", *view.farPlane);
-    element.require(*view.farPlane > view.nearPlane, "its far plane must be over its near plane");
-}
-
-// Depth is (far - distance) / (far - near).
-glm::mat4 orthographicProjection(const CameraView& view, float aspect) {
-    require(view.farPlane.has_value(), "the projection of an orthographic view needs a far plane");
-    const double range = static_cast<double>(*view.farPlane) - view.nearPlane;
-    glm::mat4 clip(0.0f);
-    clip[0][0] = static_cast<float>(2.0 / (static_cast<double>(*view.orthographicHeight) * aspect));
-    clip[1][1] = 2.0f / *view.orthographicHeight;
-    clip[2][2] = static_cast<float>(1.0 / range);
-    clip[3][2] = static_cast<float>(*view.farPlane / range);
-    clip[3][3] = 1.0f;
-    clip[3][0] = -2.0f * view.shift.x;
-    clip[3][1] = -2.0f * view.shift.y;
-    return clip;
-}
-
 float nearPlaneOf(const Camera& camera, const Scene& scene, const std::vector<glm::mat4>& world) {
     if (camera.nearPlane) return *camera.nearPlane;
     if (camera.orthographicHeight) return 0.0f;
@@ -98,30 +70,6 @@ CameraView lookAt(const glm::vec3& eye, const glm::vec3& target, float verticalF
     view.worldFromCamera = rigid(axesLooking(back), eye);
     view.verticalFov = verticalFov;
     return view;
-}
-
-glm::mat4 projection(const CameraView& view, float aspect) {
-    requireAspect(aspect);
-    requireFov(view.verticalFov);
-    requirePlanes(view);
-    const ErrorContext element("camera view");
-    element.requireFinite("its shift", glm::vec3(view.shift, 0.0f));
-    if (view.orthographicHeight) return orthographicProjection(view, aspect);
-    const double focal = 1.0 / std::tan(0.5 * view.verticalFov);
-    glm::mat4 clip(0.0f);
-    clip[0][0] = static_cast<float>(focal / aspect);
-    clip[1][1] = static_cast<float>(focal);
-    clip[2][3] = -1.0f;
-    // The way along the axis is -z.
-    clip[2][0] = 2.0f * view.shift.x;
-    clip[2][1] = 2.0f * view.shift.y;
-    clip[3][2] = view.nearPlane;
-    if (!view.farPlane) return clip;
-    // Depth is (near / distance - near / far) / (1 - near / far).
-    const double end = static_cast<double>(view.nearPlane) / *view.farPlane;
-    clip[2][2] = static_cast<float>(end / (1.0 - end));
-    clip[3][2] = static_cast<float>(view.nearPlane / (1.0 - end));
-    return clip;
 }
 
 CameraView cameraView(const Scene& scene, std::uint32_t index, const std::vector<glm::mat4>& world,
