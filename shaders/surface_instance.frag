@@ -1,4 +1,4 @@
-// The instance at each pixel, counted from 1.
+// The instance and the material at each pixel, counted from 1.
 
 #include "shared/bindings.h"
 
@@ -8,10 +8,10 @@ layout(location = 0) flat in uint instance;
 #if TEXTURED == 1
 layout(location = 1) in vec4 uvs;
 layout(location = 2) in float vertexAlpha;
-layout(location = 3) flat in uint material;
 #endif
+layout(location = 3) flat in uint material;
 
-layout(location = 0) out uint instanceNumber;
+layout(location = 0) out uvec2 surfaceId;
 
 #if TEXTURED == 1
 #include "lib/texture_coordinates.glsl"
@@ -23,5 +23,5 @@ void main() {
     float alpha = materialFactors(material).alpha * vertexAlpha * texture(baseColorTexture, textureCoordinate(material, BASE_COLOR_SLOT)).a;
     if (alpha < materialState(material).alphaCutoff) discard;
 #endif
-    instanceNumber = instance + 1u;
+    surfaceId = uvec2(instance, material) + 1u;
 }

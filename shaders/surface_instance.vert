@@ -18,23 +18,23 @@ layout(location = FURTHER_UVS_ATTRIBUTE) in vec4 furtherUvPairs[FURTHER_UVS];
 
 layout(location = 1) out vec4 uvs;
 layout(location = 2) out float vertexAlpha;
-layout(location = 3) flat out uint material;
 #ifdef FURTHER_UVS
 layout(location = FURTHER_UVS_VARYING) out vec4 furtherUvs[FURTHER_UVS];
 #endif
 #endif
 
 layout(location = 0) flat out uint instance;
+layout(location = 3) flat out uint material;
 
 void main() {
     gl_Position = frame.clipFromWorld * vec4(instancePosition(draw.x, position), 1.0);
     instance = draw.x;
+    material = draw.y;
 #if TEXTURED == 1
     uvs = vec4(uv0, uv1);
 #ifdef FURTHER_UVS
     furtherUvs = furtherUvPairs;
 #endif
     vertexAlpha = color.a;
-    material = draw.y;
 #endif
 }

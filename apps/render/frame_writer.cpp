@@ -60,13 +60,15 @@ void FrameWriter::drawSamples(const SampleSource& source, FrameTiming& timing) {
     accumulator_->reset();
     // On a GPU the times of a frame's passes are known when it has ended; only --stats is worth the wait.
     const bool timed = options_.stats.has_value();
+    candela::FrameSettings settings = frameSettings(options_);
+    settings.previousView = source.previousView;
     const std::uint32_t together = source.moves || (timed && !isSoftware_) ? 1 : samplesTogether;
     for (std::uint32_t first = 0; first < samples_; first += together) {
         const std::uint32_t end = std::min(first + together, samples_);
         const candela::CameraView view = source.viewOf(first);
         if (first == 0) view_ = view;
-        frame_.emplace(accumulator_->addSamples(renderer_, scene_, view, frameSettings(options_),
-                                                options_.samplingSettings(), first, end));
+        frame_.emplace(accumulator_->addSamples(renderer_, scene_, view, settings, options_.samplingSettings(),
+                                                first, end));
         if (timed) addPasses(frame_->passTimes(), timing.passes);
         if (timed && end < samples_) addPasses(accumulator_->passTimes(), timing.passes);
     }
@@ -81,7 +83,9 @@ FrameTiming FrameWriter::draw(const SampleSource& source) {
         drawSamples(source, timing);
     } else {
         view_ = source.viewOf(0);
-        frame_.emplace(renderer_.render(scene_, view_, frameSettings(options_)));
+        candela::FrameSettings settings = frameSettings(options_);
+        settings.previousView = source.previousView;
+        frame_.emplace(renderer_.render(scene_, view_, settings));
         if (display_) pixels_ = frame_->displayPicture(*display_);
         timing.passes = frame_->passTimes();  // waits for the frame to end
     }

@@ -29,6 +29,7 @@ struct SampleSource {
     /// Brings the scene to the time of a sample and returns the view of the camera then.
     std::function<candela::CameraView(std::uint32_t sample)> viewOf;
     bool moves;  ///< Whether the times of the samples differ.
+    std::optional<candela::CameraView> previousView = {};  ///< Of the frame before, for the AOV `motion`.
 };
 
 /// Draws pictures of one or more samples and reads them back in the form that the options' format needs.

@@ -30,8 +30,8 @@ constexpr const char* encodeThreads =
     "Default: 0, as many as --threads";
 constexpr const char* aovFilter =
     "How the samples of an AOV become one value: average, first (the sample in the\n"
-    "pixel's middle), or auto: first for Z and P, average for all others. The\n"
-    "header of the .exr tells which. Default: auto";
+    "pixel's middle), or auto: first for Z, P, ids and motion, average for all\n"
+    "others. The header of the .exr tells which. Default: auto";
 constexpr const char* aoDistance =
     "What is farther than so many metres from a surface does not darken its\n"
     "ambient_occlusion, between 0 and 1e9. Default: 1";

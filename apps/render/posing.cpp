@@ -72,6 +72,17 @@ candela::CameraView Samples::view(std::uint32_t sample) {
     return view_;
 }
 
+std::optional<candela::CameraView> Samples::keepFrameBefore() {
+    if (std::ranges::find(options_.aovs, "motion") == options_.aovs.end()) return std::nullopt;
+    PlannedPicture before = picture_;
+    --before.frame;
+    const double time = poseTime(scene_, options_, plan_.timeOf(before.frame));
+    const candela::CameraView view = plan_.view(before, time);
+    lighting_.pose(time, view);
+    lighting_.keepPoses();
+    return view;
+}
+
 double measureExposure(RunReport& report, const Options& options, candela::Renderer& renderer,
                        candela::GpuScene& gpuScene, Lighting& lighting, const PicturePlan& plan,
                        const std::vector<double>& times, const glm::vec3& luminanceWeights) {

@@ -23,6 +23,8 @@ class Lighting {
 
     /// Brings the scene on the device to a time and, with default lights, to a view.
     void pose(double time, const candela::CameraView& view);
+    /// Keeps where everything is, for the AOV `motion`.
+    void keepPoses() { gpuScene_.keepPoses(); }
 
   private:
     const Options& options_;
@@ -40,6 +42,9 @@ class Samples {
 
     /// Brings the scene to the time of a sample, and returns the view of the camera then.
     candela::CameraView view(std::uint32_t sample);
+    /// For the AOV `motion`: lets the scene on the device keep the poses of the frame before, and returns the
+    /// view of that. None where it is not asked for. Before any `view`.
+    std::optional<candela::CameraView> keepFrameBefore();
     /// Whether the times of the samples differ.
     bool moves() const { return settings_.shutter > 0.0 && !scene_.animations.empty(); }
     std::uint32_t count() const { return settings_.count; }

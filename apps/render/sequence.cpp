@@ -137,12 +137,13 @@ void Sequence::drawPicture(const PlannedPicture& picture) {
 
 void Sequence::draw(Work& work) {
     Samples samples(options_, source_.scene, source_.lighting, source_.plan, work.picture);
+    const std::optional<candela::CameraView> previousView = samples.keepFrameBefore();
     const SampleSource source{[&](std::uint32_t sample) {
                                   if (Interruption::signal() != 0) throw Interrupted{};
                                   report_.drawing(work.picture, sample, samples.count());
                                   return samples.view(sample);
                               },
-                              samples.moves()};
+                              samples.moves(), previousView};
     // Compiles and allocates.
     if (options_.stats && result_.timings.empty()) source_.writer.draw(source);
     const int drawings = options_.stats && !options_.isSequence() ? statsDrawings : 1;

@@ -25,6 +25,8 @@
 #include <candela/material.h>
 #include <candela/mesh.h>
 #include <candela/node.h>
+#include <candela/panorama.h>
+#include <candela/pending.h>
 #include <candela/plugin.h>
 #include <candela/plugin_registry.h>
 #include <candela/refined_cage.h>

@@ -1,8 +1,14 @@
 #pragma once
 
+#include <candela/export.h>
+#include <candela/image_file.h>
+
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,6 +57,29 @@ struct Aov {
     std::vector<std::vector<float>> values;  ///< One array per channel: width × height, rows from the top.
 };
 
+/// A texture that a frame has been drawn into; see `Frame::textures`.
+struct FrameTexture {
+    std::string name;                  ///< "radiance", "depth", "surface", "shadow", ...: docs/embedding.md.
+    std::uint32_t texture = 0;         ///< Its OpenGL name.
+    std::uint32_t target = 0;          ///< GL_TEXTURE_2D.
+    std::uint32_t internalFormat = 0;  ///< Such as GL_RGBA32F.
+    int width = 0, height = 0;         ///< Pixels; rows from the bottom.
+    std::string meaning;               ///< Of its values.
+};
+
+/// Pixels of a frame: columns from `x` and rows from `y` (from the top).
+struct PictureRectangle {
+    int x = 0, y = 0, width = 1, height = 1;
+};
+
+/// What `Frame::pick` finds.
+struct PickedSurface {
+    std::uint32_t node = 0;                      ///< The node whose mesh or cage it is.
+    std::optional<std::uint32_t> material = {};  ///< Index into `Scene::materials`.
+    std::uint64_t pixels = 0;                    ///< How many of the rectangle show it.
+    float z = 0.0f;                              ///< The least distance along the view axis of these, metres.
+};
+
 /// What a pixel of a frame shows.
 struct PixelProbe {
     std::uint32_t node = 0;     ///< The node whose mesh or cage it is.
@@ -63,5 +92,12 @@ struct PixelProbe {
     glm::vec3 radiance{0.0f};      ///< As `Frame::radiance`: of a debug view its code values.
     std::uint32_t lightCount = 0;  ///< Lights in whose range it lies.
 };
+
+/// Writes radiance as channels R, G, B and A, and AOVs behind them, as one EXR file (candela/image_file.h);
+/// `chromaticities` are those of the working space (`ColorConfig::chromaticities`). Throws `Error` as that
+/// function does, and badInput when an AOV has another size.
+CANDELA_API void writeExr(const std::filesystem::path& path, const HdrImage& radiance,
+                          std::span<const Aov> aovs, const Chromaticities& chromaticities,
+                          std::span<const ExrAttribute> attributes = {});
 
 }  // namespace candela

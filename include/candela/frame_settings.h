@@ -1,11 +1,13 @@
 #pragma once
 
 #include <candela/brdf.h>
+#include <candela/camera.h>
 #include <candela/export.h>
 
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -112,6 +114,50 @@ struct PictureRegion {
     int x = 0, y = 0;           ///< Of the frame's upper left pixel in it; it may lie outside.
 };
 
+/// The values in a depth buffer of a host.
+struct DepthConvention {
+    enum class Direction {
+        reversed,  ///< 1 at the near plane, 0 at the far plane.
+        classic,   ///< 0 at the near plane, 1 at the far plane: OpenGL's default, also Vulkan's and Direct3D's.
+    };
+    Direction direction = Direction::classic;
+    /// Planes of the host's projection, metres; none: those of the view, whose far plane may be at infinity.
+    std::optional<float> nearPlane = {}, farPlane = {};
+};
+
+/// What a host has drawn already, at the frame's size. Surfaces of the scene hide it, and it hides them, by
+/// depth. Its pixels are those of an unlit surface: no light falls on them and they cast no shadow. Where its
+/// depth is that of the far plane its colour lies behind everything, also behind the environment.
+struct HostSurfaces {
+    /// Names of textures of type GL_TEXTURE_2D in the current context, which candela reads only.
+    std::uint32_t radiance = 0;  ///< Scene-linear, working space; 0: black.
+    std::uint32_t depth = 0;     ///< A depth texture or one whose red channel is the depth; 0: no such surfaces.
+    DepthConvention convention = {};
+};
+
+/// A frame in the middle of being drawn, for a pass of the host (`FrameHooks`).
+struct FrameStage {
+    std::uint32_t framebuffer = 0;  ///< Bound for drawing and reading; its viewport is set.
+    int width = 0, height = 0;      ///< Pixels.
+    glm::mat4 clipFromWorld{1.0f};  ///< Reversed depth, 0 to 1, as glClipControl is set; exactly the frame's.
+    glm::mat4 worldFromCamera{1.0f};
+};
+
+/// Passes of a host within a frame. OpenGL is in its initial state then, but for clip control (lower left,
+/// zero to one) and what `FrameStage` says. They may change any of it and need restore nothing; they must leave
+/// alone candela's objects, other than what they draw into the framebuffer. Exceptions pass through `render`.
+/// docs/embedding.md has examples.
+struct FrameHooks {
+    /// After the geometry of opaque surfaces, before light. The framebuffer is the G-buffer: outputs as
+    /// docs/gbuffer.md has them, radiance (RGBA32F) at 1, and depth. A fragment that writes 0 to both words
+    /// of output 0 is an unlit surface, whose radiance is what it writes to output 1.
+    std::function<void(const FrameStage&)> afterGeometry = {};
+    /// After light, environment and layers, before overlays and `Frame::display`. The framebuffer has the
+    /// radiance (RGBA32F, working space, output 0) and depth: what is drawn with a depth test of GL_GREATER is
+    /// in front of and behind the scene's opaque surfaces.
+    std::function<void(const FrameStage&)> beforeDisplay = {};
+};
+
 /// How a frame is drawn.
 struct FrameSettings {
     int width = 1280, height = 720;  ///< Pixels, 1 or more each.
@@ -137,7 +183,8 @@ struct FrameSettings {
     float lineWidth = 1.0f;  ///< Pixels, finite and over 0.
     /// The frame is this part of a larger picture; none: it is all of it.
     std::optional<PictureRegion> region = {};
-};
+    /// The view of the frame before, for the AOV `motion`; none: that of this frame.
+    std::optional<CameraView> previousView = {};
     HostSurfaces hostSurfaces = {};
     FrameHooks hooks = {};
 };

@@ -7,10 +7,14 @@
 #include <candela/frame_data.h>
 #include <candela/frame_settings.h>
 #include <candela/gpu_scene.h>
+#include <candela/pending.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +37,15 @@ class CANDELA_API Renderer {
     /// view or the settings break what they state or the scene belongs to another context, limit when the
     /// size or the lists of lights are beyond the device.
     Frame render(GpuScene& scene, const CameraView& view, const FrameSettings& settings = {});
+
+    /// Draws a frame of each view, such as those of `stereoViews` or `cubeViews`, and calls `use` with it and
+    /// the number of its view before the next one is drawn. Throws as `render`, and what `use` throws.
+    void renderViews(GpuScene& scene, std::span<const CameraView> views, const FrameSettings& settings,
+                     const std::function<void(std::size_t view, const Frame& frame)>& use);
+
+    /// Makes the context that it was created for current on this thread, also after the end of the `Context`,
+    /// which it keeps alive; does nothing to a host's context.
+    void makeCurrent() const;
 
     /// The names `Frame::aovs` takes, in the order of the EXR file; without `ambient_occlusion` in a library
     /// without shadows.
@@ -75,6 +88,26 @@ class CANDELA_API Frame {
 
     /// Reads the radiance back, without overlays; of a debug view its code values.
     HdrImage radiance() const;
+    /// `displayPicture` without waiting for it: through a pixel buffer behind a fence, or, where the radiance
+    /// is in memory, on another thread.
+    PendingPicture readDisplayPicture(const DisplayTransform& transform) const;
+    /// `radiance` without waiting for it.
+    PendingRadiance readRadiance() const;
+
+    /// The textures of the frame, by name: radiance, depth and the words of the G-buffer. They are the
+    /// renderer's: their content is the frame's until the renderer draws again, and their names are valid
+    /// until it draws with another size or other parts of the G-buffer, or is destroyed. Hosts read them only,
+    /// after candela's calls in the same context (in a context that shares objects with this one, after a
+    /// fence). Radiance that lighting has left in memory is uploaded once.
+    std::vector<FrameTexture> textures() const;
+    /// Shows the frame as `display` does in a texture of its size, "display": GL_RGBA8, code values of the
+    /// display. Its content is valid until the next frame or the next call of a function that shows one.
+    FrameTexture displayTexture(const DisplayTransform& transform) const;
+    /// Writes the depth of the opaque surfaces into the depth buffer of a framebuffer, which may be
+    /// multisampled, as the host's projection has it; the far plane where there is no surface. Depths beyond
+    /// the host's planes are clamped. Other buffers keep their content. Throws `Error` (badInput) when the
+    /// framebuffer does not exist or is incomplete, or a plane is out of its range.
+    void writeDepth(const FrameTarget& target, const DepthConvention& convention) const;
     /// Reads AOVs back. Of transparent surfaces they show those with an alpha over a half, as masks; a frame
     /// that has some is drawn again for it. Emission, counts of lights and the light of the environment are
     /// drawn again, ambient occlusion is traced. Throws `Error` (badInput) when a name is unknown or given
@@ -85,6 +118,9 @@ class CANDELA_API Frame {
     /// What the pixel of column `x` and row `y` (from the top) shows: the same surface as of the AOVs; none
     /// on the background. Draws the pixel again. Throws `Error` (badInput) when there is no such pixel.
     std::optional<PixelProbe> probe(int x, int y) const;
+    /// The surfaces that a rectangle shows, by node and material: those of more pixels first. Draws these
+    /// pixels again. Throws `Error` (badInput) when the rectangle is empty or not within the picture.
+    std::vector<PickedSurface> pick(const PictureRectangle& rectangle) const;
     /// The largest number of lights at any pixel, where the frame shows `DebugView::lightCount` or
     /// `DebugView::shadowedCount`, as the end of the heat map; 0 otherwise.
     std::uint32_t maxLightCount() const;

@@ -65,8 +65,10 @@ ContextBinding::~ContextBinding() {
 void ContextBinding::requireCurrent(const char* user) const {
     if (isCurrent()) return;
     throw Error(ErrorKind::environment, "",
-                std::string(user) + " is used while its OpenGL context is not current on this thread; make " +
-                    (isOwned() ? "it current with Context::makeCurrent" : "the host's context current") +
+                std::string(user) + " is used while its OpenGL context is not current on this thread (" +
+                    (currentNativeContext() == nullptr ? "no context is" : "another one is") + "); make " +
+                    (isOwned() ? "it current with makeCurrent of its Context or Renderer"
+                               : "the host's context current") +
                     " first");
 }
 

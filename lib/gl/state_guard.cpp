@@ -120,7 +120,7 @@ StateGuard::StateGuard(const ContextBinding& binding, const char* user) : restor
     setDefaults();
 }
 
-void StateGuard::setDefaults() const {
+void StateGuard::setDefaults() {
     for (const GLenum capability : capabilityNames) glDisable(capability);
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);

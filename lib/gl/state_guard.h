@@ -30,6 +30,9 @@ class StateGuard {
     StateGuard& operator=(const StateGuard&) = delete;
     ~StateGuard();
 
+    /// Sets the state that candela's passes rely on, once more: after a host has drawn within the scope.
+    static void setDefaults();
+
   private:
     struct TextureUnit {
         GLint texture1d, texture2d, texture3d, textureBuffer, texture2dArray, sampler;
@@ -54,7 +57,6 @@ class StateGuard {
         std::array<GLint, 4> scissorBox;
     };
 
-    void setDefaults() const;
     void keepCapabilities();
     void keepBindings();
     void keepFixedFunction();

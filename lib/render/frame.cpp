@@ -1,5 +1,4 @@
 #include "gl/state_guard.h"
-#include "render/debug/aovs.h"
 #include "render/debug/probe.h"
 #include "render/display/display_target.h"
 #include "render/gbuffer/readback.h"
@@ -88,65 +87,8 @@ HdrImage Frame::radiance() const {
     const Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
     const GBufferTargets& targets = *state.targets;
-    HdrImage image{targets.width, targets.height,
-                   readColor(targets.litRadiance(), targets.width, targets.height)};
-    const std::vector<float> depth = readDepth(targets);
-    for (std::size_t i = 0; i < depth.size(); ++i) {
-        if (depth[i] > 0.0f) image.rgba[4 * i + 3] = 1.0f;
-    }
-    flipRows(image.rgba, targets.width, targets.height);
-    return image;
-}
-
-std::vector<std::string> Renderer::aovNames() {
-    std::vector<std::string> names;
-    for (const ChannelRow& row : channelRows()) {
-        if (row.source != ChannelSource::ambientOcclusion || hasShadows())
-            names.emplace_back(row.channel.name);
-    }
-    return names;
-}
-
-std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
-    const std::vector<const ChannelRow*> rows = findAovs(names);
-    Renderer::State& state = this->state();
-    const gl::StateGuard guard(*state.binding, user);
-    state.bindFrame();
-    ShadedSurfaces& shown = state.frame->hasTransparent ? state.drawMasked(*scene()) : state.frameSurfaces;
-    const GBufferTargets& targets = *shown.targets;
-    std::vector<float> emission, lightCount, shadowedCount, ambientOcclusion;
-    if (usesSource(rows, ChannelSource::emission)) {
-        emission = readColor(state.drawEmission(*scene()).radiance, targets.width, targets.height);
-    }
-    const auto environmentOf = [&](ChannelSource source, EnvironmentPass::Parts parts) {
-        if (!usesSource(rows, source)) return std::vector<float>{};
-        return readColor(state.drawEnvironment(*scene(), shown, parts).radiance, targets.width,
-                         targets.height);
-    };
-    const std::vector<float> environment = environmentOf(ChannelSource::environment, {});
-    const std::vector<float> environmentDiffuse =
-        environmentOf(ChannelSource::environmentDiffuse, {.diffuse = 1.0f, .specular = 0.0f});
-    const std::vector<float> environmentSpecular =
-        environmentOf(ChannelSource::environmentSpecular, {.diffuse = 0.0f, .specular = 1.0f});
-    if (usesSource(rows, ChannelSource::lightCount)) {
-        const std::shared_ptr<GpuScene::State> scene = this->scene();
-        const LightingInputs inputs = state.lightingInputs(*scene, shown);
-        state.lighting.bind(inputs);
-        lightCount = state.lighting.counter().litPerPixel(inputs);
-    }
-    if (usesSource(rows, ChannelSource::shadowedCount))
-        shadowedCount = state.countShadowed(*scene(), targets);
-    if (usesSource(rows, ChannelSource::ambientOcclusion))
-        ambientOcclusion = state.traceAmbientOcclusion(*scene(), targets);
-    const std::vector<GBufferTexel> surfaces = readSurfaces(targets);
-    const std::vector<float> depth = readDepth(targets);
-    const AovSources sources{
-        targets.width, targets.height, state.frame->uniforms, state.frame->origin, depth,
-        surfaces,      emission,       environment,           environmentDiffuse,  environmentSpecular,
-        lightCount,    shadowedCount,  ambientOcclusion};
-    std::vector<Aov> result;
-    for (const ChannelRow* row : rows) result.push_back(makeAov(*row, sources));
-    return result;
+    return wholeRadiance(targets.width, targets.height,
+                         readColor(targets.litRadiance(), targets.width, targets.height), readDepth(targets));
 }
 
 std::optional<PixelProbe> Frame::probe(int x, int y) const {
@@ -155,18 +97,16 @@ std::optional<PixelProbe> Frame::probe(int x, int y) const {
     checkPixel(frame.settings, x, y);
     const gl::StateGuard guard(*state.binding, user);
     const std::shared_ptr<GpuScene::State> scene = this->scene();
-    const int width = frame.settings.width, height = frame.settings.height, fromBottom = height - 1 - y;
+    const int fromBottom = frame.settings.height - 1 - y;
     state.bindFrame();
     const ShadedSurfaces& shown = frame.hasTransparent ? state.drawMasked(*scene) : state.frameSurfaces;
     std::optional<PixelProbe> probe =
         probeSurface({*shown.targets, frame.uniforms, scene->lights, x, fromBottom});
     if (!probe) return std::nullopt;
     probe->radiance = readColorAt(state.targets->litRadiance(), x, fromBottom);
-    scene->cull(frame.frustum, state.draws);
-    const std::optional<std::uint32_t> instance =
-        state.instances.at({*scene, state.draws, width, height}, x, fromBottom);
-    if (!instance) return std::nullopt;  // What the frame shows here has been hidden or moved since.
-    probe->node = scene->instances[*instance].node;
+    const std::uint32_t instance = state.surfaceIds(*scene, {x, fromBottom, 1, 1})[0].instance;
+    if (instance == 0) return std::nullopt;  // What the frame shows here has been hidden or moved since.
+    probe->node = scene->instances[instance - 1].node;
     probe->emission = state.emissionAt(*scene, x, fromBottom);
     return probe;
 }

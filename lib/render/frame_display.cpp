@@ -23,9 +23,13 @@ std::vector<std::uint8_t> Renderer::State::displayPicture(const DisplayTransform
         const gl::PassTimer::Scope pass(timer, "display");
         return memoryDisplay.codes(picture, transform);
     }
+    return shownTarget(transform).read();
+}
+
+const DisplayTarget& Renderer::State::shownTarget(const DisplayTransform& transform) {
     if (!displayTarget) displayTarget.emplace(targets->width, targets->height);
     displayFrame(transform, {.framebuffer = displayTarget->framebuffer.name()});
-    return displayTarget->read();
+    return *displayTarget;
 }
 
 }  // namespace candela

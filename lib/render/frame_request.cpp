@@ -55,6 +55,7 @@ void checkSettings(const FrameSettings& settings) {
                " rays is asked for; expected 1 to " + std::to_string(maxRays));
     }
     if (settings.region) checkRegion(*settings.region);
+    if (settings.previousView) checkView(*settings.previousView);
     const auto requireSize = [](const char* what, float pixels) {
         if (pixels > 0.0f && std::isfinite(pixels)) return;
         refuse(std::string(what) + " of " + std::to_string(pixels) +

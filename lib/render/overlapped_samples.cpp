@@ -42,7 +42,8 @@ bool Renderer::State::canOverlapSamples(const GpuScene::State& scene) const {
     // What has lobes may come into view in a later sample, and the targets are those of the first.
     const bool hasLobeWords = targets->parts.lobes == scene.materials.hasLobes();
     return onCpu && surfacesRest && hasLobeWords && !isBackground && settings.debugView == DebugView::none &&
-           !hasLines(settings.overlays);
+           !hasLines(settings.overlays) && !hasHostSurfaces() && !settings.hooks.afterGeometry &&
+           !settings.hooks.beforeDisplay;
 }
 
 /// Inputs of the CPU tiles, which read a copy of the targets for themselves.

@@ -131,16 +131,20 @@ void Renderer::State::drawGeometry(const GpuScene::State& scene, const GBufferTa
                                    LoadOp radianceLoad) {
     scene.cull(frame->frustum, draws);
     if (scene.triangleFilter) scene.triangleFilter->filter(draws, frame->uniforms);
-    geometry.render({scene, draws, into, radianceLoad, set, scene.triangleFilter.get()});
+    geometry.render({scene, draws, into, radianceLoad, set, scene.triangleFilter.get(), nullptr,
+                     hasHostSurfaces() ? &hostDraws : nullptr});
 }
 
 void Renderer::State::drawLit(const GpuScene::State& scene) {
     LightingTechnique& technique = lighting.technique(frame->technique, frame->settings.tileBackend);
     {
         const gl::PassTimer::Scope pass(timer, "geometry");
-        drawGeometry(scene, *targets, SurfaceSet::opaque, technique.radianceLoadOp());
+        const bool addsRadiance = static_cast<bool>(frame->settings.hooks.afterGeometry);
+        drawGeometry(scene, *targets, SurfaceSet::opaque,
+                     addsRadiance ? LoadOp::clear : technique.radianceLoadOp());
     }
-    frameSurfaces.emits = draws.emits();
+    frameSurfaces.emits = draws.emits() || hasHostSurfaces();
+    runAfterGeometry();
     frame->hasTransparent = draws.hasTransparent();
     // First, so that all that is asked of the technique and of its passes later is of the opaque surfaces.
     if (frame->hasTransparent) drawLayers(scene);
@@ -213,11 +217,12 @@ void Renderer::State::drawDebugView(const GpuScene::State& scene) {
         const gl::PassTimer::Scope pass(timer, "geometry");
         drawGeometry(scene, *targets, SurfaceSet::all, LoadOp::clear);
     }
-    frameSurfaces.emits = draws.emits(SurfaceSet::all);
+    frameSurfaces.emits = draws.emits(SurfaceSet::all) || hasHostSurfaces();
     const LightingInputs inputs = lightingInputs(scene, frameSurfaces);
     lighting.bind(inputs);
     const gl::PassTimer::Scope pass(timer, "debug view");
-    debugView->render({frame->settings.debugView, scene, draws, inputs, lighting, instances});
+    debugView->render({frame->settings.debugView, scene, draws, inputs, lighting, instances,
+                       hostDraws.depth});
 }
 
 void Renderer::State::drawOverlays(GpuScene::State& scene) {
@@ -297,7 +302,7 @@ void Renderer::State::describeFrame(const GpuScene::State& scene, const CameraVi
     const CameraView view = withFarPlane(requested, scene, pixels);
     const ViewWindow window = pixels.window(view);
     frame.emplace(DrawnFrame{
-        settings, view, pixels, technique, traced,
+        settings, view, requested.farPlane, pixels, technique, traced,
         frameUniforms(view, pixels, scene.options.workingFromRec709, scene.lights.counts()),
         Frustum(view, window), scene.sceneState.origin});
     // Of the wider side of a pixel.
@@ -346,6 +351,7 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
         settings.technique == Technique::automatic ? Technique::tiles : settings.technique;
     createPasses(settings, technique, traced);
     describeFrame(scene, requested, settings, technique, traced);
+    useHostSurfaces();
     timer.beginFrame();
     bindFrame();
     // What is out of view may cast shadows into it.
@@ -368,6 +374,7 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
     frameSurfaces.reset(*targets);
     if (settings.debugView == DebugView::none) {
         drawLit(scene);
+        runBeforeDisplay();
     } else {
         drawDebugView(scene);
     }
@@ -398,6 +405,16 @@ Frame Renderer::render(GpuScene& scene, const CameraView& view, const FrameSetti
     const gl::StateGuard guard(*state_->binding, "a Renderer");
     state_->render(*scene.state_, view, settings);
     return Frame(state_, scene.state_, state_->frameNumber);
+}
+
+void Renderer::renderViews(GpuScene& scene, std::span<const CameraView> views, const FrameSettings& settings,
+                           const std::function<void(std::size_t view, const Frame& frame)>& use) {
+    for (std::size_t i = 0; i < views.size(); ++i) use(i, render(scene, views[i], settings));
+}
+
+void Renderer::makeCurrent() const {
+    if (!state_) refuse("a Renderer is used that was moved from");
+    state_->binding->makeCurrent();
 }
 
 }  // namespace candela

@@ -15,6 +15,7 @@
 #include "render/gbuffer/gbuffer_copy.h"
 #include "render/gbuffer/geometry_pass.h"
 #include "render/gpu_scene/gpu_scene_state.h"
+#include "render/host/depth_conversion.h"
 #include "render/layers/fragment_lists.h"
 #include "render/layers/layer_draws.h"
 #include "render/layers/layer_pass.h"
@@ -70,6 +71,7 @@ struct ShadedSurfaces {
 struct DrawnFrame {
     FrameSettings settings;
     CameraView view;      ///< Of the whole picture. Orthographic ones have a far plane.
+    std::optional<float> requestedFarPlane;
     FramePixels pixels;
     Technique technique;  ///< Never `automatic`.
     TracedRays traced;
@@ -125,6 +127,20 @@ struct Renderer::State {
     void displayFrame(const DisplayTransform& transform, const FrameTarget& target);
     /// The same as 8-bit RGBA, rows from the top.
     std::vector<std::uint8_t> displayPicture(const DisplayTransform& transform);
+    /// The frame, shown in a target of its own.
+    const DisplayTarget& shownTarget(const DisplayTransform& transform);
+
+    /// What the pixels of a rectangle show, rows from the bottom: drawn again.
+    std::vector<SurfaceId> surfaceIds(const GpuScene::State& scene, const gl::PixelRectangle& rectangle);
+    /// Writes depth as a host has it.
+    void writeDepth(const FrameTarget& target, const DepthConvention& convention);
+    /// The lit frame where a technique has left it in memory; else, and in a debug view, without radiance.
+    MemoryPicture pictureInMemory() const {
+        return {targets->memory.radiance,
+                targets->width,
+                targets->height,
+                {frame->pixels.left, frame->pixels.bottom}};
+    }
 
     std::shared_ptr<gl::ContextBinding> binding;
     gl::PassTimer timer;
@@ -159,8 +175,19 @@ struct Renderer::State {
     std::optional<GBufferTargets> emissionTargets;      ///< Where `drawEmission` and `drawEnvironment` draw.
     std::optional<GBufferTargets> maskedTargets;        ///< Of `drawMasked`.
     std::optional<DisplayTarget> displayTarget;
+    std::optional<DepthConversion> depthConversion;
+    HostSurfaceDraws hostDraws;  ///< Of the frame; see lib/render/host/host_passes.cpp.
+    bool hasHostSurfaces() const { return hostDraws.depth || hostDraws.radiance; }
 
   private:
+    /// The frame's view as the host has asked for it.
+    CameraView requestedView() const;
+    DepthConversion& conversion();
+    /// Prepares for the host's surfaces of the frame's settings. Throws as `HostSurfaces` states.
+    void useHostSurfaces();
+    void runHook(const std::function<void(const FrameStage&)>& hook, const gl::Framebuffer& target);
+    void runAfterGeometry();
+    void runBeforeDisplay();
     void selectTargets(int width, int height, const GBufferParts& parts);
     GBufferTargets& targetsWith(const GBufferParts& parts, int width, int height);
     void createPasses(const FrameSettings& settings, Technique technique, const TracedRays& traced);
@@ -187,13 +214,6 @@ struct Renderer::State {
     void drawBackground(const GpuScene::State& scene);
     void drawDebugView(const GpuScene::State& scene);
     void drawOverlays(GpuScene::State& scene);
-    /// The lit frame where a technique has left it in memory; else, and in a debug view, without radiance.
-    MemoryPicture pictureInMemory() const {
-        return {targets->memory.radiance,
-                targets->width,
-                targets->height,
-                {frame->pixels.left, frame->pixels.bottom}};
-    }
     /// Targets with the shadow word, from which occlusion rays start, with `scene.occlusion` in step: those
     /// `shown`, or drawn again for a frame without shadows.
     const GBufferTargets& prepareRays(GpuScene::State& scene, const GBufferTargets& shown);

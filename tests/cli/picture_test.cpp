@@ -122,8 +122,13 @@ TEST_F(Picture, AovsMatchTheSurface) {
                 "environment_specular.B",
                 "environment_specular.G",
                 "environment_specular.R",
+                "instance_id",
                 "light_count",
+                "material_id",
                 "metallic",
+                "motion.X",
+                "motion.Y",
+                "node_id",
                 "roughness",
                 "shadowed_count"};
 #ifdef CANDELA_SHADOWS
@@ -155,6 +160,11 @@ TEST_F(Picture, AovsMatchTheSurface) {
     EXPECT_EQ(at("light_count"), 1.0f);
     EXPECT_EQ(picture.at("light_count", 0, 0), 0.0f);
     EXPECT_EQ(at("shadowed_count"), 0.0f);
+    EXPECT_EQ(at("instance_id"), 1.0f);
+    EXPECT_EQ(at("material_id"), 1.0f);
+    EXPECT_GE(at("node_id"), 1.0f);
+    EXPECT_EQ(picture.at("node_id", 0, 0), 0.0f);
+    EXPECT_EQ(at("motion.X"), 0.0f);
     if (!hasOcclusion) return;
     EXPECT_EQ(at("ambient_occlusion"), 1.0f);
     EXPECT_EQ(picture.at("ambient_occlusion", 0, 0), 0.0f);

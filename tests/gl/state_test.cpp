@@ -56,7 +56,71 @@ struct FrameOutputs {
     /// Of every debug view, with overlays.
     std::vector<std::vector<std::uint8_t>> views;
     std::optional<PixelProbe> probe;
+    std::vector<PickedSurface> picked;
+    std::vector<float> hosted;  ///< With surfaces and passes of the host.
 };
+
+/// Textures that stand for what a host has drawn: half of the picture is before everything.
+class HostSurfaceTextures {
+  public:
+    HostSurfaceTextures(int width, int height) {
+        glCreateTextures(GL_TEXTURE_2D, 2, names_.data());
+        glTextureStorage2D(names_[0], 1, GL_RGBA16F, width, height);
+        glTextureStorage2D(names_[1], 1, GL_DEPTH_COMPONENT24, width, height);
+        std::vector<float> depth;
+        for (int i = 0; i < width * height; ++i) depth.push_back(i % width < width / 2 ? 0.001f : 1.0f);
+        const std::array<float, 4> green{0.0f, 0.5f, 0.0f, 1.0f};
+        glClearTexImage(names_[0], 0, GL_RGBA, GL_FLOAT, green.data());
+        glTextureSubImage2D(names_[1], 0, 0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+    }
+    HostSurfaceTextures(const HostSurfaceTextures&) = delete;
+    HostSurfaceTextures& operator=(const HostSurfaceTextures&) = delete;
+    ~HostSurfaceTextures() { glDeleteTextures(2, names_.data()); }
+    HostSurfaces surfaces() const { return {names_[0], names_[1], {}}; }
+
+  private:
+    std::array<GLuint, 2> names_{};
+};
+
+/// A framebuffer of depth alone.
+class HostDepthTarget {
+  public:
+    HostDepthTarget() {
+        glCreateTextures(GL_TEXTURE_2D, 1, &depth_);
+        glTextureStorage2D(depth_, 1, GL_DEPTH24_STENCIL8, 48, 32);
+        glCreateFramebuffers(1, &framebuffer_);
+        glNamedFramebufferTexture(framebuffer_, GL_DEPTH_STENCIL_ATTACHMENT, depth_, 0);
+    }
+    HostDepthTarget(const HostDepthTarget&) = delete;
+    HostDepthTarget& operator=(const HostDepthTarget&) = delete;
+    ~HostDepthTarget() {
+        glDeleteFramebuffers(1, &framebuffer_);
+        glDeleteTextures(1, &depth_);
+    }
+    GLuint framebuffer() const { return framebuffer_; }
+
+  private:
+    GLuint depth_ = 0, framebuffer_ = 0;
+};
+
+/// What a pass of a host may leave behind.
+void changeState(const FrameStage&) {
+    glEnable(GL_STENCIL_TEST);
+    glEnable(GL_CULL_FACE);
+    glFrontFace(GL_CW);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, GL_ZERO);
+    glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glViewport(0, 0, 1, 1);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, 0);
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glPixelStorei(GL_PACK_ROW_LENGTH, 7);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
 
 /// Makes calls, and expects the state after each to be unchanged.
 class StateCheck {
@@ -82,9 +146,10 @@ class StateCheck {
     GlState before_;
 };
 
-FrameOutputs drawChecked(HostContext& host, Technique technique) {
+FrameOutputs drawChecked(HostContext& host, Technique technique, const HostSurfaceTextures& hostTextures) {
     const LitScene lit = smallScene();
     const DisplayTransform transform = ColorConfig::builtIn().displayTransform({});
+    const HostDepthTarget depthTarget;
     StateCheck checked(host);
     const Context context = Context::adoptCurrent();
     Renderer renderer = checked("Renderer", [&] { return Renderer(context); });
@@ -99,6 +164,22 @@ FrameOutputs drawChecked(HostContext& host, Technique technique) {
     for (const Aov& aov : aovs) outputs.aovs.insert(outputs.aovs.end(), aov.values.begin(), aov.values.end());
     outputs.pairs = checked("countPairs", [&] { return frame.countPairs(); });
     checked("passTimes", [&] { return frame.passTimes(); });
+    outputs.picked = checked("pick", [&] { return frame.pick({4, 4, 30, 20}); });
+    checked("textures", [&] { return frame.textures(); });
+    checked("displayTexture", [&] { return frame.displayTexture(transform); });
+    checked("writeDepth", [&] { frame.writeDepth({depthTarget.framebuffer()}, {}); });
+    auto picture = checked("readDisplayPicture", [&] { return frame.readDisplayPicture(transform); });
+    auto radiance = checked("readRadiance", [&] { return frame.readRadiance(); });
+    checked("ready", [&] { return radiance.ready(); });
+    EXPECT_EQ(checked("get of a picture", [&] { return picture.get(); }), outputs.display);
+    EXPECT_EQ(checked("get of radiance", [&] { return radiance.get(); }).rgba, outputs.radiance);
+    checked("keepPoses", [&] { scene.keepPoses(); });
+    FrameSettings hosted = smallFrame(lit, technique).settings();
+    hosted.hostSurfaces = hostTextures.surfaces();
+    hosted.hooks.afterGeometry = changeState;
+    hosted.hooks.beforeDisplay = changeState;
+    frame = checked("render with a host's passes", [&] { return renderer.render(scene, lit.view, hosted); });
+    outputs.hosted = checked("radiance of it", [&] { return frame.radiance().rgba; });
     for (const DebugView debugView : debugViews()) {
         FrameRequest inputs = smallFrame(lit, technique);
         inputs.debugView = debugView;
@@ -119,13 +200,19 @@ FrameOutputs drawChecked(HostContext& host, Technique technique) {
 TEST_F(HostStateTest, everyCallRestoresStateAndDrawsTheSame) {
     for (const Technique technique : techniques) {
         HostContext host(4, 5);
-        const FrameOutputs usual = drawChecked(host, technique);
+        const HostSurfaceTextures textures(48, 32);
+        const FrameOutputs usual = drawChecked(host, technique, textures);
         ASSERT_FALSE(usual.radiance.empty());
         const UnusualState unusual;
-        const FrameOutputs seen = drawChecked(host, technique);
+        const FrameOutputs seen = drawChecked(host, technique, textures);
         EXPECT_EQ(seen.radiance, usual.radiance) << toString(technique);
         EXPECT_EQ(seen.display, usual.display);
         EXPECT_EQ(seen.aovs, usual.aovs);
+        EXPECT_EQ(seen.hosted, usual.hosted);
+        EXPECT_NE(usual.hosted, usual.radiance);
+        ASSERT_EQ(seen.picked.size(), usual.picked.size());
+        for (std::size_t i = 0; i < seen.picked.size(); ++i)
+            EXPECT_EQ(seen.picked[i].pixels, usual.picked[i].pixels);
         EXPECT_EQ(seen.views, usual.views);
         ASSERT_TRUE(seen.probe && usual.probe);
         EXPECT_EQ(seen.probe->node, usual.probe->node);

@@ -58,6 +58,8 @@ const std::map<std::string, std::string> layerOfHeader = {
     {"frame_data.h", "render"},
     {"frame_settings.h", "render"},
     {"gbuffer.h", "render"},
+    {"panorama.h", "render"},
+    {"pending.h", "render"},
     {"gpu_scene.h", "render"},
     {"renderer.h", "render"},
     {"accumulator.h", "render"},

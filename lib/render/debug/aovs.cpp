@@ -45,6 +45,28 @@ std::span<const float> colorsOf(ChannelSource source, const AovSources& sources)
             return sources.environmentDiffuse;
         case ChannelSource::environmentSpecular:
             return sources.environmentSpecular;
+        case ChannelSource::motion:
+            return sources.motion;
+        default:
+            return {};
+    }
+}
+
+/// The numbers of a channel's source; empty for a source of other kinds.
+std::span<const float> numbersOf(ChannelSource source, const AovSources& sources) {
+    switch (source) {
+        case ChannelSource::lightCount:
+            return sources.lightCount;
+        case ChannelSource::shadowedCount:
+            return sources.shadowedCount;
+        case ChannelSource::ambientOcclusion:
+            return sources.ambientOcclusion;
+        case ChannelSource::nodeId:
+            return sources.nodeId;
+        case ChannelSource::materialId:
+            return sources.materialId;
+        case ChannelSource::instanceId:
+            return sources.instanceId;
         default:
             return {};
     }
@@ -57,9 +79,8 @@ glm::vec3 valueAt(const ChannelRow& row, const AovSources& sources, int x, int y
     if (!hasValue(row, sources, i)) return glm::vec3(0.0f);
     ChannelPixel pixel{sources.frame, sources.origin, x, y, sources.depth[i], {}};
     if (row.source == ChannelSource::surface) pixel.surface = unpackSurface(sources.surfaces[i]);
-    if (row.source == ChannelSource::lightCount) pixel.number = sources.lightCount[i];
-    if (row.source == ChannelSource::shadowedCount) pixel.number = sources.shadowedCount[i];
-    if (row.source == ChannelSource::ambientOcclusion) pixel.number = sources.ambientOcclusion[i];
+    if (const std::span<const float> numbers = numbersOf(row.source, sources); !numbers.empty())
+        pixel.number = numbers[i];
     if (const std::span<const float> colors = colorsOf(row.source, sources); !colors.empty())
         pixel.color = {colors[4 * i], colors[4 * i + 1], colors[4 * i + 2]};
     return row.decode(pixel);

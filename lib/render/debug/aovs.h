@@ -22,6 +22,8 @@ struct AovSources {
     std::span<const float> emission;                                              ///< RGBA.
     std::span<const float> environment, environmentDiffuse, environmentSpecular;  ///< RGBA.
     std::span<const float> lightCount, shadowedCount, ambientOcclusion;
+    std::span<const float> nodeId, materialId, instanceId;
+    std::span<const float> motion;  ///< Four floats a pixel.
 };
 
 /// The rows of these AOVs, in the order of `names`. Throws `Error` (badInput), naming the AOVs there are,

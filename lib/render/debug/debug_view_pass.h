@@ -52,6 +52,7 @@ class DebugViewPass {
         const LightingInputs& frame;  ///< Bound as for lighting.
         Lighting& lighting;           ///< Counts the lights.
         InstancePass& instances;
+        const std::function<void(GLuint framebuffer)>& drawHostDepth;  ///< As `InstancePass::Inputs` has it.
     };
     /// Writes the view's code values into the radiance target, which holds emission where
     /// `DebugView::emission` is asked for. The frame's uniform block is bound.

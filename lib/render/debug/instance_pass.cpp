@@ -39,7 +39,7 @@ const gl::Program& InstancePass::Programs::of(const PipelineKey& key) {
 InstancePass::Targets::Targets(int pixelsWide, int pixelsHigh)
     : width(pixelsWide),
       height(pixelsHigh),
-      instances(gl::Texture::target2d(GL_R32UI, width, height, "instances")),
+      instances(gl::Texture::target2d(GL_RG32UI, width, height, "instances")),
       depth(gl::Texture::target2d(GL_DEPTH_COMPONENT32F, width, height, "instance depth")),
       framebuffer({&instances}, &depth, "instances") {}
 
@@ -58,16 +58,17 @@ const gl::Texture& InstancePass::render(const Inputs& inputs) {
     return targets_->instances;
 }
 
-std::optional<std::uint32_t> InstancePass::at(const Inputs& inputs, int x, int y) {
+std::vector<SurfaceId> InstancePass::read(const Inputs& inputs, const gl::PixelRectangle& rectangle) {
+    const auto& [x, y, width, height] = rectangle;
     {
-        const gl::Scissor pixel({x, y, 1, 1});
+        const gl::Scissor part(rectangle);
         drawBatches(inputs);
     }
-    std::uint32_t number = 0;
-    glGetTextureSubImage(targets_->instances.name(), 0, x, y, 0, 1, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                         sizeof number, &number);
-    if (number == 0) return std::nullopt;
-    return number - 1;
+    std::vector<SurfaceId> ids(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    static_assert(sizeof(SurfaceId) == 2 * sizeof(GLuint));
+    glGetTextureSubImage(targets_->instances.name(), 0, x, y, 0, width, height, 1, GL_RG_INTEGER,
+                         GL_UNSIGNED_INT, static_cast<GLsizei>(ids.size() * sizeof(SurfaceId)), ids.data());
+    return ids;
 }
 
 void InstancePass::drawBatches(const Inputs& inputs) {
@@ -77,8 +78,9 @@ void InstancePass::drawBatches(const Inputs& inputs) {
     const GLuint framebuffer = targets_->framebuffer.name();
     glClearNamedFramebufferuiv(framebuffer, GL_COLOR, 0, none.data());
     glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &farthest);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    if (inputs.drawHostDepth) inputs.drawHostDepth(framebuffer);
     glViewport(0, 0, inputs.width, inputs.height);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
     inputs.draws.bind();

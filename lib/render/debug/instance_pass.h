@@ -6,24 +6,34 @@
 #include "render/gpu_scene/gpu_scene_state.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <tuple>
+#include <vector>
 
 namespace candela {
 
-/// Draws the instance at each pixel of a frame, with the same draws as the geometry pass.
+/// What a pixel shows, counted from 1; 0 on the background and of surfaces of a host.
+struct SurfaceId {
+    std::uint32_t instance = 0;
+    std::uint32_t material = 0;  ///< Index into `Scene::materials` and 1; their count and 1 without a material.
+};
+
+/// Draws the instance and the material at each pixel of a frame, with the same draws as the geometry pass.
 class InstancePass {
   public:
     struct Inputs {
         const GpuScene::State& scene;
         const DrawSelection& draws;  ///< Of the view; the frame's uniform block is bound.
         int width, height;
+        /// Draws the depth of a host's surfaces; empty: there are none.
+        std::function<void(GLuint framebuffer)> drawHostDepth = {};
     };
-    /// R32UI: the instance at each pixel, counted from 1; 0 on the background.
+    /// RG32UI, `SurfaceId` of each pixel.
     const gl::Texture& render(const Inputs& inputs);
-    /// The instance at one pixel, y from the bottom; none on the background. Draws that pixel alone.
-    std::optional<std::uint32_t> at(const Inputs& inputs, int x, int y);
+    /// Those of a rectangle, rows from the bottom. Draws it alone.
+    std::vector<SurfaceId> read(const Inputs& inputs, const gl::PixelRectangle& rectangle);
 
   private:
     struct Targets {

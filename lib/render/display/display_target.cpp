@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace candela {
 
@@ -44,6 +45,15 @@ void requireTarget(const FrameTarget& target) {
                 "framebuffer " + std::to_string(target.framebuffer) +
                     (exists ? " is incomplete; a frame is displayed in a complete one"
                             : " does not exist in the current context"));
+}
+
+HdrImage wholeRadiance(int width, int height, std::vector<float> rgba, std::span<const float> depth) {
+    HdrImage image{width, height, std::move(rgba)};
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (depth[i] > 0.0f) image.rgba[4 * i + 3] = 1.0f;
+    }
+    flipRows(image.rgba, width, height);
+    return image;
 }
 
 void flipRows(std::vector<float>& rgba, int width, int height) {

@@ -3,9 +3,11 @@
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
 
+#include <candela/frame_data.h>
 #include <candela/frame_settings.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace candela {
@@ -24,6 +26,9 @@ struct DisplayTarget {
 /// Throws `Error` (badInput) unless the framebuffer exists and can be drawn into: OpenGL itself would only
 /// leave an error in the host's queue.
 void requireTarget(const FrameTarget& target);
+
+/// The radiance of a frame as hosts get it, from `rgba` and reversed depth with rows from the bottom.
+HdrImage wholeRadiance(int width, int height, std::vector<float> rgba, std::span<const float> depth);
 
 /// Reverses the order of the rows of RGBA pixels.
 void flipRows(std::vector<float>& rgba, int width, int height);

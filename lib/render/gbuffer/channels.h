@@ -24,6 +24,10 @@ enum class ChannelSource {
     shadowedCount,        ///< `Lighting::shadowedPerPixel`.
     ambientOcclusion,     ///< render/occlusion/ambient_occlusion.h; of AOVs only.
     instance,             ///< `InstancePass`; of debug views only.
+    nodeId,               ///< The same, of AOVs only, as the next three.
+    materialId,
+    instanceId,
+    motion,  ///< render/debug/motion.h.
 };
 
 /// A pixel of a frame as decoders read it. Of the members below `depth` only the one of the channel's source
@@ -34,8 +38,8 @@ struct ChannelPixel {
     int x, y;                  ///< y from the bottom.
     float depth;               ///< Reversed; 0 on the background.
     GBufferSurface surface;
-    glm::vec3 color{0.0f};  ///< Of `emission` and the parts of the environment.
-    float number = 0.0f;    ///< Of `lightCount`, `shadowedCount` and `ambientOcclusion`.
+    glm::vec3 color{0.0f};  ///< Of `emission`, the parts of the environment and `motion`.
+    float number = 0.0f;    ///< Of counts, ids and `ambientOcclusion`.
 };
 
 /// A debug view of the table below.

@@ -72,11 +72,14 @@ GeometryPass::Programs& GeometryPass::programsFor(const GBufferTargets& targets)
 
 void GeometryPass::render(const Inputs& inputs) {
     inputs.targets.clearSurfaces();
-    if (inputs.radianceLoad == LoadOp::clear || inputs.draws.emits(inputs.surfaces))
+    const HostSurfaceDraws* host = inputs.host;
+    if (inputs.radianceLoad == LoadOp::clear || inputs.draws.emits(inputs.surfaces) || host != nullptr)
         inputs.targets.clearRadiance();
+    if (host != nullptr && host->depth) host->depth(inputs.targets.surfaces.name());
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
     drawSurfaces(inputs, DepthTies::none);
+    if (host != nullptr && host->radiance) host->radiance(inputs.targets);
     glDisable(GL_DEPTH_TEST);
 }
 

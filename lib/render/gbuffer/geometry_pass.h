@@ -4,6 +4,7 @@
 #include "render/gbuffer/gbuffer_targets.h"
 #include "render/gpu_scene/gpu_scene_state.h"
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -14,6 +15,15 @@ struct DrawRuns;
 
 /// Whether surfaces of a layer lie at the depth of others, so that their numbers tell which of them it holds.
 enum class DepthTies { none, numbered };
+
+/// Draws surfaces of a host.
+struct HostSurfaceDraws {
+    /// Their depth, over all pixels. Empty where they have none.
+    std::function<void(GLuint framebuffer)> depth;
+    /// Their radiance, where the targets still hold their depth after all surfaces have been drawn: only
+    /// emissive ones write radiance, so that the others would leave what lies behind them.
+    std::function<void(const GBufferTargets& targets)> radiance;
+};
 
 /// Draws the surfaces in view into the G-buffer and their emission into the radiance target.
 class GeometryPass {
@@ -30,6 +40,7 @@ class GeometryPass {
         const TriangleFilter* filter = nullptr;
         /// Of those draws or of `filter`'s, those that are drawn; null: all.
         const DrawRuns* runs = nullptr;
+        const HostSurfaceDraws* host = nullptr;  ///< Of `render`; null: there are none.
     };
     void render(const Inputs& inputs);
     /// Draws the surfaces of a layer: those at the depths that the targets hold, whose words are cleared.

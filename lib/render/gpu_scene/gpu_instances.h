@@ -7,6 +7,7 @@
 #include <candela/scene.h>
 
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -98,12 +99,25 @@ class GpuInstances {
         return records_.texels().subspan(std::size_t{index} * layout::INSTANCE_TEXELS,
                                          layout::INSTANCE_TEXELS);
     }
+    /// As in the record.
+    glm::mat4 worldFromLocal(std::uint32_t index) const { return matrixOf(records_.texels(), index); }
+    /// Remembers where the instances are.
+    void keep() { kept_.assign(records_.texels().begin(), records_.texels().end()); }
+    /// Where an instance was at the last `keep`; before, where it is.
+    glm::mat4 keptWorldFromLocal(std::uint32_t index) const {
+        return matrixOf(kept_.empty() ? records_.texels() : std::span<const glm::vec4>(kept_), index);
+    }
     const gl::BufferTexture& records() const { return records_.texture(); }
 
   private:
     static constexpr std::uint32_t none = 0xffffffffu;
     static std::optional<std::uint32_t> indexOf(std::uint32_t index) {
         return index == none ? std::nullopt : std::optional(index);
+    }
+
+    static glm::mat4 matrixOf(std::span<const glm::vec4> records, std::uint32_t index) {
+        const auto rows = records.subspan(std::size_t{index} * layout::INSTANCE_TEXELS, 3);
+        return glm::transpose(glm::mat4(rows[0], rows[1], rows[2], glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)));
     }
 
     std::vector<Instance> instances_;
@@ -114,6 +128,7 @@ class GpuInstances {
     std::vector<bool> hidden_, isChanged_;
     std::vector<std::uint32_t> changed_;
     RecordBuffer<glm::vec4> records_;
+    std::vector<glm::vec4> kept_;  ///< The records at the last `keep`; empty before.
 };
 
 }  // namespace candela

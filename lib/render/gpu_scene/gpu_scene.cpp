@@ -58,6 +58,11 @@ void GpuScene::setTime(double seconds) {
     state().setTime(seconds);
 }
 
+void GpuScene::keepPoses() {
+    requireContext();
+    state().keepPoses();
+}
+
 void GpuScene::playAnimations(std::span<const std::uint32_t> animations) {
     state().playAnimations(animations);
 }

@@ -273,6 +273,11 @@ void GpuScene::State::update() {
     lastUpdate.draws = draws.group();
 }
 
+void GpuScene::State::keepPoses() {
+    update();
+    instances.keep();
+}
+
 void GpuScene::State::moveNode(std::uint32_t node) {
     const std::optional<std::uint32_t> mesh = instances.meshOf(node);
     if (mesh && !deformations.ofNode(node))

@@ -37,6 +37,7 @@ struct GpuScene::State {
 
     void setTransform(std::uint32_t node, const glm::mat4& local);
     void setTime(double seconds);
+    void keepPoses();
     void playAnimations(std::span<const std::uint32_t> animations);
     void setLights(std::span<const WorldLight> lights);
     void setCagePoints(std::uint32_t node, std::span<const glm::vec3> points);

@@ -1,0 +1,201 @@
+// What a frame gives to hosts: its textures, depth in their buffers, ids, and pictures that are read later.
+
+#include "gl/state_guard.h"
+#include "render/display/display_target.h"
+#include "render/frame_request.h"
+#include "render/frame_uniforms.h"
+#include "render/gbuffer/readback.h"
+#include "render/host/pending.h"
+#include "render/host/pixel_transfer.h"
+#include "render/renderer_state.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <future>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace candela {
+
+namespace {
+
+constexpr const char* user = "a Frame";
+
+struct WordsMeaning {
+    int output;
+    const char* name;
+    const char* meaning;
+};
+constexpr std::array wordMeanings{
+    WordsMeaning{layout::SURFACE_OUTPUT, "surface",
+                 "x: base colour and metallic; y: normal and roughness, 0 where no light falls "
+                 "(unpackSurface)"},
+    WordsMeaning{layout::SHADOW_OUTPUT, "shadow", "lift and geometric normal, from which rays start"},
+    WordsMeaning{layout::OCCLUSION_OUTPUT, "occlusion",
+                 "what occlusion textures leave of the environment's light, 0 to 1"},
+    WordsMeaning{layout::LOBES_OUTPUT, "lobes",
+                 "F0 and F90; sheen; clear coat; anisotropy and transmission; 0 without further lobes"},
+    WordsMeaning{layout::DIFFUSE_TRANSMISSION_OUTPUT, "diffuse_transmission",
+                 "colour and factor of diffuse transmission"},
+};
+
+FrameTexture describe(const char* name, GLuint texture, GLenum format, const GBufferTargets& targets,
+                      std::string meaning) {
+    return {name, texture, GL_TEXTURE_2D, format, targets.width, targets.height, std::move(meaning)};
+}
+
+std::string depthMeaning(const CameraView& view) {
+    if (view.orthographicHeight) return "reversed depth, linear: (far - Z) / (far - near), 0 on the background";
+    return view.farPlane ? "reversed depth: (near / Z - near / far) / (1 - near / far), 0 on the background"
+                         : "reversed depth: near / Z, 0 on the background";
+}
+
+/// A picture that another thread computes without OpenGL.
+template <typename Picture, typename Compute>
+Pending<Picture> computeLater(const std::shared_ptr<gl::ContextBinding>& binding, Compute compute) {
+    // A function has to be copyable, which the future of a result that is moved is not.
+    const auto computed = std::make_shared<std::future<Picture>>(
+        std::async(std::launch::async, std::move(compute)));
+    return makePending<Picture>(
+        binding,
+        [computed] { return computed->wait_for(std::chrono::seconds(0)) == std::future_status::ready; },
+        [computed] { return computed->get(); });
+}
+
+template <typename T>
+std::vector<T> elementsOf(const std::vector<std::byte>& bytes) {
+    std::vector<T> elements(bytes.size() / sizeof(T));
+    std::memcpy(elements.data(), bytes.data(), bytes.size());
+    return elements;
+}
+
+}  // namespace
+
+std::vector<FrameTexture> Frame::textures() const {
+    const Renderer::State& state = this->state();
+    const gl::StateGuard guard(*state.binding, user);
+    const GBufferTargets& targets = *state.targets;
+    const bool isLit = state.frame->settings.debugView == DebugView::none;
+    std::vector<FrameTexture> textures{
+        describe("radiance", targets.litRadiance().name(), GL_RGBA32F, targets,
+                 isLit ? "radiance in the working space; alpha: coverage of transparent layers alone"
+                       : "code values of the debug view"),
+        describe("depth", targets.depth.name(), GL_DEPTH_COMPONENT32F, targets,
+                 depthMeaning(state.frame->view))};
+    for (std::size_t i = 0; i < targets.words.size(); ++i) {
+        const auto known = std::ranges::find(wordMeanings, targets.layout[i].output, &WordsMeaning::output);
+        if (known == wordMeanings.end()) continue;
+        textures.push_back(describe(known->name, targets.words[i].name(), targets.layout[i].internalFormat,
+                                    targets, known->meaning));
+    }
+    return textures;
+}
+
+FrameTexture Frame::displayTexture(const DisplayTransform& transform) const {
+    Renderer::State& state = this->state();
+    const gl::StateGuard guard(*state.binding, user);
+    const DisplayTarget& shown = state.shownTarget(transform);
+    return describe("display", shown.texture.name(), GL_RGBA8, *state.targets,
+                    "code values of the display");
+}
+
+void Frame::writeDepth(const FrameTarget& target, const DepthConvention& convention) const {
+    Renderer::State& state = this->state();
+    const gl::StateGuard guard(*state.binding, user);
+    requireTarget(target);
+    state.writeDepth(target, convention);
+}
+
+std::vector<PickedSurface> Frame::pick(const PictureRectangle& rectangle) const {
+    Renderer::State& state = this->state();
+    const DrawnFrame& frame = *state.frame;
+    const auto& [x, y, width, height] = rectangle;
+    if (x < 0 || y < 0 || width < 1 || height < 1 || width > frame.settings.width - x ||
+        height > frame.settings.height - y) {
+        refuse("the rectangle of " + std::to_string(width) + "x" + std::to_string(height) + " pixels at (" +
+               std::to_string(x) + ", " + std::to_string(y) + ") is picked of a picture of " +
+               std::to_string(frame.settings.width) + "x" + std::to_string(frame.settings.height) + " pixels");
+    }
+    const gl::StateGuard guard(*state.binding, user);
+    const std::shared_ptr<GpuScene::State> scene = this->scene();
+    const gl::PixelRectangle part{x, frame.settings.height - y - height, width, height};
+    state.bindFrame();
+    const ShadedSurfaces& shown = frame.hasTransparent ? state.drawMasked(*scene) : state.frameSurfaces;
+    std::vector<float> depth(static_cast<std::size_t>(frame.settings.width) *
+                             static_cast<std::size_t>(frame.settings.height));
+    readDepth(*shown.targets, part, depth);
+    const std::vector<SurfaceId> ids = state.surfaceIds(*scene, part);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, PickedSurface> found;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (ids[i].instance == 0) continue;
+        const int column = x + static_cast<int>(i) % width, row = part.y + static_cast<int>(i) / width;
+        const float reversed = depth[static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.settings.width) +
+                                     static_cast<std::size_t>(column)];
+        if (!(reversed > 0.0f)) continue;
+        const float z = viewDistance(frame.uniforms, reversed);
+        const std::uint32_t node = scene->instances[ids[i].instance - 1].node;
+        PickedSurface& surface = found[{node, ids[i].material}];
+        surface.z = surface.pixels == 0 ? z : std::min(surface.z, z);
+        ++surface.pixels;
+        surface.node = node;
+        if (ids[i].material <= scene->sceneState.materials.size()) surface.material = ids[i].material - 1;
+    }
+    std::vector<PickedSurface> surfaces;
+    for (const auto& [key, surface] : found) surfaces.push_back(surface);
+    std::ranges::stable_sort(surfaces, std::ranges::greater{}, &PickedSurface::pixels);
+    return surfaces;
+}
+
+PendingPicture Frame::readDisplayPicture(const DisplayTransform& transform) const {
+    Renderer::State& state = this->state();
+    const gl::StateGuard guard(*state.binding, user);
+    const MemoryPicture picture = state.pictureInMemory();
+    if (!picture.radiance.empty() && !hasLines(state.frame->settings.overlays)) {
+        return computeLater<std::vector<std::uint8_t>>(
+            state.binding, [radiance = std::vector<float>(picture.radiance.begin(), picture.radiance.end()),
+                            picture, transform] {
+                return MemoryDisplay().codes({radiance, picture.width, picture.height, picture.place},
+                                             transform);
+            });
+    }
+    const DisplayTarget& shown = state.shownTarget(transform);
+    const auto transfer = std::make_shared<PixelTransfer>();
+    const int width = shown.width, height = shown.height;
+    transfer->start(std::array{PixelTransfer::Source{shown.texture, GL_RGBA, GL_UNSIGNED_BYTE, width, height, 4}});
+    return makePending<std::vector<std::uint8_t>>(
+        state.binding, [transfer] { return transfer->isReady(); },
+        [transfer, width, height] {
+            auto pixels = elementsOf<std::uint8_t>(transfer->read(0));
+            flipRows(pixels, width, height);
+            return pixels;
+        });
+}
+
+PendingRadiance Frame::readRadiance() const {
+    Renderer::State& state = this->state();
+    const gl::StateGuard guard(*state.binding, user);
+    const GBufferTargets& targets = *state.targets;
+    const int width = targets.width, height = targets.height;
+    if (const auto& [radiance, depth, rectangle, isUploaded] = targets.memory; !radiance.empty()) {
+        return computeLater<HdrImage>(
+            state.binding, [rgba = std::vector<float>(radiance.begin(), radiance.end()),
+                            z = std::vector<float>(depth.begin(), depth.end()), width, height]() mutable {
+                return wholeRadiance(width, height, std::move(rgba), z);
+            });
+    }
+    const auto transfer = std::make_shared<PixelTransfer>();
+    transfer->start(std::array{
+        PixelTransfer::Source{targets.litRadiance(), GL_RGBA, GL_FLOAT, width, height, 16},
+        PixelTransfer::Source{targets.depth, GL_DEPTH_COMPONENT, GL_FLOAT, width, height, 4}});
+    return makePending<HdrImage>(
+        state.binding, [transfer] { return transfer->isReady(); },
+        [transfer, width, height] {
+            return wholeRadiance(width, height, elementsOf<float>(transfer->read(0)),
+                                 elementsOf<float>(transfer->read(1)));
+        });
+}
+
+}  // namespace candela
