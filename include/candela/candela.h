@@ -27,6 +27,7 @@
 #include <candela/node.h>
 #include <candela/panorama.h>
 #include <candela/pending.h>
+#include <candela/picture_parts.h>
 #include <candela/plugin.h>
 #include <candela/plugin_registry.h>
 #include <candela/refined_cage.h>

@@ -19,7 +19,7 @@ class DisplayTransform;
 /// The display, view and look that a picture is shown through. Empty names stand for the config's defaults
 /// (no look).
 struct DisplayOptions {
-    std::string display, view, look;
+    std::string display = {}, view = {}, look = {};
     /// Stops, -100 to 100: radiance is multiplied by 2^exposure before the display transform.
     double exposure = 0.0;
 };

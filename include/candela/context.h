@@ -25,8 +25,8 @@ struct ContextAttempt {
 /// Which device a headless context runs on. By default GPUs first, then the software device, then a
 /// surfaceless display.
 struct DeviceOptions {
-    std::optional<int> index;   ///< This device and no other.
-    bool softwareOnly = false;  ///< Software devices only.
+    std::optional<int> index = {};  ///< This device and no other.
+    bool softwareOnly = false;      ///< Software devices only.
 };
 
 /// The EGL devices of this machine; empty where EGL can not enumerate them.

@@ -21,7 +21,7 @@ namespace candela {
 struct SubdivisionSettings {
     /// The level of all cages, 1 to `maxSubdivisionLevel`. None: a cage that states a level has that one, the
     /// level of every other follows its size on the screen.
-    std::optional<std::uint32_t> level;
+    std::optional<std::uint32_t> level = {};
     float edgePixels = 8.0f;     ///< By size: the length of edges on the screen to aim for, pixels, over 0.
     std::uint32_t maxLevel = 5;  ///< By size: the maximum level, 1 to `maxSubdivisionLevel`.
     /// By size: the maximum number of vertices of a refined cage, 1 or more. Level 1 may exceed it.
@@ -48,8 +48,8 @@ struct GpuSceneOptions {
     /// ranges.
     float rangeLoss = 0.01f;
     /// Refines the cages (`PluginRegistry::subdivider`); none: their polygons are drawn.
-    std::optional<Subdivider> subdivider;
-    SubdivisionSettings subdivision;
+    std::optional<Subdivider> subdivider = {};
+    SubdivisionSettings subdivision = {};
     VertexEvaluator vertexEvaluator = VertexEvaluator::automatic;
 };
 

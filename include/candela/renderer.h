@@ -58,6 +58,11 @@ class CANDELA_API Renderer {
     std::shared_ptr<State> state_;
 };
 
+/// Shows radiance that a host has in memory, such as a panorama: 8-bit RGBA, rows from the top, with half a
+/// code value of dither, as `Frame::displayPicture` shows a frame on a software device. Needs no context. Throws
+/// `Error` (badInput) when there are not four numbers a pixel.
+CANDELA_API std::vector<std::uint8_t> displayPicture(const HdrImage& radiance, const DisplayTransform& transform);
+
 /// A frame that was drawn. It refers to the targets of its renderer, which the renderer's next frame
 /// overwrites: from then on every function throws `Error` (badInput). Functions that draw parts of the scene
 /// again say so; they throw `Error` (badInput) when the scene has been destroyed. The context has to be

@@ -74,6 +74,19 @@ std::vector<T> elementsOf(const std::vector<std::byte>& bytes) {
 
 }  // namespace
 
+std::vector<std::uint8_t> displayPicture(const HdrImage& radiance, const DisplayTransform& transform) {
+    const bool hasSize = radiance.width >= 1 && radiance.height >= 1;
+    const std::size_t pixels =
+        hasSize ? static_cast<std::size_t>(radiance.width) * static_cast<std::size_t>(radiance.height) : 0;
+    if (!hasSize || radiance.rgba.size() != 4 * pixels) {
+        refuse("radiance of " + std::to_string(radiance.width) + "x" + std::to_string(radiance.height) +
+               " pixels has " + std::to_string(radiance.rgba.size()) + " numbers; four a pixel are expected");
+    }
+    std::vector<float> turned = radiance.rgba;
+    flipRows(turned, radiance.width, radiance.height);
+    return MemoryDisplay().codes({turned, radiance.width, radiance.height}, transform);
+}
+
 std::vector<FrameTexture> Frame::textures() const {
     const Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);

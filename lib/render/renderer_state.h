@@ -176,7 +176,7 @@ struct Renderer::State {
     std::optional<GBufferTargets> maskedTargets;        ///< Of `drawMasked`.
     std::optional<DisplayTarget> displayTarget;
     std::optional<DepthConversion> depthConversion;
-    HostSurfaceDraws hostDraws;  ///< Of the frame; see lib/render/host/host_passes.cpp.
+    HostSurfaceDraws hostDraws;  ///< Of the frame; see lib/render/host_passes.cpp.
     bool hasHostSurfaces() const { return hostDraws.depth || hostDraws.radiance; }
 
   private:

@@ -75,6 +75,18 @@ TEST_F(Clips, HoldTheirEndOrRepeat) {
     EXPECT_NEAR(squareAt({"--time", "1.25", "--loop"}), 3.0f, 1e-5f);
 }
 
+TEST_F(Clips, MotionIsThatSinceTheFrameBefore) {
+    expectSuccess(run({"clips.gltf", "-o", "m.exr", "--aov", "motion", "--camera", "far", "--time", "0.5", "--fps",
+                       "12", "--samples", "1"}));
+    const ExrPicture picture = readExr(folder / "m.exr");
+    // The square comes from 12 - 5 + 8 / 12 m to 7 m. The pixel right below the middle is 1/16 of half the
+    // picture from the axis: 7/16 m.
+    const float expected = 7.0f / 16.0f * 8.0f * (1.0f / 7.0f - 1.0f / (7.0f + 8.0f / 12.0f));
+    EXPECT_NEAR(picture.at("motion.X", 8, 8), expected, 1e-5f);
+    EXPECT_NEAR(picture.at("motion.Y", 8, 8), expected, 1e-5f) << "down";
+    EXPECT_NEAR(picture.at("motion.X", 7, 7), -expected, 1e-5f);
+}
+
 TEST_F(Clips, AreListed) {
     const auto list = [&](const char* kind) {
         const CommandResult result = runCommand({"--list", kind, "clips.gltf"}, {.folder = folder.path()});

@@ -8,45 +8,29 @@
 
 #include <candela/accumulator.h>
 #include <candela/color.h>
+#include <candela/picture_parts.h>
 #include <candela/sampling.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace candela::test {
 namespace {
 
-constexpr int width = 160, height = 96, margin = 16, part = 48;
+constexpr int width = 160, height = 96;
 
-/// The pixels of a part without its margins, in the picture. There is none at the picture's own edges, beyond
-/// which it has nothing either.
-struct Part {
-    int x, y, width, height;
-    int left() const { return x == 0 ? 0 : margin; }
-    int top() const { return y == 0 ? 0 : margin; }
-    FrameSettings settings(FrameSettings whole) const {
-        whole.region = PictureRegion{whole.width, whole.height, x - left(), y - top()};
-        whole.width = width + left() + (x + width == whole.region->width ? 0 : margin);
-        whole.height = height + top() + (y + height == whole.region->height ? 0 : margin);
-        return whole;
-    }
-};
-
-std::vector<Part> partsOfThePicture() {
-    std::vector<Part> parts;
-    for (int y = 0; y < height; y += part)
-        for (int x = 0; x < width; x += part)
-            parts.push_back({x, y, std::min(part, width - x), std::min(part, height - y)});
-    return parts;
+std::vector<PicturePart> partsOfThePicture() {
+    return pictureParts(width, height, 80);
 }
 
 template <typename T>
-void copyPart(const Part& from, int drawnWidth, const std::vector<T>& pixels, std::vector<T>& into) {
+void copyPart(const PicturePart& from, int drawnWidth, const std::vector<T>& pixels, std::vector<T>& into) {
     for (int y = 0; y < from.height; ++y) {
-        const auto first = pixels.begin() + 4 * ((y + from.top()) * drawnWidth + from.left());
+        const auto first = pixels.begin() + 4 * ((y + from.top) * drawnWidth + from.left);
         std::copy(first, first + 4 * from.width, into.begin() + 4 * ((from.y + y) * width + from.x));
     }
 }
@@ -69,12 +53,12 @@ class RegionTest : public DrawingTest {
         for (std::size_t i = 0; i < a.size(); ++i) count += std::abs(a[i] - b[i]) > 1e-4f + 2e-3f * std::abs(b[i]);
         return double(count) / double(a.size());
     }
-    static void copyInto(std::vector<float>& picture, const Part& own, const HdrImage& drawn) {
+    static void copyInto(std::vector<float>& picture, const PicturePart& own, const HdrImage& drawn) {
         copyPart(own, drawn.width, drawn.rgba, picture);
     }
     static std::vector<float> assembled(GpuScene& scene, const CameraView& view, const FrameSettings& settings) {
         std::vector<float> picture(std::size_t(4 * width * height), -1.0f);
-        for (const Part& own : partsOfThePicture())
+        for (const PicturePart& own : partsOfThePicture())
             copyInto(picture, own, renderer().render(scene, view, own.settings(settings)).radiance());
         return picture;
     }
@@ -141,14 +125,14 @@ TEST_F(RegionTest, ambientOcclusionAndDitherAreThoseOfThePicture) {
     if (hasShadows()) occlusion = frame.aovs({"ambient_occlusion"})[0].values[0];
     std::vector<std::uint8_t> codes(whole.size());
     std::size_t others = 0, compared = 0;
-    for (const Part& own : partsOfThePicture()) {
+    for (const PicturePart& own : partsOfThePicture()) {
         const Frame drawn = renderer().render(scene, lit.view, own.settings(settings));
         copyPart(own, drawn.width(), drawn.displayPicture(display), codes);
         if (!hasShadows()) continue;
         const std::vector<float> values = drawn.aovs({"ambient_occlusion"})[0].values[0];
         for (int y = 0; y < own.height; ++y) {
             for (int x = 0; x < own.width; ++x, ++compared) {
-                const float a = values[std::size_t((y + own.top()) * drawn.width() + x + own.left())];
+                const float a = values[std::size_t((y + own.top) * drawn.width() + x + own.left)];
                 others += a != occlusion[std::size_t((own.y + y) * width + own.x + x)];
             }
         }
@@ -178,7 +162,7 @@ TEST_F(RegionTest, samplesOfPartsMakeUpThePicture) {
     };
     const std::vector<float> whole = mean(settings).rgba;
     std::vector<float> picture(whole.size());
-    for (const Part& own : partsOfThePicture()) copyInto(picture, own, mean(own.settings(settings)));
+    for (const PicturePart& own : partsOfThePicture()) copyInto(picture, own, mean(own.settings(settings)));
     EXPECT_LT(differing(picture, whole), 0.001);
 }
 
@@ -212,6 +196,31 @@ TEST_F(RegionTest, aspectsStretchThePicture) {
         const HdrImage other = renderer().render(scene, view, settings).radiance();
         EXPECT_EQ(differing(other.rgba, stretched.rgba), 0.0) << toString(technique);
     }
+}
+
+TEST_F(RegionTest, partsCoverThePictureOnceAndFitTheDevice) {
+    for (const auto& [wide, high, side] :
+         {std::array{160, 96, 80}, std::array{1000, 77, 64}, std::array{64, 64, 64}, std::array{5, 300, 130}}) {
+        std::vector<int> covered(std::size_t(wide) * std::size_t(high), 0);
+        for (const PicturePart& part : pictureParts(wide, high, side)) {
+            EXPECT_LE(part.frameWidth, side);
+            EXPECT_LE(part.frameHeight, side);
+            EXPECT_GE(part.frameWidth, part.left + part.width);
+            EXPECT_GE(part.frameHeight, part.top + part.height);
+            FrameSettings picture;
+            picture.width = wide;
+            picture.height = high;
+            const FrameSettings settings = part.settings(picture);
+            EXPECT_EQ(settings.region->x % 16, 0);
+            EXPECT_EQ((high - settings.region->y - settings.height) % 16, 0);
+            for (int y = part.y; y < part.y + part.height; ++y)
+                for (int x = part.x; x < part.x + part.width; ++x) ++covered[std::size_t(y * wide + x)];
+        }
+        EXPECT_EQ(std::ranges::count(covered, 1), std::ptrdiff_t(covered.size()));
+    }
+    EXPECT_EQ(pictureParts(64, 50, 64).size(), 1u);
+    EXPECT_THROW(pictureParts(0, 5, 64), Error);
+    EXPECT_THROW(pictureParts(100, 100, 63), Error);
 }
 
 TEST_F(RegionTest, refusesPartsThatAreNone) {

@@ -60,6 +60,7 @@ const std::map<std::string, std::string> layerOfHeader = {
     {"gbuffer.h", "render"},
     {"panorama.h", "render"},
     {"pending.h", "render"},
+    {"picture_parts.h", "render"},
     {"gpu_scene.h", "render"},
     {"renderer.h", "render"},
     {"accumulator.h", "render"},

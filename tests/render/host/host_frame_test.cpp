@@ -167,6 +167,19 @@ TEST_F(HostFrameTest, picturesThatAreReadLaterAreThoseOfTheirFrame) {
     }
 }
 
+TEST_F(HostFrameTest, radianceInMemoryIsShownAsTheFrameIs) {
+    const LitScene lit = wallAndSphere();
+    GpuScene scene = upload(lit.scene, lit.lights);
+    const Frame frame = renderer().render(scene, lit.view, frameSettings(TileBackend::cpu));
+    HdrImage radiance = frame.radiance();
+    const std::vector<std::uint8_t> shown = displayPicture(radiance, transform());
+    if (context().isSoftware()) {
+        EXPECT_EQ(shown, frame.displayPicture(transform()));
+    }
+    radiance.rgba.pop_back();
+    expectRefused([&] { displayPicture(radiance, transform()); }, "four a pixel");
+}
+
 TEST_F(HostFrameTest, viewsAreDrawnInOneCall) {
     const LitScene lit = wallAndSphere();
     GpuScene scene = upload(lit.scene, lit.lights);
