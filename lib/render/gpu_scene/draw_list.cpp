@@ -359,21 +359,27 @@ void DrawList::cull(DrawSelection& selection) const {
     selection.commands_.clear();
     selection.transparentInstances_.clear();
     selection.batches_.clear();
+    auto& ordered = selection.ordered_;
     for (const auto& [key, group] : groups_) {
-        const auto first = static_cast<std::uint32_t>(selection.commands_.size());
+        ordered.clear();
         for (const std::uint32_t index : group.draws) {
             const Draw& draw = draws_[index];
-            if (selection.visible_[draw.instance] == 0 || draw.command.count == 0) continue;
+            const DrawSelection::DistanceClass distance = selection.distances_[draw.instance];
+            if (distance == DrawSelection::hidden || draw.command.count == 0) continue;
             if (key.transparent) selection.transparentInstances_.push_back(draw.instance);
-            const bool isFirst = selection.commands_.size() == first;
-            if (!isFirst && continues(selection.commands_.back(), draw.command)) {
-                ++selection.commands_.back().instanceCount;
+            if (!ordered.empty() && continues(ordered.back().second, draw.command)) {
+                ++ordered.back().second.instanceCount;
+                ordered.back().first = std::min(ordered.back().first, distance);
             } else {
-                selection.commands_.push_back(draw.command);
+                ordered.emplace_back(distance, draw.command);
             }
         }
-        const auto count = static_cast<std::uint32_t>(selection.commands_.size()) - first;
-        if (count != 0) selection.batches_.push_back({key, first, count});
+        if (ordered.empty()) continue;
+        if (!key.transparent)
+            std::ranges::stable_sort(ordered, {}, [](const auto& entry) { return entry.first; });
+        const auto first = static_cast<std::uint32_t>(selection.commands_.size());
+        for (const auto& [distance, command] : ordered) selection.commands_.push_back(command);
+        selection.batches_.push_back({key, first, static_cast<std::uint32_t>(ordered.size())});
     }
     selection.commandBuffer_.upload(std::span<const DrawCommand>(selection.commands_));
 }

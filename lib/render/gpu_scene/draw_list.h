@@ -16,6 +16,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace candela {
@@ -141,7 +142,14 @@ class DrawSelection {
     friend class DrawList;
     friend struct GpuScene::State;
 
-    std::vector<std::uint8_t> visible_;  ///< One an instance; scratch of the culling.
+    /// Commands of one distance class keep their order; half an octave each.
+    using DistanceClass = std::uint16_t;
+    static constexpr DistanceClass hidden = 0;
+
+    // Scratch of the culling.
+    std::vector<DistanceClass> distances_;  ///< Of an instance's farthest point, or `hidden`.
+    std::vector<std::pair<DistanceClass, DrawCommand>> ordered_;
+
     std::vector<DrawCommand> commands_;
     std::vector<DrawBatch> batches_;
     std::vector<std::uint32_t> cageInstances_, transparentInstances_;
@@ -199,7 +207,8 @@ class DrawList {
     bool hasTransparent() const;
 
     /// Writes and uploads the commands of the visible instances: one for all consecutive draws of the same
-    /// indices.
+    /// indices. Opaque ones of a key are in order of the distance of the farthest point of what they draw, so
+    /// that floors and walls around the camera are tested against the depth of what stands before them.
     void cull(DrawSelection& selection) const;
 
     /// The records: uvec3 a draw, see DRAW_ATTRIBUTE.

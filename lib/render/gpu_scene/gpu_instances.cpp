@@ -125,8 +125,7 @@ Bounds GpuInstances::bounds() const {
 float GpuInstances::farthestDepth(const Frustum& frustum) const {
     float farthest = 0.0f;
     for (std::uint32_t i = 0; i < spheres_.size(); ++i) {
-        if (!isVisible(i, frustum)) continue;
-        farthest = std::max(farthest, frustum.inCameraSpace(spheres_[i].center).z + spheres_[i].radius);
+        if (isVisible(i, frustum)) farthest = std::max(farthest, farthestDepth(i, frustum));
     }
     return farthest;
 }

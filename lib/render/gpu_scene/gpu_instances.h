@@ -66,6 +66,10 @@ class GpuInstances {
     /// Uploads the records written since the last call. Returns how many those are.
     std::size_t upload() { return records_.upload(); }
 
+    /// The depth of the farthest point of an instance's bounding sphere; negative behind the eye.
+    float farthestDepth(std::uint32_t index, const Frustum& frustum) const {
+        return frustum.inCameraSpace(spheres_[index].center).z + spheres_[index].radius;
+    }
     /// The depth of the farthest point that the bounding spheres in view reach; 0 where there is none.
     float farthestDepth(const Frustum& frustum) const;
 

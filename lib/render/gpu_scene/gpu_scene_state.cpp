@@ -14,13 +14,20 @@
 #include <candela/error.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 
 namespace candela {
 
 namespace {
+
+/// Half an octave of depth; from 1 on. Exponent and highest bit of the mantissa of a positive float.
+std::uint16_t distanceClass(float depth) {
+    return static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(std::max(depth, 1.0e-30f)) >> 22);
+}
 
 /// What edits change or need: all but vertices and pixels.
 Scene editableParts(const Scene& scene) {
@@ -337,11 +344,12 @@ void GpuScene::State::updateOcclusion() {
 }
 
 void GpuScene::State::cull(const Frustum& frustum, DrawSelection& selection) const {
-    selection.visible_.resize(instances.size());
+    selection.distances_.resize(instances.size());
     selection.cageInstances_.clear();
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
         const bool visible = instances.isVisible(i, frustum);
-        selection.visible_[i] = visible ? 1 : 0;
+        selection.distances_[i] =
+            visible ? distanceClass(instances.farthestDepth(i, frustum)) : DrawSelection::hidden;
         if (visible && !instances[i].mesh) selection.cageInstances_.push_back(i);
     }
     draws.cull(selection);
