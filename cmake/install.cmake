@@ -1,27 +1,34 @@
 # `cmake --install`: headers, the shared library, plugins (declared in plugins/), the programs, and what lets other
-# projects find them: a CMake package and a pkg-config file. The tree can be moved after installation.
+# projects find them: a CMake package and a pkg-config file. The tree can be moved after installation. Components are `library` (with
+# plugins), `development` and `tools`; package.cmake makes packages of them.
 
 # GLM is the vocabulary of the public headers, so targets that link candela need it too.
 target_link_libraries(candela INTERFACE $<INSTALL_INTERFACE:glm::glm>)
 
-install(TARGETS candela EXPORT candelaTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS candela EXPORT candelaTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  COMPONENT library NAMELINK_COMPONENT development)
 foreach(program candela-render candela-view candela-bench)
   if(TARGET ${program})
-    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
   endif()
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/candela ${PROJECT_BINARY_DIR}/include/candela
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development FILES_MATCHING PATTERN "*.h")
 
 set(candela_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/candela)
-install(EXPORT candelaTargets NAMESPACE candela:: DESTINATION ${candela_package_dir})
+install(EXPORT candelaTargets NAMESPACE candela:: DESTINATION ${candela_package_dir} COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/candelaConfig.cmake.in ${PROJECT_BINARY_DIR}/candelaConfig.cmake
   INSTALL_DESTINATION ${candela_package_dir} NO_SET_AND_CHECK_MACRO)
 # Before 1.0 a new minor version may break what was built with an older one.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/candelaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/candelaConfig.cmake ${PROJECT_BINARY_DIR}/candelaConfigVersion.cmake
-  DESTINATION ${candela_package_dir})
+  DESTINATION ${candela_package_dir} COMPONENT development)
 
 file(RELATIVE_PATH candela_prefix_from_pc ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(${PROJECT_SOURCE_DIR}/cmake/candela.pc.in ${PROJECT_BINARY_DIR}/candela.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/candela.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${PROJECT_BINARY_DIR}/candela.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development
+  PATTERN site EXCLUDE)

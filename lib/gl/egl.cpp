@@ -2,6 +2,8 @@
 
 #include <candela/error.h>
 
+#include <dlfcn.h>
+
 #include <cstring>
 #include <map>
 #include <mutex>
@@ -10,7 +12,25 @@ namespace candela::gl {
 
 namespace {
 
+bool isInstalled(const char* library) {
+    // Never closed: libepoxy opens the same one.
+    return dlopen(library, RTLD_LAZY | RTLD_LOCAL) != nullptr;
+}
+
+/// libepoxy ends the process where it does not find these libraries.
+void requireLibraries() {
+    static const bool hasEgl = isInstalled("libEGL.so.1");
+    static const bool hasOpenGL = isInstalled("libOpenGL.so.0") || isInstalled("libGL.so.1");
+    if (!hasEgl || !hasOpenGL) {
+        throw Error(ErrorKind::environment, "",
+                    std::string(hasEgl ? "libOpenGL.so.0 and libGL.so.1 are" : "libEGL.so.1 is") +
+                        " not installed; on Debian, the packages libegl1, libgl1 and libgl1-mesa-dri bring "
+                        "what contexts need");
+    }
+}
+
 bool clientHas(const char* extension) {
+    requireLibraries();
     const char* all = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     return all != nullptr && std::strstr(all, extension) != nullptr;
 }
