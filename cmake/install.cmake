@@ -22,6 +22,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/candelaConfig.cmake.in
 # Before 1.0 a new minor version may break what was built with an older one.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/candelaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/candelaConfig.cmake ${PROJECT_BINARY_DIR}/candelaConfigVersion.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/candelaPlugin.cmake
   DESTINATION ${candela_package_dir} COMPONENT development)
 
 file(RELATIVE_PATH candela_prefix_from_pc ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})

@@ -20,7 +20,8 @@ std::string joined(const std::vector<std::string>& parts, const std::string& bef
 std::string services(const candela::PluginReport& report) {
     std::string read = joined(report.extensions, ".");
     for (const std::string& scheme : report.schemes) read += " " + scheme + ":";
-    return (read.empty() ? "" : ", reads" + read) + (report.subdivides ? ", refines subdivision cages" : "");
+    return (read.empty() ? "" : ", reads" + read) + (report.subdivides ? ", refines subdivision cages" : "") +
+           (report.decodesImages ? ", decodes images" : "");
 }
 
 void printPlugins(const Options& options) {
@@ -33,6 +34,8 @@ void printPlugins(const Options& options) {
         else
             std::cout << ", " << report.detail;
         std::cout << "\n";
+        for (const candela::PluginOption& option : report.options)
+            std::cout << "  ?" << candela::usageOf(option) << ": " << option.help << "\n";
     }
     if (registry.reports().empty()) std::cout << "no plugins found\n";
 }

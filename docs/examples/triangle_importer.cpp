@@ -63,7 +63,7 @@ candela_status importScene(const candela_host* host, const candela_request* requ
 }
 
 const char* const extensions[] = {"tri", nullptr};
-const candela_importer importer{sizeof(candela_importer), extensions, nullptr, importScene};
+const candela_importer importer{sizeof(candela_importer), extensions, nullptr, importScene, 0, nullptr};
 const candela_plugin plugin{sizeof(candela_plugin),
                             CANDELA_PLUGIN_MAJOR,
                             CANDELA_PLUGIN_MINOR,
@@ -71,7 +71,8 @@ const candela_plugin plugin{sizeof(candela_plugin),
                             "1.0",
                             "triangles in plain text",
                             &importer,
-                            nullptr};  // It subdivides no cages.
+                            nullptr,
+                            nullptr};  // It subdivides no cages and decodes no images.
 
 }  // namespace
 

@@ -17,6 +17,7 @@
 #include <candela/frame_data.h>
 #include <candela/frame_settings.h>
 #include <candela/gbuffer.h>
+#include <candela/geometry.h>
 #include <candela/gpu_scene.h>
 #include <candela/image.h>
 #include <candela/image_file.h>
@@ -34,6 +35,7 @@
 #include <candela/renderer.h>
 #include <candela/sampling.h>
 #include <candela/scene.h>
+#include <candela/shapes.h>
 #include <candela/subdivider.h>
 #include <candela/threads.h>
 #include <candela/version.h>

@@ -22,4 +22,9 @@ CANDELA_API bool hasLight(const Scene& scene);
 /// when the view's matrix is not finite or the exposure is out of its range.
 CANDELA_API std::array<WorldLight, 3> defaultLights(const CameraView& view, double exposure = 0.0);
 
+/// A directional light from the camera, which moves with it: whatever is in view is lit from the front. A
+/// grey surface that faces the camera shows as with `defaultLights`. It casts no shadow. Throws as
+/// `defaultLights` does.
+CANDELA_API WorldLight headlight(const CameraView& view, double exposure = 0.0);
+
 }  // namespace candela

@@ -29,8 +29,22 @@ struct CANDELA_API ImportNote {
     std::string line() const;
 };
 
+/// The axis of a file that points up.
+enum class UpAxis { y, z, x };
+
+/// What a file says of its scene as a whole. The scene itself is in metres with +Y up: where the file is not,
+/// its nodes, and its lights and cameras without a node, are below a node of index 0 that turns and scales
+/// them.
+struct SceneInfo {
+    UpAxis upAxis = UpAxis::y;   ///< Of the file.
+    double metresPerUnit = 1.0;  ///< Of the file, over 0.
+    std::string generator;       ///< The program that wrote it; empty where that is not known.
+    std::string copyright;       ///< To whom it belongs; empty where that is not known.
+};
+
 struct ImportReport {
     std::string plugin;  ///< Name of the plugin that read the scene.
+    SceneInfo info = {};
     /// What is not in the picture before what was repaired before information, each kind with the largest
     /// counts first. Notes of the same kind and text are one. Of more than 1000 the last ones are only
     /// counted, in a note of their own.

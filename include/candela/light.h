@@ -2,6 +2,7 @@
 
 #include <candela/export.h>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -46,6 +47,12 @@ struct WorldLight {
     bool castsShadow = true;                 ///< As `Light::castsShadow`.
     float radius = 0.0f;                     ///< As `Light::radius`: metres.
 };
+
+/// A light of a scene in world space, below a node of the matrix `worldFromNode`: the identity for a light
+/// without a node. As KHR_lights_punctual says, the node moves and rotates the light, but does not scale its
+/// range or its intensity. Throws `Error` (badInput) when the matrix is not finite and affine, or the light
+/// breaks what `Light` states; which node it names does not matter.
+CANDELA_API WorldLight worldLight(const Light& light, const glm::mat4& worldFromNode = glm::mat4(1.0f));
 
 /// The luminous intensity, in candela, of a point light that gives `lumen` over the whole sphere: lumen / 4
 /// pi. Throws `Error` (badInput) unless `lumen` is finite and 0 or more.

@@ -54,6 +54,13 @@ typedef struct candela_image {
     uint64_t pixels_size; /* bytes: width × height × texel size */
 } candela_image;
 
+/* A file of an image, PNG, JPEG or whatever else the host's plugins decode (since 1.6). */
+typedef struct candela_image_bytes {
+    const char* name;
+    const uint8_t* bytes;
+    uint64_t size;
+} candela_image_bytes;
+
 typedef enum candela_wrap {
     CANDELA_WRAP_REPEAT = 0,
     CANDELA_WRAP_CLAMP_TO_EDGE = 1,
@@ -205,8 +212,8 @@ typedef enum candela_topology {
 } candela_topology;
 
 /* Triangles, and since 1.6 lines and points. Arrays hold vertex_count elements; a NULL array is absent. Where
- * normals are absent the host makes flat ones of triangles; where a normal texture or anisotropy needs
- * tangents and none are given, the host makes them the MikkTSpace way. */
+ * normals are absent the host makes those of triangles, flat or by crease_angle; where a normal texture or
+ * anisotropy needs tangents and none are given, the host makes them the MikkTSpace way. */
 typedef struct candela_mesh {
     uint32_t struct_size;
     const char* name;
@@ -240,6 +247,8 @@ typedef struct candela_mesh {
         topologies;                  /* submesh_count of them; NULL: all are triangles. Not with face_sizes */
     uint32_t further_uv_count;       /* sets of texture coordinates from 2 on, 0 to 16 */
     const float* const* further_uvs; /* further_uv_count arrays, 2 a vertex each; NULL: not that set */
+    float crease_angle; /* radians, 0 to pi: where normals are absent, those of triangles that meet at an edge
+                         * at a smaller angle become smooth; 0: flat ones */
 } candela_mesh;
 
 /* ---- Subdivision cages (since 1.1) */
@@ -554,6 +563,24 @@ typedef struct candela_animation {
     const candela_property_channel* properties;
 } candela_animation;
 
+/* The axis of positions and translations that points up (since 1.6). */
+typedef enum candela_up_axis {
+    CANDELA_UP_Y = 0,
+    CANDELA_UP_Z = 1, /* x stays right, y goes away from who looks along -Z of candela */
+    CANDELA_UP_X = 2  /* z stays towards the viewer */
+} candela_up_axis;
+
+/* What is known of the whole scene (since 1.6). Where the axis is not Y or the unit not the metre, the host
+ * puts all nodes, and lights and cameras without a node, below a node of its own that turns and scales them.
+ * Ranges and radii of lights, planes of cameras and the environment are in metres and with +Y up as ever. */
+typedef struct candela_scene_info {
+    uint32_t struct_size;
+    candela_up_axis up_axis;
+    double metres_per_unit; /* of positions and translations, over 0; 0: 1 */
+    const char* generator;  /* the program that wrote the file, and */
+    const char* copyright;  /* to whom the scene belongs: one line each; NULL: unknown */
+} candela_scene_info;
+
 /* ---- The host */
 typedef struct candela_bytes {
     const uint8_t* data;
@@ -631,6 +658,23 @@ typedef struct candela_host {
     /* Adds a variant of the scene, in which submeshes have other materials: see candela_mesh. Its name is
      * what a user selects it by. */
     int32_t (*add_variant)(void* self, const char* name);
+    /* Add `count` elements of an array in one call. All have the struct_size of the first one, which is the
+     * distance of two. Return the index of the first; the others follow. */
+    int32_t (*add_nodes)(void* self, const candela_node* nodes, uint32_t count);
+    int32_t (*add_lights)(void* self, const candela_light* lights, uint32_t count);
+    /* Decodes `count` files of images on all threads, by the plugins that decode images (see
+     * candela_image_decoder), and adds them. `indices` gets an index for each, and -1 for one that cannot be
+     * decoded: `reasons` then says why, valid until `import_scene` returns, and the import goes on. Elsewhere
+     * `reasons` is NULL. Fails when the import has failed before, or an argument is NULL. */
+    candela_status (*add_image_bytes)(void* self, const candela_image_bytes* images, uint32_t count,
+                                      int32_t* indices, const char** reasons);
+    /* At most once. */
+    candela_status (*set_scene_info)(void* self, const candela_scene_info* info);
+    /* The bytes of a file, and `size` of them from `offset` on, which are read into the plugin's memory: for
+     * files of which only parts are needed. `path` is as for read_file. Bytes beyond the end fail. */
+    candela_status (*file_size)(void* self, const char* path, uint64_t* size);
+    candela_status (*read_file_part)(void* self, const char* path, uint64_t offset, uint64_t size,
+                                     void* into);
 } candela_host;
 
 /* ---- The subdivider (since 1.1) */
@@ -682,7 +726,58 @@ typedef struct candela_subdivider {
     candela_status (*refine)(const candela_refinement* refinement, const candela_cage* cage, uint32_t level);
 } candela_subdivider;
 
+/* ---- The image decoder (since 1.6) */
+/* What the host does for a decoder. */
+typedef struct candela_decoding {
+    uint32_t struct_size;
+    void* self;
+    /* Records why the image cannot be decoded: "a PNG file that is cut off". */
+    void (*fail)(void* self, const char* reason);
+    /* Sets the result, which the host checks and copies before it returns. Called once. Its name is not read.
+     */
+    candela_status (*set_result)(void* self, const candela_image* image);
+} candela_decoding;
+
+/* Decodes files of images for importers that call add_image_bytes. Both functions may be called from several
+ * threads at once. */
+typedef struct candela_image_decoder {
+    uint32_t struct_size;
+    /* 1 when the bytes begin as a file of a format does that this decoder has; or 0. */
+    uint32_t (*recognizes)(const uint8_t* bytes, uint64_t size);
+    candela_status (*decode)(const candela_decoding* decoding, const uint8_t* bytes, uint64_t size);
+} candela_image_decoder;
+
 /* ---- The plugin */
+/* What an option's value is (since 1.6). Without a value ("?flip"), a flag is 1 and a keyword is its first
+ * one; the others need one ("?level=3"). */
+typedef enum candela_option_type {
+    CANDELA_OPTION_FLAG = 0, /* 0 or 1 */
+    CANDELA_OPTION_INTEGER = 1,
+    CANDELA_OPTION_NUMBER = 2,
+    CANDELA_OPTION_TEXT = 3,
+    CANDELA_OPTION_KEYWORD = 4
+} candela_option_type;
+
+/* An option of an importer (since 1.6), which a user gives in the query: "model.obj?level=3&flip". The host
+ * lists it with its help, refuses others and values out of range, and hands the values over in the request.
+ */
+typedef struct candela_option {
+    const char* name; /* a to z, 0 to 9, '-' and '_' */
+    const char* help; /* one line */
+    candela_option_type type;
+    uint32_t unused;            /* padding, which is not read */
+    double minimum, maximum;    /* of INTEGER and NUMBER, both included; both 0: no limits */
+    const char* const* keywords; /* of KEYWORD, ended by NULL */
+} candela_option;
+
+/* The value that a user has given an option (since 1.6). */
+typedef struct candela_option_value {
+    uint32_t option;  /* index of candela_importer::options */
+    uint32_t unused;  /* padding of 0 */
+    double number;    /* of FLAG, INTEGER and NUMBER; of KEYWORD the index of the keyword */
+    const char* text; /* as the user gave it; of KEYWORD the keyword */
+} candela_option_value;
+
 typedef struct candela_request {
     uint32_t struct_size;
     const char* uri; /* as the user gave it */
@@ -691,6 +786,9 @@ typedef struct candela_request {
     /* since 1.1: what follows '?' behind a file's name; NULL where there is none. An importer refuses a query
      * that it does not know. One built for 1.0 is never given any: the host refuses it. */
     const char* query;
+    /* since 1.6: those options of the importer that the query gives, each once, in its order */
+    uint32_t option_count;
+    const candela_option_value* options;
 } candela_request;
 
 typedef struct candela_importer {
@@ -698,6 +796,9 @@ typedef struct candela_importer {
     const char* const* extensions; /* file name endings without the dot, lower case, ended by NULL; or NULL */
     const char* const* schemes;    /* URI schemes of procedural scenes, lower case, ended by NULL; or NULL */
     candela_status (*import_scene)(const candela_host* host, const candela_request* request);
+    /* since 1.6; 0: the importer reads the query itself */
+    uint32_t option_count;
+    const candela_option* options;
 } candela_importer;
 
 typedef struct candela_plugin {
@@ -708,6 +809,7 @@ typedef struct candela_plugin {
     const char* description;              /* one line */
     const candela_importer* importer;     /* NULL when it offers none */
     const candela_subdivider* subdivider; /* since 1.1: NULL when it offers none; one service at least */
+    const candela_image_decoder* image_decoder; /* since 1.6: NULL when it offers none */
 } candela_plugin;
 
 /* The type of the one exported symbol. Returns a static description, or NULL when the plugin cannot serve
@@ -717,6 +819,81 @@ typedef const candela_plugin* (*candela_plugin_query_function)(uint32_t host_maj
 #define CANDELA_PLUGIN_EXPORT __attribute__((visibility("default")))
 
 CANDELA_PLUGIN_EXPORT const candela_plugin* candela_plugin_query(uint32_t host_major, uint32_t host_minor);
+
+/* ---- Initialisers (since 1.6), in C and C++: `candela_material red = CANDELA_MATERIAL_INIT;`
+ * What they leave out is absent: no texture, no parent, no mesh, no node. A material is that of surfaces
+ * without one, white, rough and no metal; the lobes and media below it have no effect until their factor is
+ * raised. A light is a white point light of 1 candela; counts are 0 and arrays NULL. */
+#define CANDELA_TEXTURE_INIT                                                                                  \
+    {                                                                                                         \
+        -1, 0, CANDELA_WRAP_REPEAT, CANDELA_WRAP_REPEAT, CANDELA_FILTER_LINEAR_MIPMAP_LINEAR,                 \
+            CANDELA_FILTER_LINEAR, {0.0f, 0.0f}, 0.0f, {1.0f, 1.0f}                                           \
+    }
+#define CANDELA_IMAGE_INIT                                                                                    \
+    { sizeof(candela_image), NULL, 0, 0, CANDELA_PIXELS_RGBA8, NULL, 0 }
+#define CANDELA_SPECULAR_INIT                                                                                 \
+    { 1.0f, {1.0f, 1.0f, 1.0f}, NULL, NULL }
+#define CANDELA_CLEARCOAT_INIT                                                                                \
+    { 0.0f, 0.0f, 1.0f, NULL, NULL, NULL }
+#define CANDELA_SHEEN_INIT                                                                                    \
+    { {0.0f, 0.0f, 0.0f}, 0.0f, NULL, NULL }
+#define CANDELA_ANISOTROPY_INIT                                                                               \
+    { 0.0f, 0.0f, NULL }
+#define CANDELA_IRIDESCENCE_INIT                                                                              \
+    { 0.0f, 1.3f, 100.0f, 400.0f, NULL, NULL }
+#define CANDELA_TRANSMISSION_INIT                                                                             \
+    { 0.0f, NULL }
+#define CANDELA_VOLUME_INIT                                                                                   \
+    { 0.0f, 0.0f, {1.0f, 1.0f, 1.0f}, 0.0f, NULL }
+#define CANDELA_DIFFUSE_TRANSMISSION_INIT                                                                     \
+    { 0.0f, {1.0f, 1.0f, 1.0f}, NULL, NULL }
+#define CANDELA_MATERIAL_INIT                                                                                 \
+    {                                                                                                         \
+        sizeof(candela_material), NULL, {1.0f, 1.0f, 1.0f, 1.0f}, 0.0f, 1.0f, {0.0f, 0.0f, 0.0f},             \
+            CANDELA_TEXTURE_INIT, CANDELA_TEXTURE_INIT, CANDELA_TEXTURE_INIT, CANDELA_TEXTURE_INIT,           \
+            CANDELA_TEXTURE_INIT, 1.0f, 1.0f, CANDELA_ALPHA_OPAQUE, 0.5f, 0, 0, 0.0f, NULL, NULL, NULL, NULL, \
+            NULL, NULL, NULL, NULL, NULL                                                                      \
+    }
+#define CANDELA_SUBMESH_INIT                                                                                  \
+    { 0, 0, -1 }
+#define CANDELA_MESH_INIT                                                                                     \
+    {                                                                                                         \
+        sizeof(candela_mesh), NULL, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, 0, NULL, 0, NULL, 0,      \
+            NULL, NULL, 0, NULL, NULL, NULL, 0, NULL, NULL, 0, NULL, 0.0f                                     \
+    }
+#define CANDELA_CAGE_INIT                                                                                     \
+    {                                                                                                         \
+        sizeof(candela_cage), NULL, CANDELA_SCHEME_CATMULL_CLARK, CANDELA_BOUNDARY_EDGES_AND_CORNERS,         \
+            CANDELA_FACE_VARYING_CORNERS_PLUS1, CANDELA_CREASE_UNIFORM, CANDELA_TRIANGLE_CATMULL_CLARK, 0,    \
+            NULL, 0, NULL, NULL, 0, NULL, NULL, 0, NULL, NULL, 0, NULL, NULL, 0, NULL, NULL, 0, 0, NULL,      \
+            NULL, 0, NULL, 0, NULL                                                                            \
+    }
+#define CANDELA_SKIN_INIT                                                                                     \
+    { sizeof(candela_skin), NULL, 0, NULL, NULL }
+#define CANDELA_CAGE_INSTANCE_INIT                                                                            \
+    { sizeof(candela_cage_instance), -1, -1, -1, 0, NULL }
+#define CANDELA_DEFORMATION_INIT                                                                              \
+    { sizeof(candela_deformation), -1, -1, 0, NULL }
+#define CANDELA_CAMERA_INIT                                                                                   \
+    { sizeof(candela_camera), NULL, 0.785398f, 0.0f, -1, 0, 0, 0.0f, 0.0f }
+#define CANDELA_LIGHT_INIT                                                                                    \
+    {                                                                                                         \
+        sizeof(candela_light), NULL, CANDELA_LIGHT_POINT, {1.0f, 1.0f, 1.0f}, 1.0f, 0.0f, 0.0f, 0.785398f,    \
+            {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}, -1, 0, 0, 0.0f                                           \
+    }
+#define CANDELA_ENVIRONMENT_INIT                                                                              \
+    {                                                                                                         \
+        sizeof(candela_environment), NULL, 0, 0, NULL, 0, {0.0f, 0.0f, 0.0f, 1.0f}, 1.0f, 0, 0.0f             \
+    }
+#define CANDELA_NODE_INIT                                                                                     \
+    {                                                                                                         \
+        sizeof(candela_node), NULL, -1, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f, 1.0f}, {1.0f, 1.0f, 1.0f},     \
+            NULL, -1, 0, {0.0, 0.0, 0.0}, 0, 0, 0                                                             \
+    }
+#define CANDELA_ANIMATION_INIT                                                                                \
+    { sizeof(candela_animation), NULL, 0, NULL, 0, NULL }
+#define CANDELA_SCENE_INFO_INIT                                                                               \
+    { sizeof(candela_scene_info), CANDELA_UP_Y, 1.0, NULL, NULL }
 
 #ifdef __cplusplus
 }

@@ -26,6 +26,20 @@ enum class PluginState {
 /// The name of the state, such as "no entry point".
 CANDELA_API const char* toString(PluginState state);
 
+/// What the value of an option is.
+enum class PluginOptionType { flag, integer, number, text, keyword };
+
+/// An option that an importer takes in the query behind a file's name: "model.obj?level=3&flip".
+struct PluginOption {
+    std::string name, help;
+    PluginOptionType type = PluginOptionType::flag;
+    double minimum = 0.0, maximum = 0.0;  ///< Of integers and numbers, both included; equal: no limits.
+    std::vector<std::string> keywords;    ///< Of a keyword. The first one holds where no value is given.
+};
+
+/// The option with its value as it may be given, such as "level=1..8" or "subdivide[=catmullClark|loop]".
+CANDELA_API std::string usageOf(const PluginOption& option);
+
 struct PluginReport {
     std::filesystem::path file;
     PluginState state = PluginState::loaded;
@@ -33,6 +47,8 @@ struct PluginReport {
     std::string name, version, description;        ///< Of the plugin, where its description could be read.
     std::vector<std::string> extensions, schemes;  ///< What its importer takes.
     bool subdivides = false;                       ///< Whether it has a subdivider.
+    bool decodesImages = false;                    ///< Whether it has an image decoder.
+    std::vector<PluginOption> options;             ///< Of its importer.
 };
 
 /// The plugins of this process. Searched in this order, the first plugin of a name wins: the folders given,
@@ -54,6 +70,9 @@ class CANDELA_API PluginRegistry {
     const candela_plugin* importerForScheme(const std::string& scheme) const;
     /// The first plugin with a subdivider, in search order; none without one.
     std::optional<Subdivider> subdivider() const;
+
+    /// The plugins that decode images, in search order.
+    std::vector<const candela_plugin*> imageDecoders() const;
 
   private:
     struct State;

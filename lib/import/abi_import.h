@@ -3,6 +3,7 @@
 #include "import/abi_reader.h"
 #include "import/note_list.h"
 
+#include <candela/import.h>
 #include <candela/plugin.h>
 #include <candela/scene.h>
 
@@ -29,6 +30,13 @@ void addCageInstance(const candela_cage_instance& source, Scene& scene);
 
 /// Gives a node that shows a mesh its skin and its morph weights.
 void addDeformation(const candela_deformation& source, Scene& scene);
+
+/// What a plugin says of the whole scene.
+SceneInfo sceneInfoFrom(const candela_scene_info& source, const AbiReader& call);
+
+/// Puts all that is at the top of the scene below a node of its own that turns and scales it to metres with
+/// +Y up. Nothing is done where the file has these.
+void bringToMetres(const SceneInfo& info, Scene& scene);
 
 /// Adds the attributes that a plugin may leave out: flat normals, and tangents where a normal texture or
 /// anisotropy needs them. Appends a note for each attribute that cannot be generated.

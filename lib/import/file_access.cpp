@@ -30,6 +30,7 @@ class Descriptor {
         if (number_ >= 0) ::close(number_);
     }
     Descriptor(const Descriptor&) = delete;
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
     Descriptor& operator=(Descriptor&& other) noexcept {
         std::swap(number_, other.number_);
         return *this;
@@ -104,10 +105,16 @@ FileAccess::Bytes readAll(int descriptor, std::size_t size, const std::string& p
     refuse(ErrorKind::environment, path, systemMessage(error));
 }
 
+// A regular file within the folder, open for reading.
+struct OpenedFile {
+    Descriptor descriptor;
+    std::int64_t size;
+};
+
 // The file is first opened without reading (O_PATH), which touches no device and waits for no pipe. Its path
 // and type are checked, and the same file is then opened for reading, so that it cannot be replaced in
 // between.
-FileAccess::Bytes readWithin(int folder, const std::string& path) {
+OpenedFile openWithin(int folder, const std::string& path) {
     const Descriptor named(::openat(folder, path.c_str(), O_PATH | O_CLOEXEC));
     if (named.number() < 0) refuseAbsent(folder, path, errno);
     if (!liesWithin(openedPath(named.number()), openedPath(folder))) refuseLink(path);
@@ -115,13 +122,17 @@ FileAccess::Bytes readWithin(int folder, const std::string& path) {
     if (::fstat(named.number(), &status) != 0) refuse(ErrorKind::environment, path, systemMessage(errno));
     if (S_ISDIR(status.st_mode)) refuse(ErrorKind::badInput, path, "it is a folder, but a file was expected");
     if (!S_ISREG(status.st_mode)) refuse(ErrorKind::badInput, path, "it is not a regular file");
-    if (status.st_size > maxFileBytes)
-        refuse(ErrorKind::limit, path,
-               joined("it has ", status.st_size, " bytes, more than the 16 GiB allowed"));
     const std::string again = joined("/proc/self/fd/", named.number());
-    const Descriptor opened(::open(again.c_str(), O_RDONLY | O_CLOEXEC));
-    if (opened.number() < 0) refuse(ErrorKind::environment, path, systemMessage(errno));
-    return readAll(opened.number(), static_cast<std::size_t>(status.st_size), path);
+    OpenedFile file{Descriptor(::open(again.c_str(), O_RDONLY | O_CLOEXEC)), status.st_size};
+    if (file.descriptor.number() < 0) refuse(ErrorKind::environment, path, systemMessage(errno));
+    return file;
+}
+
+FileAccess::Bytes readWithin(int folder, const std::string& path) {
+    const OpenedFile file = openWithin(folder, path);
+    if (file.size > maxFileBytes)
+        refuse(ErrorKind::limit, path, joined("it has ", file.size, " bytes, more than the 16 GiB allowed"));
+    return readAll(file.descriptor.number(), static_cast<std::size_t>(file.size), path);
 }
 
 // The first entry of the folder `at`, by bytes, whose name differs from `name` in the case of ASCII letters.
@@ -164,6 +175,29 @@ std::span<const std::byte> FileAccess::read(const std::string& path) {
         file = files_.emplace(path, readWithin(folder_, path)).first;
     }
     return {file->second.data.get(), file->second.size};
+}
+
+std::uint64_t FileAccess::size(const std::string& path) const {
+    checkText(path);
+    return static_cast<std::uint64_t>(openWithin(folder_, path).size);
+}
+
+void FileAccess::readPart(const std::string& path, std::uint64_t offset, std::span<std::byte> into) const {
+    checkText(path);
+    const OpenedFile file = openWithin(folder_, path);
+    const auto size = static_cast<std::uint64_t>(file.size);
+    if (offset > size || into.size() > size - offset)
+        refuse(
+            ErrorKind::badInput, path,
+            joined("it has ", size, " bytes, but ", into.size(), " from byte ", offset, " on were expected"));
+    for (std::size_t done = 0; done < into.size();) {
+        const ssize_t count = ::pread(file.descriptor.number(), into.data() + done, into.size() - done,
+                                      static_cast<off_t>(offset + done));
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) refuse(ErrorKind::environment, path, "reading failed: " + systemMessage(errno));
+        if (count == 0) refuse(ErrorKind::environment, path, "it became shorter while it was read");
+        done += static_cast<std::size_t>(count);
+    }
 }
 
 std::string FileAccess::inAnyCase(const std::string& path) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -23,6 +24,12 @@ class FileAccess {
     /// path that is absolute or leaves the folder, also by a symbolic link, and for what is not a regular
     /// file; environment when the file is absent or can not be read; limit when it is too large.
     std::span<const std::byte> read(const std::string& path);
+
+    /// The bytes of the file, which is not kept. Throws as `read` does, but a file may be of any size.
+    std::uint64_t size(const std::string& path) const;
+    /// Reads the bytes from `offset` on until `into` is full. Throws as `size` does, and badInput when the
+    /// file ends before.
+    void readPart(const std::string& path, std::uint64_t offset, std::span<std::byte> into) const;
 
     /// `path` where a file has this name. Else that of the first one, by bytes, whose name differs from it in
     /// the case of ASCII letters; and `path` again where there is none.

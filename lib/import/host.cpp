@@ -23,7 +23,8 @@ std::string textOr(const char* text, const char* otherwise) {
     return text && *text ? oneLine(text) : std::string(otherwise);
 }
 
-// The exception in flight as the caller gets it: an `Error` with the URI.
+}  // namespace
+
 std::exception_ptr currentFailure(const std::string& uri, const char* what) noexcept {
     try {
         try {
@@ -43,27 +44,12 @@ std::exception_ptr currentFailure(const std::string& uri, const char* what) noex
     }
 }
 
-}  // namespace
-
 void ImportHost::rethrowFailure() const {
     if (failure_) std::rethrow_exception(failure_);
 }
 
 void ImportHost::record(std::exception_ptr failure) noexcept {
     if (!failure_) failure_ = std::move(failure);
-}
-
-// Runs an action of the plugin. After the first failure it runs none.
-template <class Action>
-bool ImportHost::guarded(const char* what, Action action) noexcept {
-    if (failure_) return false;
-    try {
-        action();
-        return true;
-    } catch (...) {
-        record(currentFailure(uri_, what));
-        return false;
-    }
 }
 
 template <class Source, class Element, class Convert>
@@ -80,6 +66,44 @@ std::int32_t ImportHost::add(const char* kind, const Source* source, std::vector
         elements.push_back(convert(*copy, AbiReader(kind, index, copy->name)));
     });
     return added ? static_cast<std::int32_t>(index) : -1;
+}
+
+// The elements of an array, whose distance is the size that their sender's struct has.
+template <class Source, class Element, class Convert>
+std::int32_t ImportHost::addAll(const char* kind, const Source* sources, std::uint32_t count,
+                                std::vector<Element>& elements, Convert convert) noexcept {
+    const std::size_t first = elements.size();
+    const bool ready = guarded(kind, [&] {
+        if (count > 0 && !sources) AbiReader(kind, first, nullptr).refuse("the array is NULL");
+        elements.reserve(first + count);
+    });
+    if (!ready) return -1;
+    const std::uint32_t size = count > 0 ? structSizeOf(sources) : 0;
+    const auto* bytes = reinterpret_cast<const std::byte*>(sources);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto* source = reinterpret_cast<const Source*>(bytes + i * size);
+        const bool same = guarded(kind, [&] {
+            if (structSizeOf(source) != size)
+                AbiReader(kind, first + i, nullptr)
+                    .refuse(
+                        joined("struct_size is ", structSizeOf(source), ", but that of the array is ", size));
+        });
+        if (!same || add(kind, source, elements, convert) < 0) return -1;
+    }
+    return static_cast<std::int32_t>(first);
+}
+
+candela_status ImportHost::setSceneInfo(const candela_scene_info* info) noexcept {
+    const bool done = guarded("the scene's info", [&] {
+        const AbiReader call("set_scene_info", std::nullopt, nullptr);
+        if (!info) call.refuse("the struct is NULL");
+        const auto copy = copyOf(info);
+        if (!copy) call.refuse("struct_size " + sizeFault(info));
+        if (hasInfo_) call.refuse("it has been called before");
+        info_ = sceneInfoFrom(*copy, call);
+        hasInfo_ = true;
+    });
+    return done ? CANDELA_OK : CANDELA_FAILED;
 }
 
 candela_status ImportHost::addCageInstance(const candela_cage_instance* instance) noexcept {
@@ -124,48 +148,6 @@ std::int32_t ImportHost::addVariant(const char* name) noexcept {
         scene_.variants.push_back(validUtf8(name));
     });
     return added ? static_cast<std::int32_t>(index) : -1;
-}
-
-candela_bytes ImportHost::fileBytes(const char* path) {
-    if (!files_)
-        throw Error(
-            ErrorKind::badInput, "",
-            joined("file '", oneLine(path), "': a procedural scene has no folder to read files from"));
-    const auto bytes = files_->read(path);
-    return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
-}
-
-candela_status ImportHost::readFile(const char* path, candela_bytes* out) noexcept {
-    const bool done = guarded("reading a file", [&] {
-        if (!path || !out)
-            throw Error(ErrorKind::badInput, uri_, "read_file: its path or its result is NULL");
-        *out = {};
-        *out = fileBytes(path);
-    });
-    return done ? CANDELA_OK : CANDELA_FAILED;
-}
-
-candela_status ImportHost::readOptionalFile(const char* path, candela_bytes* out,
-                                            const char** reason) noexcept {
-    if (reason) *reason = "";
-    bool read = false;
-    guarded("reading a file", [&] {
-        if (!path || !out || !reason)
-            throw Error(ErrorKind::badInput, uri_,
-                        "read_optional_file: its path, its result or its reason is NULL");
-        *out = {};
-        try {
-            const std::string name = files_ ? files_->inAnyCase(path) : path;
-            *out = fileBytes(name.c_str());
-            read = true;
-            if (name != path)
-                notes_.add(NoteKind::information, joined("file '", oneLine(path), "'"),
-                           "read, though its name differs in upper and lower case");
-        } catch (const Error& error) {
-            *reason = reasons_.emplace_back(error.what()).c_str();
-        }
-    });
-    return read ? CANDELA_OK : CANDELA_FAILED;
 }
 
 // False: cancelled. What the caller's own callback throws reaches the caller unchanged.
@@ -280,6 +262,27 @@ struct ImportHost::Functions {
 
     static std::int32_t addVariant(void* self, const char* name) { return from(self).addVariant(name); }
 
+    static std::int32_t addNodes(void* self, const candela_node* nodes, std::uint32_t count) {
+        return from(self).addAll("node", nodes, count, from(self).scene_.nodes, inScene(self, nodeFrom));
+    }
+    static std::int32_t addLights(void* self, const candela_light* lights, std::uint32_t count) {
+        return from(self).addAll("light", lights, count, from(self).scene_.lights, inScene(self, lightFrom));
+    }
+    static candela_status addImageBytes(void* self, const candela_image_bytes* images, std::uint32_t count,
+                                        std::int32_t* indices, const char** reasons) {
+        return from(self).addImageBytes(images, count, indices, reasons);
+    }
+    static candela_status setSceneInfo(void* self, const candela_scene_info* info) {
+        return from(self).setSceneInfo(info);
+    }
+    static candela_status fileSize(void* self, const char* path, std::uint64_t* size) {
+        return from(self).fileSize(path, size);
+    }
+    static candela_status readFilePart(void* self, const char* path, std::uint64_t offset, std::uint64_t size,
+                                       void* into) {
+        return from(self).readFilePart(path, offset, size, into);
+    }
+
     static void parallelFor(void* self, std::uint32_t count, candela_parallel_body body, void* context) {
         runParallelLoop(*from(self).pool_, count, body, context);
     }
@@ -309,14 +312,22 @@ struct ImportHost::Functions {
         host.add_deformation = addDeformation;
         host.set_environment = setEnvironment;
         host.add_variant = addVariant;
+        host.add_nodes = addNodes;
+        host.add_lights = addLights;
+        host.add_image_bytes = addImageBytes;
+        host.set_scene_info = setSceneInfo;
+        host.file_size = fileSize;
+        host.read_file_part = readFilePart;
         return host;
     }
 };
 
-ImportHost::ImportHost(std::string uri, std::unique_ptr<FileAccess> files, ImportProgress progress)
+ImportHost::ImportHost(std::string uri, std::unique_ptr<FileAccess> files, ImportProgress progress,
+                       std::vector<const candela_plugin*> imageDecoders)
     : uri_(std::move(uri)),
       files_(std::move(files)),
       progress_(std::move(progress)),
+      imageDecoders_(std::move(imageDecoders)),
       pool_(ThreadPool::shared()) {
     interface_ = Functions::table(this);
 }

@@ -18,13 +18,18 @@ namespace candela {
 
 class ThreadPool;
 
+/// The exception in flight as the caller gets it: an `Error` with the URI. `what` is what was done.
+std::exception_ptr currentFailure(const std::string& uri, const char* what) noexcept;
+
 /// Implements `candela_host` for one import. It checks and copies the elements that the plugin adds, and
 /// keeps the first failure; from then on it refuses everything. No exception leaves the functions of
 /// `interface()`.
 class ImportHost {
   public:
     /// `files` is null for a procedural scene, which has no folder. Errors name `uri` as the file at fault.
-    ImportHost(std::string uri, std::unique_ptr<FileAccess> files, ImportProgress progress);
+    /// `imageDecoders` are plugins with an image decoder, in the order in which they are asked.
+    ImportHost(std::string uri, std::unique_ptr<FileAccess> files, ImportProgress progress,
+               std::vector<const candela_plugin*> imageDecoders = {});
     ImportHost(const ImportHost&) = delete;
     ImportHost& operator=(const ImportHost&) = delete;
 
@@ -35,17 +40,39 @@ class ImportHost {
     void rethrowFailure() const;
 
     Scene takeScene() { return std::move(scene_); }
+    const SceneInfo& sceneInfo() const { return info_; }
     NoteList takeNotes() { return std::move(notes_); }
 
   private:
     struct Functions;
 
+    /// Runs an action of the plugin. After the first failure it runs none.
     template <class Action>
-    bool guarded(const char* what, Action action) noexcept;
+    bool guarded(const char* what, Action action) noexcept {
+        if (failure_) return false;
+        try {
+            action();
+            return true;
+        } catch (...) {
+            record(currentFailure(uri_, what));
+            return false;
+        }
+    }
     template <class Source, class Element, class Convert>
     std::int32_t add(const char* kind, const Source* source, std::vector<Element>& elements,
                      Convert convert) noexcept;
 
+    template <class Source, class Element, class Convert>
+    std::int32_t addAll(const char* kind, const Source* sources, std::uint32_t count,
+                        std::vector<Element>& elements, Convert convert) noexcept;
+
+    candela_status addImageBytes(const candela_image_bytes* images, std::uint32_t count,
+                                 std::int32_t* indices, const char** reasons) noexcept;
+    candela_status setSceneInfo(const candela_scene_info* info) noexcept;
+    FileAccess& files(const char* path);
+    candela_status fileSize(const char* path, std::uint64_t* size) noexcept;
+    candela_status readFilePart(const char* path, std::uint64_t offset, std::uint64_t size,
+                                void* into) noexcept;
     candela_status addCageInstance(const candela_cage_instance* instance) noexcept;
     candela_bytes fileBytes(const char* path);
     candela_status addDeformation(const candela_deformation* deformation) noexcept;
@@ -64,7 +91,10 @@ class ImportHost {
     ImportProgress progress_;
     Scene scene_;
     NoteList notes_;
-    std::deque<std::string> reasons_;  ///< Lent by `readOptionalFile`.
+    std::deque<std::string> reasons_;  ///< Lent by `readOptionalFile` and `addImageBytes`.
+    SceneInfo info_;
+    bool hasInfo_ = false;
+    std::vector<const candela_plugin*> imageDecoders_;
     std::exception_ptr failure_;
     std::shared_ptr<ThreadPool> pool_;
     candela_host interface_{};

@@ -4,6 +4,7 @@
 #include "import/file_access.h"
 #include "import/host.h"
 #include "import/note_list.h"
+#include "import/plugin_options.h"
 #include "import/scene_source.h"
 #include "import/text.h"
 
@@ -11,6 +12,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace candela {
 namespace {
@@ -23,6 +25,16 @@ std::unique_ptr<FileAccess> filesOf(const SceneSource& source) {
     throw Error(ErrorKind::badInput, uri, joined("the plugin '", source.plugin->name, "' ", how));
 }
 
+std::vector<OptionValue> optionsOf(const SceneSource& source, const std::string& uri) {
+    const candela_importer& importer = *source.plugin->importer;
+    if (!source.query || importer.option_count == 0) return {};
+    try {
+        return parseOptions(checkedOptions(importer), *source.query);
+    } catch (const Error& error) {
+        throw Error(error.kind(), uri, error.what());
+    }
+}
+
 // A plugin must not throw. An exception that can be caught becomes an error like others.
 void callImporter(const SceneSource& source, const std::string& uri, const ImportHost& host) {
     candela_request request{};
@@ -30,6 +42,12 @@ void callImporter(const SceneSource& source, const std::string& uri, const Impor
     request.uri = uri.c_str();
     request.name = source.name.c_str();
     request.query = source.query ? source.query->c_str() : nullptr;
+    const std::vector<OptionValue> values = optionsOf(source, uri);
+    std::vector<candela_option_value> options;
+    for (const OptionValue& value : values)
+        options.push_back({value.option, 0, value.number, value.text.c_str()});
+    request.option_count = static_cast<std::uint32_t>(options.size());
+    request.options = options.data();
     candela_status status = CANDELA_FAILED;
     try {
         status = source.plugin->importer->import_scene(&host.interface(), &request);
@@ -41,9 +59,11 @@ void callImporter(const SceneSource& source, const std::string& uri, const Impor
     if (status != CANDELA_OK) failWithoutReason(source, uri, "failed and gave no reason");
 }
 
-void finish(Scene& scene, NoteList& notes, const std::string& uri) {
+void finish(ImportedScene& imported, NoteList& notes, const std::string& uri) {
+    Scene& scene = imported.scene;
     try {
         addMissingAttributes(scene, notes);
+        bringToMetres(imported.report.info, scene);
         chooseOrigin(scene);
         validate(scene);
     } catch (const Error& error) {
@@ -57,11 +77,11 @@ void finish(Scene& scene, NoteList& notes, const std::string& uri) {
 ImportedScene importScene(const PluginRegistry& plugins, const std::string& uri,
                           const ImportOptions& options) {
     const SceneSource source = findSource(plugins, uri);
-    ImportHost host(uri, filesOf(source), options.progress);
+    ImportHost host(uri, filesOf(source), options.progress, plugins.imageDecoders());
     callImporter(source, uri, host);
     NoteList notes = host.takeNotes();
-    ImportedScene imported{host.takeScene(), {source.plugin->name, {}}};
-    finish(imported.scene, notes, uri);
+    ImportedScene imported{host.takeScene(), {source.plugin->name, host.sceneInfo(), {}}};
+    finish(imported, notes, uri);
     imported.report.notes = notes.take();
     if (options.strictness == Strictness::strict) refuseLosses(imported.report.notes, uri);
     return imported;

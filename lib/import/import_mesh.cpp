@@ -10,6 +10,7 @@
 #include "scene/model/uv_sets.h"
 
 #include <candela/error.h>
+#include <candela/geometry.h>
 #include <candela/mesh.h>
 #include <candela/plugin.h>
 #include <glm/geometric.hpp>
@@ -20,6 +21,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
@@ -293,6 +295,13 @@ Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene&
     if (repairNormals(mesh) > 0)
         notes.add(NoteKind::repaired, element.label(),
                   "normals of length 0 or not finite, replaced by that of a face that uses them");
+    const float creaseAngle =
+        element.within("crease_angle", source.crease_angle, 0.0f, std::numbers::pi_v<float>);
+    if (mesh.normals.empty() && !mesh.positions.empty() && creaseAngle > 0.0f) {
+        if (!mesh.tangents.empty())
+            notes.add(NoteKind::repaired, element.label(), "tangents without normals, not used");
+        computeNormals(mesh, creaseAngle);
+    }
     if (mesh.normals.empty() && !mesh.tangents.empty()) {
         mesh.tangents.clear();
         notes.add(NoteKind::repaired, element.label(), "tangents without normals, not used");

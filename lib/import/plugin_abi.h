@@ -38,7 +38,10 @@ inline constexpr std::array pastSizesOf<candela_node>{offsetof(candela_node, tra
 template <>
 inline constexpr std::array pastSizesOf<candela_animation>{offsetof(candela_animation, property_count)};
 template <>
-inline constexpr std::array pastSizesOf<candela_plugin>{offsetof(candela_plugin, subdivider)};
+inline constexpr std::array pastSizesOf<candela_plugin>{offsetof(candela_plugin, subdivider),
+                                                        offsetof(candela_plugin, image_decoder)};
+template <>
+inline constexpr std::array pastSizesOf<candela_importer>{offsetof(candela_importer, option_count)};
 
 /// The size of a struct of plugin.h in the first version that had it.
 template <class T>
@@ -67,6 +70,10 @@ template <>
 inline constexpr const char* firstVersionOf<candela_refined_cage> = "1.1";
 template <>
 inline constexpr const char* firstVersionOf<candela_subdivider> = "1.1";
+template <>
+inline constexpr const char* firstVersionOf<candela_scene_info> = "1.6";
+template <>
+inline constexpr const char* firstVersionOf<candela_image_decoder> = "1.6";
 
 /// The `struct_size` of a struct of a plugin. Reads no other member.
 template <class T>

@@ -1,6 +1,8 @@
 #include "import/plugin_file.h"
 
 #include "import/plugin_abi.h"
+#include "import/plugin_options.h"
+#include "import/plugin_rules.h"
 #include "import/text.h"
 
 #include <dlfcn.h>
@@ -13,13 +15,8 @@ namespace candela {
 
 namespace {
 
-constexpr std::size_t maxNameBytes = 64;
-constexpr std::size_t maxLineBytes = 256;
+constexpr std::size_t maxEndingBytes = 64;
 constexpr std::size_t maxListEntries = 64;
-
-struct BrokenRule {
-    std::string text;
-};
 
 bool isLetter(char c) {
     return c >= 'a' && c <= 'z';
@@ -31,32 +28,8 @@ bool isOneOf(char c, const char* set) {
     return c != '\0' && std::strchr(set, c) != nullptr;
 }
 
-// Reads at most one byte more than is allowed, so that a string without an end is not read far.
-std::string boundedString(const char* text, std::size_t maxBytes, const std::string& what) {
-    if (!text) throw BrokenRule{what + " is NULL"};
-    const std::size_t length = ::strnlen(text, maxBytes + 1);
-    if (length > maxBytes) throw BrokenRule{joined(what, " is longer than ", maxBytes, " bytes")};
-    return std::string(text, length);
-}
-
-std::string checkedName(const char* text) {
-    const std::string name = boundedString(text, maxNameBytes, "its name");
-    bool legal = !name.empty();
-    for (const char c : name) legal = legal && (isLetter(c) || isDigit(c) || isOneOf(c, "-_"));
-    if (!legal)
-        throw BrokenRule{
-            joined("its name '", oneLine(name), "' is not made of a to z, 0 to 9, '-' and '_' alone")};
-    return name;
-}
-
-std::string checkedLine(const char* text, const std::string& what) {
-    const std::string line = boundedString(text, maxLineBytes, what);
-    if (oneLine(line) != line) throw BrokenRule{what + " is not one line of UTF-8"};
-    return line;
-}
-
 std::string checkedExtension(const char* text) {
-    const std::string extension = boundedString(text, maxNameBytes, "a file name ending");
+    const std::string extension = boundedText(text, maxEndingBytes, "a file name ending");
     bool legal = !extension.empty();
     for (const char c : extension) legal = legal && (isLetter(c) || isDigit(c) || isOneOf(c, "-_+"));
     if (!legal)
@@ -66,7 +39,7 @@ std::string checkedExtension(const char* text) {
 }
 
 std::string checkedScheme(const char* text) {
-    const std::string scheme = boundedString(text, maxNameBytes, "a scheme");
+    const std::string scheme = boundedText(text, maxEndingBytes, "a scheme");
     bool legal = scheme.size() >= 2 && isLetter(scheme[0]);
     for (const char c : scheme) legal = legal && (isLetter(c) || isDigit(c) || isOneOf(c, "-+."));
     if (!legal)
@@ -113,6 +86,7 @@ void checkImporter(LoadedPlugin& loaded, PluginReport& report) {
     if (!loaded.importer.import_scene) throw BrokenRule{"import_scene of its importer is NULL"};
     if (report.extensions.empty() && report.schemes.empty())
         throw BrokenRule{"its importer takes no file name ending and no scheme"};
+    report.options = checkedOptions(loaded.importer);
     loaded.plugin.importer = &loaded.importer;
 }
 
@@ -123,6 +97,16 @@ void checkSubdivider(LoadedPlugin& loaded, PluginReport& report) {
     if (!loaded.subdivider.refine) throw BrokenRule{"refine of its subdivider is NULL"};
     report.subdivides = true;
     loaded.plugin.subdivider = &loaded.subdivider;
+}
+
+void checkImageDecoder(LoadedPlugin& loaded, PluginReport& report) {
+    if (!loaded.plugin.image_decoder) return;
+    loaded.imageDecoder = checkedCopy(loaded.plugin.image_decoder, "candela_image_decoder");
+    loaded.imageDecoder.struct_size = sizeof loaded.imageDecoder;
+    if (!loaded.imageDecoder.recognizes || !loaded.imageDecoder.decode)
+        throw BrokenRule{"recognizes or decode of its image decoder is NULL"};
+    report.decodesImages = true;
+    loaded.plugin.image_decoder = &loaded.imageDecoder;
 }
 
 }  // namespace
@@ -137,14 +121,15 @@ void checkDescription(const candela_plugin* description, LoadedPlugin& loaded, P
             return;
         }
         loaded.plugin = checkedCopy(description, "candela_plugin");
-        report.name = checkedName(loaded.plugin.name);
+        report.name = checkedName(loaded.plugin.name, "its name");
         report.version = checkedLine(loaded.plugin.version, "its version");
         report.description = checkedLine(loaded.plugin.description, "its description");
         loaded.plugin.struct_size = sizeof loaded.plugin;
-        if (!loaded.plugin.importer && !loaded.plugin.subdivider)
-            throw BrokenRule{"it offers no service: importer and subdivider are NULL"};
+        if (!loaded.plugin.importer && !loaded.plugin.subdivider && !loaded.plugin.image_decoder)
+            throw BrokenRule{"it offers no service: importer, subdivider and image_decoder are NULL"};
         checkImporter(loaded, report);
         checkSubdivider(loaded, report);
+        checkImageDecoder(loaded, report);
         report.state = PluginState::loaded;
     } catch (const BrokenRule& broken) {
         report.state = PluginState::badDescription;

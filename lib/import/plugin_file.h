@@ -15,8 +15,9 @@ namespace candela {
 struct LoadedPlugin {
     std::shared_ptr<void> library;
     candela_plugin plugin{};
-    candela_importer importer{};      ///< Valid where `plugin.importer` points to it.
-    candela_subdivider subdivider{};  ///< Valid where `plugin.subdivider` points to it.
+    candela_importer importer{};           ///< Valid where `plugin.importer` points to it.
+    candela_subdivider subdivider{};       ///< Valid where `plugin.subdivider` points to it.
+    candela_image_decoder imageDecoder{};  ///< Valid where `plugin.image_decoder` points to it.
 };
 
 /// The result of loading one file.

@@ -98,6 +98,13 @@ const candela_plugin* PluginRegistry::importerForScheme(const std::string& schem
     return found == importers.end() ? nullptr : found->second;
 }
 
+std::vector<const candela_plugin*> PluginRegistry::imageDecoders() const {
+    std::vector<const candela_plugin*> decoders;
+    for (const auto& plugin : state().plugins)
+        if (plugin->plugin.image_decoder) decoders.push_back(&plugin->plugin);
+    return decoders;
+}
+
 std::optional<Subdivider> PluginRegistry::subdivider() const {
     for (const auto& plugin : state().plugins)
         if (plugin->plugin.subdivider) return Subdivider(std::make_shared<Subdivider::State>(plugin));

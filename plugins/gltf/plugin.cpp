@@ -90,7 +90,7 @@ candela_status importScene(const candela_host* host, const candela_request* requ
 }
 
 constexpr const char* extensions[] = {"gltf", "glb", nullptr};
-constexpr candela_importer importer{sizeof(candela_importer), extensions, nullptr, importScene};
+constexpr candela_importer importer{sizeof(candela_importer), extensions, nullptr, importScene, 0, nullptr};
 constexpr candela_plugin plugin{sizeof(candela_plugin),
                                 CANDELA_PLUGIN_MAJOR,
                                 CANDELA_PLUGIN_MINOR,
@@ -98,6 +98,7 @@ constexpr candela_plugin plugin{sizeof(candela_plugin),
                                 CANDELA_GLTF_VERSION,
                                 "Reads glTF 2.0 scenes: .gltf and .glb",
                                 &importer,
+                                nullptr,
                                 nullptr};
 
 }  // namespace

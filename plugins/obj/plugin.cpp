@@ -1,5 +1,6 @@
 #include <candela/plugin.h>
 
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,13 @@ candela_status importScene(const candela_host* host, const candela_request* requ
 }
 
 constexpr const char* extensions[] = {"obj", nullptr};
-constexpr candela_importer importer{sizeof(candela_importer), extensions, nullptr, importScene};
+constexpr const char* schemes[] = {"catmullClark", "loop", "bilinear", nullptr};
+constexpr candela_option options[] = {{"subdivide", "polygons become subdivision cages of this scheme",
+                                       CANDELA_OPTION_KEYWORD, 0, 0.0, 0.0, schemes},
+                                      {"level", "they become cages that are refined to this level",
+                                       CANDELA_OPTION_INTEGER, 0, 1.0, 8.0, nullptr}};
+constexpr candela_importer importer{sizeof(candela_importer), extensions, nullptr, importScene,
+                                    std::size(options),       options};
 constexpr candela_plugin plugin{sizeof(candela_plugin),
                                 CANDELA_PLUGIN_MAJOR,
                                 CANDELA_PLUGIN_MINOR,
@@ -44,6 +51,7 @@ constexpr candela_plugin plugin{sizeof(candela_plugin),
                                 CANDELA_OBJ_VERSION,
                                 "Reads Wavefront OBJ: polygons, and subdivision cages by tags or ?subdivide",
                                 &importer,
+                                nullptr,
                                 nullptr};
 
 // Polygons, cages and queries came with 1.1.

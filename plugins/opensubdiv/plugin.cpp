@@ -119,7 +119,8 @@ constexpr candela_plugin plugin{sizeof(candela_plugin),
                                 CANDELA_OPENSUBDIV_VERSION,
                                 "Refines subdivision cages with OpenSubdiv",
                                 nullptr,
-                                &subdivider};
+                                &subdivider,
+                                nullptr};
 
 }  // namespace
 

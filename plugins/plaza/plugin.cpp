@@ -48,7 +48,8 @@ candela_status importScene(const candela_host* host, const candela_request* requ
     return runGuarded(*host, [&] { generate(Host(*host), *request); });
 }
 
-constexpr candela_importer importer{sizeof(candela_importer), nullptr, schemes.data(), importScene};
+constexpr candela_importer importer{
+    sizeof(candela_importer), nullptr, schemes.data(), importScene, 0, nullptr};
 
 constexpr candela_plugin plugin{
     sizeof(candela_plugin),
@@ -60,6 +61,7 @@ constexpr candela_plugin plugin{
     "cloud:N a sphere of small lights, rooms:N 256 rooms, sculpture:N a subdivided ring, "
     "colonnade:N columns, crowd:N N walking characters, triangles:N,L N triangles and L lights",
     &importer,
+    nullptr,
     nullptr};
 
 }  // namespace

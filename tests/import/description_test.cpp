@@ -42,13 +42,14 @@ class Description : public testing::Test {
 
     const char* extensions[3] = {"one", "two", nullptr};
     const char* schemes[2] = {"sample", nullptr};
-    candela_importer importer{sizeof(candela_importer), extensions, schemes, importNothing};
+    candela_importer importer{sizeof(candela_importer), extensions, schemes, importNothing, 0, nullptr};
     candela_plugin plugin{sizeof(candela_plugin),
                           CANDELA_PLUGIN_MAJOR,
                           CANDELA_PLUGIN_MINOR,
                           "name",
                           "1.0",
                           "a line",
+                          nullptr,
                           nullptr,
                           nullptr};
     candela_subdivider subdivider{sizeof(candela_subdivider), refineNothing};

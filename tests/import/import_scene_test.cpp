@@ -46,7 +46,7 @@ TEST_F(ImportScene, AnUnknownEndingListsTheKnownOnes) {
     const fs::path file = folder.write("room.XYZ", "");
     const std::string text =
         expectError([&] { importScene(plugins, file.string()); }, ErrorKind::unsupported,
-                    "no plugin takes files ending in '.XYZ'; the plugins loaded take .list, .tri");
+                    "no plugin takes files ending in '.XYZ'; the plugins loaded take .list, .opt, .tri");
     EXPECT_EQ(text.find(file.string()), 0u) << text;
     EXPECT_NE(text.find("add:"), std::string::npos) << text;
 }

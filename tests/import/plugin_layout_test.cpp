@@ -143,7 +143,8 @@ static_assert(offsetof(candela_mesh, variant_materials) == 184);
 static_assert(offsetof(candela_mesh, topologies) == 192);
 static_assert(offsetof(candela_mesh, further_uv_count) == 200);
 static_assert(offsetof(candela_mesh, further_uvs) == 208);
-static_assert(sizeof(candela_mesh) == 216);
+static_assert(offsetof(candela_mesh, crease_angle) == 216);
+static_assert(sizeof(candela_mesh) == 224);
 
 static_assert(offsetof(candela_cage_variant, variant) == 0);
 static_assert(offsetof(candela_cage_variant, face_materials) == 8);
@@ -312,7 +313,13 @@ static_assert(offsetof(candela_host, read_optional_file) == 152);
 static_assert(offsetof(candela_host, add_deformation) == 160);
 static_assert(offsetof(candela_host, set_environment) == 168);
 static_assert(offsetof(candela_host, add_variant) == 176);
-static_assert(sizeof(candela_host) == 184);
+static_assert(offsetof(candela_host, add_nodes) == 184);
+static_assert(offsetof(candela_host, add_lights) == 192);
+static_assert(offsetof(candela_host, add_image_bytes) == 200);
+static_assert(offsetof(candela_host, set_scene_info) == 208);
+static_assert(offsetof(candela_host, file_size) == 216);
+static_assert(offsetof(candela_host, read_file_part) == 224);
+static_assert(sizeof(candela_host) == 232);
 
 static_assert(offsetof(candela_stencil_table, stencil_count) == 0);
 static_assert(offsetof(candela_stencil_table, offsets) == 8);
@@ -350,13 +357,17 @@ static_assert(offsetof(candela_request, struct_size) == 0);
 static_assert(offsetof(candela_request, uri) == 8);
 static_assert(offsetof(candela_request, name) == 16);
 static_assert(offsetof(candela_request, query) == 24);
-static_assert(sizeof(candela_request) == 32);
+static_assert(offsetof(candela_request, option_count) == 32);
+static_assert(offsetof(candela_request, options) == 40);
+static_assert(sizeof(candela_request) == 48);
 
 static_assert(offsetof(candela_importer, struct_size) == 0);
 static_assert(offsetof(candela_importer, extensions) == 8);
 static_assert(offsetof(candela_importer, schemes) == 16);
 static_assert(offsetof(candela_importer, import_scene) == 24);
-static_assert(sizeof(candela_importer) == 32);
+static_assert(offsetof(candela_importer, option_count) == 32);
+static_assert(offsetof(candela_importer, options) == 40);
+static_assert(sizeof(candela_importer) == 48);
 
 static_assert(offsetof(candela_plugin, struct_size) == 0);
 static_assert(offsetof(candela_plugin, major) == 4);
@@ -366,5 +377,44 @@ static_assert(offsetof(candela_plugin, version) == 24);
 static_assert(offsetof(candela_plugin, description) == 32);
 static_assert(offsetof(candela_plugin, importer) == 40);
 static_assert(offsetof(candela_plugin, subdivider) == 48);
-static_assert(sizeof(candela_plugin) == 56);
+static_assert(offsetof(candela_plugin, image_decoder) == 56);
+static_assert(sizeof(candela_plugin) == 64);
+
+static_assert(offsetof(candela_image_bytes, name) == 0);
+static_assert(offsetof(candela_image_bytes, bytes) == 8);
+static_assert(offsetof(candela_image_bytes, size) == 16);
+static_assert(sizeof(candela_image_bytes) == 24);
+
+static_assert(offsetof(candela_scene_info, struct_size) == 0);
+static_assert(offsetof(candela_scene_info, up_axis) == 4);
+static_assert(offsetof(candela_scene_info, metres_per_unit) == 8);
+static_assert(offsetof(candela_scene_info, generator) == 16);
+static_assert(offsetof(candela_scene_info, copyright) == 24);
+static_assert(sizeof(candela_scene_info) == 32);
+
+static_assert(offsetof(candela_decoding, struct_size) == 0);
+static_assert(offsetof(candela_decoding, self) == 8);
+static_assert(offsetof(candela_decoding, fail) == 16);
+static_assert(offsetof(candela_decoding, set_result) == 24);
+static_assert(sizeof(candela_decoding) == 32);
+
+static_assert(offsetof(candela_image_decoder, struct_size) == 0);
+static_assert(offsetof(candela_image_decoder, recognizes) == 8);
+static_assert(offsetof(candela_image_decoder, decode) == 16);
+static_assert(sizeof(candela_image_decoder) == 24);
+
+static_assert(offsetof(candela_option, name) == 0);
+static_assert(offsetof(candela_option, help) == 8);
+static_assert(offsetof(candela_option, type) == 16);
+static_assert(offsetof(candela_option, unused) == 20);
+static_assert(offsetof(candela_option, minimum) == 24);
+static_assert(offsetof(candela_option, maximum) == 32);
+static_assert(offsetof(candela_option, keywords) == 40);
+static_assert(sizeof(candela_option) == 48);
+
+static_assert(offsetof(candela_option_value, option) == 0);
+static_assert(offsetof(candela_option_value, unused) == 4);
+static_assert(offsetof(candela_option_value, number) == 8);
+static_assert(offsetof(candela_option_value, text) == 16);
+static_assert(sizeof(candela_option_value) == 24);
 // clang-format on

@@ -45,6 +45,8 @@ const std::map<std::string, std::string> layerOfHeader = {
     {"material.h", "scene"},
     {"mesh.h", "scene"},
     {"node.h", "scene"},
+    {"geometry.h", "scene"},
+    {"shapes.h", "scene"},
     {"refined_cage.h", "scene"},
     {"scene.h", "scene"},
     {"deformation.h", "scene"},

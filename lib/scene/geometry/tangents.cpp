@@ -5,10 +5,9 @@
 #include "scene/geometry/axes.h"
 #include "scene/geometry/tangent_groups.h"
 #include "scene/geometry/topology.h"
+#include "scene/geometry/vertex_copy.h"
 #include "scene/model/uv_sets.h"
 #include "scene/validate/scene_rules.h"
-
-#include <candela/error.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -16,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -124,36 +122,6 @@ struct Split {
     bool sameVertexAs(const Split& other) const { return vertex == other.vertex && group == other.group; }
 };
 
-template <typename Value>
-void duplicate(std::vector<Value>& values, std::uint32_t vertex) {
-    if (!values.empty()) values.push_back(Value(values[vertex]));
-}
-
-void duplicateVertex(Mesh& mesh, std::vector<std::uint32_t>& groupOfVertex, const Split& split) {
-    if (mesh.positions.size() >= std::numeric_limits<std::uint32_t>::max()) {
-        throw Error(ErrorKind::limit, {},
-                    ErrorContext("mesh", {}, mesh.name).label() +
-                        ": has more vertices than 32 bits can count once tangents have split them");
-    }
-    duplicate(mesh.positions, split.vertex);
-    duplicate(mesh.normals, split.vertex);
-    duplicate(mesh.uv0, split.vertex);
-    duplicate(mesh.uv1, split.vertex);
-    for (auto& uvs : mesh.furtherUvs) duplicate(uvs, split.vertex);
-    duplicate(mesh.colors, split.vertex);
-    for (std::uint32_t i = 0; i < mesh.influenceCount; ++i) {
-        const std::size_t influence = std::size_t{split.vertex} * mesh.influenceCount + i;
-        mesh.joints.push_back(std::uint32_t{mesh.joints[influence]});
-        mesh.jointWeights.push_back(float{mesh.jointWeights[influence]});
-    }
-    for (MorphTarget& target : mesh.morphTargets) {
-        duplicate(target.offsets, split.vertex);
-        duplicate(target.normalOffsets, split.vertex);
-        duplicate(target.tangentOffsets, split.vertex);
-    }
-    groupOfVertex.push_back(split.group);
-}
-
 // Gives each vertex one group, splitting where its corners disagree. Returns the groups, noCorner for none.
 std::vector<std::uint32_t> splitVertices(Mesh& mesh, const std::vector<std::uint32_t>& chosen) {
     std::vector<std::uint32_t> groupOfVertex(mesh.positions.size(), noCorner);
@@ -172,7 +140,10 @@ std::vector<std::uint32_t> splitVertices(Mesh& mesh, const std::vector<std::uint
         return std::tie(a.vertex, a.group, a.corner) < std::tie(b.vertex, b.group, b.corner);
     });
     for (std::size_t i = 0; i < splits.size(); ++i) {
-        if (i == 0 || !splits[i].sameVertexAs(splits[i - 1])) duplicateVertex(mesh, groupOfVertex, splits[i]);
+        if (i == 0 || !splits[i].sameVertexAs(splits[i - 1])) {
+            appendVertexCopy(mesh, splits[i].vertex);
+            groupOfVertex.push_back(splits[i].group);
+        }
         mesh.indices[splits[i].corner] = static_cast<std::uint32_t>(mesh.positions.size() - 1);
     }
     return groupOfVertex;
@@ -228,8 +199,8 @@ void generateTangents(Mesh& mesh, std::uint32_t uvSet) {
     const std::vector<glm::vec2>& uv = uvsOf(mesh, uvSet);
     const TangentGroups groups = tangentGroups(mesh, uv);
     const std::vector<glm::vec3> sums = sumTerms(mesh, uv, groups);
-    const std::vector<std::uint32_t> groupOfVertex = splitVertices(mesh, groupsOfCorners(mesh, groups, sums));
     mesh.tangents.clear();
+    const std::vector<std::uint32_t> groupOfVertex = splitVertices(mesh, groupsOfCorners(mesh, groups, sums));
     mesh.tangents.reserve(mesh.positions.size());
     for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
         const std::uint32_t group = groupOfVertex[vertex];

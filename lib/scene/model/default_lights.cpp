@@ -94,15 +94,27 @@ bool hasLight(const Scene& scene) {
     return false;
 }
 
-std::array<WorldLight, 3> defaultLights(const CameraView& view, double exposure) {
+namespace {
+
+void requireRig(const CameraView& view, double exposure) {
     const ErrorContext context("default lights");
     context.requireFinite("the view's matrix", view.worldFromCamera);
     context.require(exposure >= -100.0 && exposure <= 100.0, "the exposure must be -100 to 100 stops");
-    // A Lambert surface that faces the camera reflects albedo / pi of the irradiance, which is to be pi.
+}
+
+/// In lux. A Lambert surface that faces the camera reflects albedo / pi of it.
+double neutralIrradiance(double exposure) {
+    return std::numbers::pi * std::exp2(-exposure);
+}
+
+}  // namespace
+
+std::array<WorldLight, 3> defaultLights(const CameraView& view, double exposure) {
+    requireRig(view, exposure);
     float irradiance = 0.0f;
     for (const RigLight& light : rig)
         irradiance += light.strength * std::max(glm::normalize(light.towards).z, 0.0f);
-    const auto scale = static_cast<float>(std::numbers::pi * std::exp2(-exposure)) / irradiance;
+    const auto scale = static_cast<float>(neutralIrradiance(exposure)) / irradiance;
     std::array<WorldLight, 3> lights;
     for (std::size_t i = 0; i < rig.size(); ++i) {
         lights[i].type = LightType::directional;
@@ -111,6 +123,16 @@ std::array<WorldLight, 3> defaultLights(const CameraView& view, double exposure)
         lights[i].castsShadow = false;
     }
     return lights;
+}
+
+WorldLight headlight(const CameraView& view, double exposure) {
+    requireRig(view, exposure);
+    WorldLight light;
+    light.type = LightType::directional;
+    light.direction = -glm::normalize(glm::vec3(view.worldFromCamera[2]));
+    light.intensity = glm::vec3(static_cast<float>(neutralIrradiance(exposure)));
+    light.castsShadow = false;
+    return light;
 }
 
 }  // namespace candela

@@ -75,6 +75,18 @@ WorldLight worldLight(const Light& light, const std::vector<glm::mat4>& world) {
     return placed;
 }
 
+WorldLight worldLight(const Light& light, const glm::mat4& worldFromNode) {
+    const ErrorContext context("light", {}, light.name);
+    context.requireFinite("the matrix of its node", worldFromNode);
+    context.require(isAffine(worldFromNode), "the matrix of its node must be affine");
+    Light below = light;
+    below.node = 0;
+    Scene scene;
+    scene.nodes.resize(1);
+    validateLight(below, scene, context);
+    return worldLight(below, std::vector<glm::mat4>{worldFromNode});
+}
+
 std::vector<WorldLight> worldLights(const Scene& scene, const std::vector<glm::mat4>& world, double time) {
     requireWorldMatrices(scene, world);
     const std::map<std::uint32_t, Light> posed = posedElements<Light>(scene, time);

@@ -64,14 +64,16 @@ TEST(ObjError, loopAcceptsTrianglesOnly) {
 TEST(ObjError, queries) {
     const std::string text = squareVertices() + "f 1 2 3\n";
     const std::vector<Case> cases{
-        {"?subdivid", "query: 'subdivid', but subdivide, subdivide=SCHEME or level=N was expected"},
-        {"?", "query: '', but subdivide, subdivide=SCHEME or level=N was expected"},
-        {"?subdivide&", "query: '', but subdivide, subdivide=SCHEME or level=N was expected"},
+        {"?subdivid",
+         "query: 'subdivid' is none of the options subdivide[=catmullClark|loop|bilinear], level=1..8"},
+        {"?", "query: '' is none of the options subdivide[=catmullClark|loop|bilinear], level=1..8"},
+        {"?subdivide&",
+         "query: '' is none of the options subdivide[=catmullClark|loop|bilinear], level=1..8"},
         {"?subdivide=doo-sabin",
          "query: subdivide=doo-sabin, but catmullClark, loop or bilinear was expected"},
-        {"?level=9", "query: level=9, but 1 to 8 was expected"},
-        {"?level=0", "query: level=0, but 1 to 8 was expected"},
-        {"?level=", "query: level=, but 1 to 8 was expected"}};
+        {"?level=9", "query: level=9, but an integer from 1 to 8 was expected"},
+        {"?level=0", "query: level=0, but an integer from 1 to 8 was expected"},
+        {"?level=", "query: level=, but an integer from 1 to 8 was expected"}};
     for (const Case& test : cases) EXPECT_EQ(errorOfObj(text, {}, test.text), test.error);
 }
 

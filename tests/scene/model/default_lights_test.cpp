@@ -149,5 +149,18 @@ TEST(HasLight, ByEmissionTexturesThatAreMostlyOverBlack) {
     }
 }
 
+TEST(Headlight, LightsWhatFacesTheCamera) {
+    const CameraView view = lookAt({3, 2, 1}, {0, 0, 0}, 0.8f);
+    for (const double exposure : {-3.0, 0.0, 2.0}) {
+        const WorldLight light = headlight(view, exposure);
+        EXPECT_EQ(light.type, LightType::directional);
+        EXPECT_FALSE(light.castsShadow);
+        EXPECT_LT(glm::distance(light.direction, glm::normalize(glm::vec3(-3, -2, -1))), 1e-6f);
+        EXPECT_NEAR(midGrey / std::numbers::pi * light.intensity.g, midGrey * std::exp2(-exposure),
+                    1e-5 * midGrey * std::exp2(-exposure));
+    }
+    EXPECT_THROW(headlight(view, 200.0), Error);
+}
+
 }  // namespace
 }  // namespace candela

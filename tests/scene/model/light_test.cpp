@@ -127,5 +127,31 @@ TEST(WorldLights, ASingularNodeGivesAUnitDirection) {
     EXPECT_NEAR(glm::length(worldLights(scene, worldTransforms(scene))[0].direction), 1.0f, rounding);
 }
 
+TEST(WorldLights, OfOneLightBelowAMatrix) {
+    Light light;
+    light.type = LightType::spot;
+    light.position = {1, 0, 0};
+    light.intensity = 3.0f;
+    light.color = {1, 0.5f, 0};
+    light.range = 7.0f;
+    light.node = 12;
+    const glm::mat4 turned = glm::scale(
+        glm::rotate(glm::translate(glm::mat4(1.0f), {0, 5, 0}), pi / 2.0f, {0, 1, 0}), glm::vec3(2.0f));
+    const WorldLight placed = worldLight(light, turned);
+    // A quarter turn about +Y takes +X to -Z and -Z to -X; the scale moves the position alone.
+    expectNear(placed.position, {0, 5, -2});
+    expectNear(placed.direction, {-1, 0, 0});
+    expectNear(placed.intensity, {3, 1.5f, 0});
+    EXPECT_EQ(placed.range, 7.0f);
+    expectNear(worldLight(light).position, {1, 0, 0});
+    light.intensity = -1.0f;
+    EXPECT_THROW(worldLight(light), Error);
+    light.intensity = 1.0f;
+    glm::mat4 projective(1.0f);
+    projective[0][3] = 1.0f;
+    EXPECT_THROW(worldLight(light, projective), Error);
+    EXPECT_THROW(worldLight(light, glm::mat4(std::numeric_limits<float>::infinity())), Error);
+}
+
 }  // namespace
 }  // namespace candela
