@@ -78,6 +78,26 @@ inline void endList(const LightColumns& list, std::uint32_t count) {
     store(list.range2 + count, splat(-1.0f));
 }
 
+#if defined(__AVX2__) && !defined(__AVX512F__)
+/// For each set of lanes, a bit each, their numbers one after the other.
+struct LaneOrders {
+    std::uint8_t lanes[1 << laneCount][laneCount];
+};
+
+constexpr LaneOrders makeLaneOrders() {
+    LaneOrders orders{};
+    for (int set = 0; set < 1 << laneCount; ++set) {
+        int count = 0;
+        for (int lane = 0; lane < laneCount; ++lane) {
+            if ((set >> lane & 1) != 0) orders.lanes[set][count++] = static_cast<std::uint8_t>(lane);
+        }
+    }
+    return orders;
+}
+
+constexpr LaneOrders laneOrders = makeLaneOrders();
+#endif
+
 inline void append(const LightColumns& to, std::uint32_t at, const LightColumns& from, std::uint32_t first,
                    Ints passed, std::uint32_t& count) {
 #if defined(__AVX512F__)
@@ -88,6 +108,18 @@ inline void append(const LightColumns& to, std::uint32_t at, const LightColumns&
     _mm512_mask_compressstoreu_ps(to.range2 + at, mask, (__m512)load(from.range2 + first));
     _mm512_mask_compressstoreu_epi32(to.index + at, mask, (__m512i)loadWords(from.index + first));
     count = at + static_cast<std::uint32_t>(__builtin_popcount(mask));
+#elif defined(__AVX2__)
+    const std::uint32_t set = laneBits(passed);
+    long long bytes;
+    __builtin_memcpy(&bytes, laneOrders.lanes[set], sizeof bytes);
+    const __m256i order = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(bytes));
+    // Whole vectors are written: lists have room for one more, as `endList` needs it.
+    const auto move = [&](float* target, const float* source) {
+        _mm256_storeu_ps(target + at, _mm256_permutevar8x32_ps((__m256)load(source + first), order));
+    };
+    move(to.x, from.x), move(to.y, from.y), move(to.z, from.z), move(to.range2, from.range2);
+    move(reinterpret_cast<float*>(to.index), reinterpret_cast<const float*>(from.index));
+    count = at + static_cast<std::uint32_t>(__builtin_popcount(set));
 #else
     count = at;
     for (int lane = 0; lane < laneCount; ++lane) {
