@@ -228,6 +228,45 @@ inline Floats lookUp(const float* table, Ints index) {
 #endif
 }
 
+/// Four numbers at each pointer: the first ones of all lanes, the second ones, ...
+inline void loadRecords(const float* const (&from)[laneCount], Floats& a, Floats& b, Floats& c, Floats& d) {
+#if defined(__AVX2__)
+    // Rows of 128 bits, each with the numbers of the lane that has the same place among four.
+    Floats rows[4];
+    for (int row = 0; row < 4; ++row) {
+#if defined(__AVX512F__)
+        __m512 v = _mm512_castps128_ps512(_mm_loadu_ps(from[row]));
+        v = _mm512_insertf32x4(v, _mm_loadu_ps(from[row + 4]), 1);
+        v = _mm512_insertf32x4(v, _mm_loadu_ps(from[row + 8]), 2);
+        rows[row] = (Floats)_mm512_insertf32x4(v, _mm_loadu_ps(from[row + 12]), 3);
+#else
+        const __m256 low = _mm256_castps128_ps256(_mm_loadu_ps(from[row]));
+        rows[row] = (Floats)_mm256_insertf128_ps(low, _mm_loadu_ps(from[row + 4]), 1);
+#endif
+    }
+    const auto pairs = [](Floats u, Floats v, Floats& low, Floats& high) {
+#if defined(__AVX512F__)
+        low = (Floats)_mm512_unpacklo_ps((__m512)u, (__m512)v);
+        high = (Floats)_mm512_unpackhi_ps((__m512)u, (__m512)v);
+#else
+        low = (Floats)_mm256_unpacklo_ps((__m256)u, (__m256)v);
+        high = (Floats)_mm256_unpackhi_ps((__m256)u, (__m256)v);
+#endif
+    };
+    Floats ac, bd, acHigh, bdHigh;
+    pairs(rows[0], rows[2], ac, acHigh);
+    pairs(rows[1], rows[3], bd, bdHigh);
+    pairs(ac, bd, a, b);
+    pairs(acHigh, bdHigh, c, d);
+#else
+    a = loadFour(from[0]);
+    b = loadFour(from[1]);
+    c = loadFour(from[2]);
+    d = loadFour(from[3]);
+    transpose(a, b, c, d);
+#endif
+}
+
 struct Vec3 {
     Floats x, y, z;
 

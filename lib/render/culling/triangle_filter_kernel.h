@@ -6,45 +6,36 @@
 
 namespace candela {
 
-/// Vertices on the screen, an element of each column a vertex.
-struct ScreenColumns {
-    float *x, *y;   ///< Pixels from the lower left corner of the picture.
-    float* margin;  ///< Pixels by which the rasteriser may place the vertex elsewhere.
-    float* depth;   ///< Clip-space w, at least.
-};
+namespace layout {
+#include "shared/triangle_filter_records.h"
+}
 
-/// The margin of a vertex that is not placed: at the eye's plane or behind it. Such a vertex may be anywhere.
-constexpr float anywhere = 1.0e30f;
+// The jobs of the kernels. Plain numbers only: each kernel is compiled for its own instruction set and must
+// not share inline functions with other files.
 
-/// A run of vertices and where it is on the screen. Plain numbers only: each kernel is compiled for its own
-/// instruction set and must not share inline functions with other files.
-struct ScreenTransform {
-    const float* vertices;  ///< Position and normal, `vertexFloats` each.
+/// Up to 64 clusters of an instance.
+struct CullClusters {
+    const layout::FilterView* view;
+    const layout::TriangleCluster* clusters;
     std::uint32_t count;
-    float rows[3][4];   ///< From a position to x and y in pixels, both times w, and to w.
-    float errors[3];    ///< Of these, at most, together with that of the device.
-    ScreenColumns out;  ///< With room for a multiple of `filterPadding` elements.
 };
-constexpr int vertexFloats = 6;
-/// Elements of a vector of the widest instruction set. The kernels write whole vectors.
-constexpr int filterPadding = 16;
 
-/// A run of triangles.
+/// Consecutive triangles of an instance.
 struct FilterTriangles {
-    ScreenColumns vertices;  ///< That of index 0.
+    const layout::FilterView* view;
+    const float* vertices;  ///< That of index 0: position and normal, `vertexFloats` each.
     const std::uint32_t* indices;
     std::uint32_t count;  ///< Triangles.
-    float width, height;  ///< Of the picture, pixels.
-    float nearDepth;      ///< A triangle of less w than this is not drawn.
-    float facing;         ///< 1: clockwise triangles are not drawn; -1: counter-clockwise ones; 0: all are.
     std::uint32_t* out;
 };
+constexpr int vertexFloats = 6;
 
-/// The functions of one instruction set.
+/// The functions of one instruction set (shaders/shared/triangle_filter.h).
 struct TriangleFilterKernel {
     const char* name;
-    void (*transform)(const ScreenTransform& job);
-    /// Writes the indices of the triangles that may cover a sample, in their order. Returns how many indices
+    /// A bit for each cluster a triangle of which may leave a trace, the first lowest.
+    std::uint64_t (*cull)(const CullClusters& job);
+    /// Writes the indices of the triangles that may leave a trace, in their order. Returns how many indices
     /// those are.
     std::uint32_t (*filter)(const FilterTriangles& job);
 };

@@ -10,6 +10,32 @@
 namespace candela {
 namespace {
 
+namespace triangles {
+
+using layout::FilterView;
+using Real = Floats;
+using Mask = Ints;
+
+inline Mask both(Mask a, Mask b) {
+    return a & b;
+}
+inline Mask either(Mask a, Mask b) {
+    return a | b;
+}
+inline Mask negated(Mask a) {
+    return ~a;
+}
+inline Real wholeNumber(Real a) {
+    const Real whole = __builtin_convertvector(__builtin_convertvector(a, Ints), Floats);
+    return select(whole < a, whole + 1.0f, whole);
+}
+
+#define SHARED_FUNCTION __attribute__((always_inline)) inline
+#include "shared/triangle_filter.h"
+#undef SHARED_FUNCTION
+
+}  // namespace triangles
+
 /// 0, 1, 2, ...
 inline Ints laneNumbers() {
     Ints lanes;
@@ -17,114 +43,66 @@ inline Ints laneNumbers() {
     return lanes;
 }
 
-inline Ints wordsAt(const std::uint32_t* words, Ints index) {
-    return (Ints)lookUp(reinterpret_cast<const float*>(words), index);
-}
-
 inline Ints least(Ints a, std::int32_t b) {
     return a < b ? a : b - Ints{};
 }
 
-/// `rows[k]` times the position and 1.
-inline Floats rowTimes(const float (&row)[4], Floats x, Floats y, Floats z) {
-    return row[0] * x + row[1] * y + row[2] * z + row[3];
-}
-
-void transformVertices(const ScreenTransform& job) {
-    // The rasteriser rounds to 1/256 pixel; and what dividing rounds.
-    constexpr float snapping = 1.0f / 64.0f, rounding = 1.0e-6f;
-    const auto last = static_cast<std::int32_t>(job.count - 1);
-    const float* vertices = job.vertices;
-    for (std::uint32_t i = 0; i < job.count; i += laneCount) {
-        const Ints vertex = least(laneNumbers() + static_cast<std::int32_t>(i), last) * vertexFloats;
-        const Floats px = lookUp(vertices, vertex), py = lookUp(vertices + 1, vertex),
-                     pz = lookUp(vertices + 2, vertex);
-        const Floats w = rowTimes(job.rows[2], px, py, pz);
-        const Ints placed = w > 8.0f * job.errors[2];
-        const Floats inverse = reciprocal(select(placed, w, splat(1.0f)));
-        const Floats x = rowTimes(job.rows[0], px, py, pz) * inverse,
-                     y = rowTimes(job.rows[1], px, py, pz) * inverse;
-        // Of a quotient whose divisor is off by an eighth at most.
-        const Floats error =
-            max(job.errors[0] + abs(x) * job.errors[2], job.errors[1] + abs(y) * job.errors[2]);
-        const Floats margin = 1.15f * error * inverse + (abs(x) + abs(y)) * rounding + snapping;
-        store(job.out.x + i, select(placed, x, Floats{}));
-        store(job.out.y + i, select(placed, y, Floats{}));
-        store(job.out.margin + i, select(placed, margin, splat(anywhere)));
-        store(job.out.depth + i, w + job.errors[2]);
-    }
-}
-
-inline Floats max3(Floats a, Floats b, Floats c) {
-    return max(max(a, b), c);
-}
-inline Floats min3(Floats a, Floats b, Floats c) {
-    return min(min(a, b), c);
-}
-
-/// Lies the centre of a pixel, of `size` pixels, between `low` and `high`?
-inline Ints holdsCenter(Floats low, Floats high, float size) {
-    const Floats first = min(max(low - 0.5f, 0.0f), size), end = min(high - 0.5f, size - 1.0f);
-    const Floats whole = __builtin_convertvector(__builtin_convertvector(first, Ints), Floats);
-    const Floats center = select(whole < first, whole + 1.0f, whole);
-    return center <= end;
-}
-
-/// The corners of triangles.
-struct Corner {
-    Floats x, y, margin;
-};
-
-inline Corner cornerAt(const ScreenColumns& vertices, Ints index) {
-    return {lookUp(vertices.x, index), lookUp(vertices.y, index), lookUp(vertices.margin, index)};
-}
-
-/// Faces a triangle surely away?
-inline Ints isTurned(const Corner& a, const Corner& b, const Corner& c, float facing) {
-    const Floats abx = b.x - a.x, aby = b.y - a.y, acx = c.x - a.x, acy = c.y - a.y;
-    const Floats area = (abx * acy - acx * aby) * facing;
-    const Floats margin = max3(a.margin, b.margin, c.margin);
-    const Floats reach = abs(abx) + abs(aby) + abs(acx) + abs(acy);
-    // Each difference is off by two margins; and what the products round.
-    const Floats error = 2.0f * margin * reach + 8.0f * margin * margin + 1.0e-6f * reach * reach;
-    return area < -error;
-}
-
-inline Ints isKept(const FilterTriangles& job, Ints ia, Ints ib, Ints ic) {
-    const Corner a = cornerAt(job.vertices, ia), b = cornerAt(job.vertices, ib),
-                 c = cornerAt(job.vertices, ic);
-    const Floats left = min3(a.x - a.margin, b.x - b.margin, c.x - c.margin);
-    const Floats right = max3(a.x + a.margin, b.x + b.margin, c.x + c.margin);
-    const Floats bottom = min3(a.y - a.margin, b.y - b.margin, c.y - c.margin);
-    const Floats top = max3(a.y + a.margin, b.y + b.margin, c.y + c.margin);
-    Ints kept = holdsCenter(left, right, job.width) & holdsCenter(bottom, top, job.height);
-    if (job.facing != 0.0f) kept &= ~isTurned(a, b, c, job.facing);
-    const Floats depth =
-        max3(lookUp(job.vertices.depth, ia), lookUp(job.vertices.depth, ib), lookUp(job.vertices.depth, ic));
-    return kept & (depth >= job.nearDepth);
+/// The corners `corner` of the triangles whose indices start at `first`; those from `last` on are the same.
+inline triangles::ScreenCorner cornersAt(const FilterTriangles& job, const std::uint32_t* first,
+                                         std::uint32_t last) {
+    const float* from[laneCount];
+    for (std::uint32_t lane = 0; lane < laneCount; ++lane)
+        from[lane] = job.vertices + std::size_t{first[3 * (lane < last ? lane : last)]} * vertexFloats;
+    Floats x, y, z, unused;
+    loadRecords(from, x, y, z, unused);
+    return triangles::cornerOf(*job.view, x, y, z);
 }
 
 std::uint32_t filterTriangles(const FilterTriangles& job) {
     std::uint32_t written = 0;
-    const auto last = static_cast<std::int32_t>(job.count - 1);
     for (std::uint32_t i = 0; i < job.count; i += laneCount) {
-        const Ints triangle = laneNumbers() + static_cast<std::int32_t>(i);
-        const Ints first = least(triangle, last) * 3;
-        const Ints a = wordsAt(job.indices, first), b = wordsAt(job.indices + 1, first),
-                   c = wordsAt(job.indices + 2, first);
-        const Ints kept = isKept(job, a, b, c) & (triangle <= last);
-        for (int lane = 0; lane < laneCount; ++lane) {
-            if (kept[lane] == 0) continue;
-            const std::uint32_t* from = job.indices + 3 * (i + static_cast<std::uint32_t>(lane));
-            for (int k = 0; k < 3; ++k) job.out[written++] = from[k];
+        const std::uint32_t* first = job.indices + 3 * std::size_t{i};
+        const std::uint32_t last = job.count - 1 - i;
+        const Ints kept =
+            triangles::mayShow(*job.view, cornersAt(job, first, last), cornersAt(job, first + 1, last),
+                               cornersAt(job, first + 2, last));
+        std::uint32_t bits = laneBits(kept);
+        if (last < laneCount - 1) bits &= (2u << last) - 1;
+        for (; bits != 0; bits &= bits - 1) {
+            const std::uint32_t* from = first + 3 * __builtin_ctz(bits);
+            for (int k = 0; k < 3; ++k) job.out[written + static_cast<std::uint32_t>(k)] = from[k];
+            written += 3;
         }
     }
     return written;
 }
 
+std::uint64_t cullClusters(const CullClusters& job) {
+    constexpr auto floats = static_cast<std::int32_t>(sizeof(layout::TriangleCluster) / sizeof(float));
+    std::uint64_t kept = 0;
+    for (std::uint32_t i = 0; i < job.count; i += laneCount) {
+        const Ints record =
+            least(laneNumbers() + static_cast<std::int32_t>(i), static_cast<std::int32_t>(job.count - 1)) *
+            floats;
+        const float* from = job.clusters->center;
+        triangles::ClusterBounds bounds;
+        bounds.x = lookUp(from, record);
+        bounds.y = lookUp(from + 1, record);
+        bounds.z = lookUp(from + 2, record);
+        bounds.radius = lookUp(from + 3, record);
+        bounds.axisX = lookUp(from + 4, record);
+        bounds.axisY = lookUp(from + 5, record);
+        bounds.axisZ = lookUp(from + 6, record);
+        bounds.cosine = lookUp(from + 7, record);
+        bounds.altitude = lookUp(from + 8, record);
+        kept |= std::uint64_t{laneBits(triangles::mayShowAny(*job.view, bounds))} << i;
+    }
+    return job.count == 64 ? kept : kept & ((std::uint64_t{1} << job.count) - 1);
+}
+
 }  // namespace
 
 extern const TriangleFilterKernel CANDELA_TRIANGLE_KERNEL;
-const TriangleFilterKernel CANDELA_TRIANGLE_KERNEL{CANDELA_KERNEL_NAME, transformVertices, filterTriangles};
+const TriangleFilterKernel CANDELA_TRIANGLE_KERNEL{CANDELA_KERNEL_NAME, cullClusters, filterTriangles};
 
 }  // namespace candela

@@ -2,7 +2,7 @@
 
 #include "base/error_context.h"
 #include "gl/state_guard.h"
-#include "render/culling/triangle_filter.h"
+#include "render/culling/cpu_triangle_filter.h"
 #include "render/environment/gpu_environment.h"
 #include "render/occlusion/occlusion_scene.h"
 #include "scene/geometry/axes.h"
@@ -120,7 +120,10 @@ GpuScene::State::State(const Context& context, const Scene& scene, std::span<Ima
     lights.set(worldLights(sceneState, transforms.world()), rangeRule());
     listNodeLights();
     setEnvironment(scene.environment);
-    if (context.isSoftware()) triangleFilter = std::make_unique<TriangleFilter>(*this);
+    if (context.isSoftware()) {
+        clusters = MeshClusters(scene.meshes);
+        triangleFilter = std::make_unique<CpuTriangleFilter>(*this);
+    }
 }
 
 GpuScene::State::~State() = default;

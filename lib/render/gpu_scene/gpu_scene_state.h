@@ -3,6 +3,7 @@
 #include "base/error_context.h"
 #include "gl/buffer.h"
 #include "gl/context_binding.h"
+#include "render/culling/mesh_clusters.h"
 #include "render/deformation/gpu_deformations.h"
 #include "render/frustum.h"
 #include "render/gpu_scene/draw_list.h"
@@ -109,6 +110,7 @@ struct GpuScene::State {
     DrawList draws;
     gl::VertexArray vertexArray{"meshes"};
     gl::VertexArray furtherUvArray{"meshes with further texture coordinates"};  ///< For keys that read these.
+    MeshClusters clusters;                                                      ///< For the filter.
     std::unique_ptr<TriangleFilter> triangleFilter;                             ///< On software devices.
 
   private:

@@ -4,7 +4,7 @@
 #include "support/procedural_scene.h"
 
 #include "gl/state_guard.h"
-#include "render/culling/triangle_filter.h"
+#include "render/culling/cpu_triangle_filter.h"
 #include "render/frame_uniforms.h"
 #include "render/gbuffer/gbuffer_copy.h"
 #include "render/gbuffer/geometry_pass.h"
@@ -13,6 +13,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <numbers>
 #include <string>
 
@@ -60,13 +62,27 @@ struct Words {
     bool operator==(const Words&) const = default;
 };
 
+/// A form of the filter.
+struct Form {
+    std::string name;
+    std::function<std::unique_ptr<TriangleFilter>(const GpuScene::State&)> make;
+};
+
+/// All that the device and the processor run.
+std::vector<Form> forms(const Context& context) {
+    std::vector<Form> all;
+    if (!context.isSoftware()) return all;
+    for (const TriangleFilterKernel* kernel : triangleFilterKernels())
+        all.push_back({kernel->name, [kernel](const GpuScene::State& scene) {
+                           return std::make_unique<CpuTriangleFilter>(scene, *kernel);
+                       }});
+    return all;
+}
+
 class TriangleFilterTest : public DrawingTest {
   protected:
-    void SetUp() override {
-        if (!context().isSoftware()) GTEST_SKIP() << "the filter is for software devices";
-    }
-
-    static Words drawn(GpuScene& scene, const CameraView& view, const TriangleFilterKernel* kernel,
+    /// Without a filter where `form` is null.
+    static Words drawn(GpuScene& scene, const CameraView& view, const Form* form,
                        TriangleFilter::Counts* counts = nullptr) {
         context().makeCurrent();
         const gl::StateGuard guard(*context().state().binding, "a test");
@@ -81,14 +97,13 @@ class TriangleFilterTest : public DrawingTest {
         const GBufferTargets targets(width, height);
         DrawSelection draws;
         state.cull(frustum, draws);
-        std::optional<TriangleFilter> filter;
-        if (kernel != nullptr) {
-            filter.emplace(state, *kernel);
+        std::unique_ptr<TriangleFilter> filter;
+        if (form != nullptr) {
+            filter = form->make(state);
             filter->filter(draws, uniforms);
             if (counts != nullptr) *counts = filter->counts();
         }
-        GeometryPass().render(
-            {state, draws, targets, LoadOp::clear, SurfaceSet::all, filter ? &*filter : nullptr});
+        GeometryPass().render({state, draws, targets, LoadOp::clear, SurfaceSet::all, filter.get()});
         GBufferCopy copy;
         copy.reset(targets);
         Words words;
@@ -101,10 +116,10 @@ class TriangleFilterTest : public DrawingTest {
     static void expectSame(const Scene& scene, const CameraView& view) {
         GpuScene uploaded = upload(scene);
         const Words expected = drawn(uploaded, view, nullptr);
-        for (const TriangleFilterKernel* kernel : triangleFilterKernels()) {
+        for (const Form& form : forms(context())) {
             TriangleFilter::Counts counts;
-            EXPECT_TRUE(drawn(uploaded, view, kernel, &counts) == expected) << kernel->name;
-            EXPECT_LT(counts.kept, counts.asked) << kernel->name << ": nothing was dropped";
+            EXPECT_TRUE(drawn(uploaded, view, &form, &counts) == expected) << form.name;
+            EXPECT_LT(counts.kept, counts.asked) << form.name << ": nothing was dropped";
         }
     }
 };
@@ -119,7 +134,22 @@ void addMaterials(Scene& scene) {
     material.emission = {1.0f, 0.5f, 0.0f};
     scene.materials.push_back(material);
     material.doubleSided = false;
+    material.alphaMode = AlphaMode::mask;
     scene.materials.push_back(material);
+}
+
+/// Somewhere around `middle`, rotated, mirrored, flattened, sheared.
+glm::mat4 randomTransform(std::uint32_t hash, const glm::vec3& middle) {
+    glm::mat4 matrix = glm::translate(glm::mat4(1.0f), middle + 4.0f * hashedPoint(1, hash));
+    matrix = glm::rotate(matrix, 6.3f * hashed(4, hash),
+                         glm::normalize(hashedPoint(5, hash) + glm::vec3(0.0f, 0.0f, 1.0e-3f)));
+    glm::vec3 scale(hashedBetween(0.2f, 2.0f, 8, hash), hashedBetween(0.2f, 2.0f, 9, hash),
+                    hashedBetween(0.2f, 2.0f, 10, hash));
+    if (hashed(11, hash) < 0.4f) scale.x = -scale.x;
+    if (hashed(12, hash) < 0.2f) scale.y = 1.0e-3f;
+    matrix = glm::scale(matrix, scale);
+    matrix[1][0] += hashedBetween(-0.5f, 0.5f, 13, hash);
+    return matrix;
 }
 
 /// Instances of a soup around the origin: rotated, mirrored, flattened, sheared.
@@ -131,21 +161,14 @@ Scene soupScene(std::uint32_t seed, const glm::vec3& middle = glm::vec3(0.0f)) {
         const auto half = static_cast<std::uint32_t>(mesh.indices.size() / 6 * 3);
         const auto rest = static_cast<std::uint32_t>(mesh.indices.size()) - half;
         mesh.submeshes = {{0, half, m}, {half, rest, (m + 1) % 4}};
+        // Half of what these meshes have of the masked material is not there.
+        for (std::uint32_t i = 0; m >= 2 && i < mesh.positions.size(); ++i)
+            mesh.colors.push_back({1.0f, 1.0f, 1.0f, hashed(seed + 60, i)});
         scene.meshes.push_back(mesh);
     }
     for (std::uint32_t i = 0; i < 12; ++i) {
-        const std::uint32_t hash = 1000 * seed + i;
-        glm::mat4 matrix = glm::translate(glm::mat4(1.0f), middle + 4.0f * hashedPoint(1, hash));
-        matrix = glm::rotate(matrix, 6.3f * hashed(4, hash),
-                             glm::normalize(hashedPoint(5, hash) + glm::vec3(0.0f, 0.0f, 1.0e-3f)));
-        glm::vec3 scale(hashedBetween(0.2f, 2.0f, 8, hash), hashedBetween(0.2f, 2.0f, 9, hash),
-                        hashedBetween(0.2f, 2.0f, 10, hash));
-        if (hashed(11, hash) < 0.4f) scale.x = -scale.x;
-        if (hashed(12, hash) < 0.2f) scale.y = 1.0e-3f;
-        matrix = glm::scale(matrix, scale);
-        matrix[1][0] += hashedBetween(-0.5f, 0.5f, 13, hash);
         Node node;
-        node.transform = matrix;
+        node.transform = randomTransform(1000 * seed + i, middle);
         node.mesh = i % 4;
         scene.nodes.push_back(node);
     }
@@ -183,8 +206,7 @@ TEST_F(TriangleFilterTest, farFromTheOriginItIsTheSame) {
     GpuScene scene = upload(soupScene(21, middle));
     const CameraView view = viewOf(middle + glm::vec3(5, 4, 6), middle);
     const Words expected = drawn(scene, view, nullptr);
-    for (const TriangleFilterKernel* kernel : triangleFilterKernels())
-        EXPECT_TRUE(drawn(scene, view, kernel) == expected) << kernel->name;
+    for (const Form& form : forms(context())) EXPECT_TRUE(drawn(scene, view, &form) == expected) << form.name;
 }
 
 /// Corners at pixel centres and edges, where a hundredth of a pixel decides.
@@ -208,21 +230,105 @@ TEST_F(TriangleFilterTest, trianglesOfHalfPixelsAreTheSame) {
 
 TEST_F(TriangleFilterTest, dropsTheBackOfASphereAndWhatIsBesideTheFrame) {
     GpuScene sphere = upload(sceneOf(makeSphere(1.0f), Material{}));
-    const CameraView view = viewOf({0, 0, 8}, {0, 0, 0});
-    TriangleFilter::Counts counts;
-    drawn(sphere, view, triangleFilterKernels().front(), &counts);
-    // Less than half of a sphere is seen, and small triangles between pixels are dropped as well.
-    EXPECT_LT(counts.kept, counts.asked / 2);
-    EXPECT_GT(counts.kept, counts.asked / 20);
-    drawn(sphere, viewOf({0, 0, 1.2f}, {0, 0.7f, 1.2f}), triangleFilterKernels().front(), &counts);
-    EXPECT_LT(counts.kept, counts.asked / 4) << "the sphere is below the frame, but for a part";
+    for (const Form& form : forms(context())) {
+        TriangleFilter::Counts counts;
+        drawn(sphere, viewOf({0, 0, 8}, {0, 0, 0}), &form, &counts);
+        // Less than half of a sphere is seen, and small triangles between pixels are dropped as well.
+        EXPECT_LT(counts.kept, counts.asked / 2) << form.name;
+        EXPECT_GT(counts.kept, counts.asked / 20) << form.name;
+        drawn(sphere, viewOf({0, 0, 1.2f}, {0, 0.7f, 1.2f}), &form, &counts);
+        EXPECT_LT(counts.kept, counts.asked / 4) << form.name << ": all but a part is below the frame";
+    }
+}
+
+/// A square of 2 m with a bump, 64 × 64 cells in order of 8 × 8 blocks, so that a cluster is compact.
+Mesh blocks(float bump, std::uint32_t seed) {
+    constexpr std::uint32_t cells = 64, side = cells + 1;
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < side * side; ++i) {
+        const float x = static_cast<float>(i % side) / 32.0f - 1.0f,
+                    y = static_cast<float>(i / side) / 32.0f - 1.0f;
+        mesh.positions.push_back(
+            {x, y, bump * (std::cos(1.5f * x) * std::cos(1.5f * y) + 0.01f * hashed(seed, i))});
+        mesh.normals.push_back({0, 0, 1});
+    }
+    for (std::uint32_t i = 0; i < cells * cells; ++i) {
+        const std::uint32_t block = i / 64, x = block % 8 * 8 + i % 8, y = block / 8 * 8 + i % 64 / 8;
+        const std::uint32_t a = y * side + x, b = a + 1, c = a + side, d = c + 1;
+        mesh.indices.insert(mesh.indices.end(), {a, b, d, a, d, c});
+    }
+    return mesh;
+}
+
+/// Bent squares around the origin, turned any way, mirrored, flattened, from millimetres to metres.
+Scene blockScene(std::uint32_t seed) {
+    Scene scene;
+    addMaterials(scene);
+    for (std::uint32_t m = 0; m < 4; ++m) {
+        Mesh mesh = blocks(0.2f * static_cast<float>(m), seed);
+        mesh.submeshes = {{0, static_cast<std::uint32_t>(mesh.indices.size()), m}};
+        scene.meshes.push_back(mesh);
+    }
+    for (std::uint32_t i = 0; i < 24; ++i) {
+        glm::mat4 transform = randomTransform(1000 * seed + i, glm::vec3(0.0f));
+        if (i % 3 == 0) transform = glm::scale(transform, glm::vec3(0.01f));
+        Node node;
+        node.transform = transform;
+        node.mesh = i % 4;
+        scene.nodes.push_back(node);
+    }
+    return scene;
+}
+
+TEST_F(TriangleFilterTest, clustersAroundTheEyeAreTheSame) {
+    for (std::uint32_t seed = 0; seed < 6; ++seed) {
+        SCOPED_TRACE(seed);
+        CameraView view = viewOf(4.0f * hashedPoint(50, seed), hashedPoint(53, seed));
+        view.nearPlane = seed % 2 == 0 ? 0.01f : 1.5f;
+        if (seed == 5) {
+            view.orthographicHeight = 5.0f;
+            view.farPlane = 9.0f;
+        }
+        const Scene scene = blockScene(seed);
+        expectSame(scene, view);
+        GpuScene uploaded = upload(scene);
+        for (const Form& form : forms(context())) {
+            TriangleFilter::Counts counts;
+            drawn(uploaded, view, &form, &counts);
+            EXPECT_LT(counts.inKeptClusters, counts.asked) << form.name << ": no cluster was dropped";
+        }
+    }
+}
+
+TEST_F(TriangleFilterTest, dropsWholeClusters) {
+    Material material;
+    GpuScene oneSided = upload(sceneOf(blocks(0.0f, 1), material));
+    material.doubleSided = true;
+    GpuScene twoSided = upload(sceneOf(blocks(0.0f, 1), material));
+    const CameraView front = viewOf({0, 0, 2}, {0, 0, 0}), back = viewOf({0, 0, -2}, {0, 0, 0});
+    const CameraView far = viewOf({0.0f, 0.0f, 900.0f}, {0.3f, 0.3f, 0.0f});
+    for (const Form& form : forms(context())) {
+        TriangleFilter::Counts counts;
+        drawn(oneSided, front, &form, &counts);
+        EXPECT_EQ(counts.asked, 8192u) << form.name;
+        EXPECT_GT(counts.inKeptClusters, counts.asked / 2) << form.name;
+        drawn(oneSided, back, &form, &counts);
+        EXPECT_EQ(counts.inKeptClusters, 0u) << form.name << ": all triangles face away";
+        drawn(twoSided, back, &form, &counts);
+        EXPECT_GT(counts.inKeptClusters, counts.asked / 2) << form.name;
+        drawn(twoSided, far, &form, &counts);
+        // The square is a third of a pixel wide, and each of its clusters a 24th.
+        EXPECT_LT(counts.inKeptClusters, counts.asked / 2) << form.name;
+    }
 }
 
 TEST_F(TriangleFilterTest, smallMeshesStayAsTheyAre) {
     GpuScene quad = upload(sceneOf(makeQuad(1.0f), Material{}));
-    TriangleFilter::Counts counts;
-    drawn(quad, viewOf({0, 0, 3}, {0, 0, 0}), triangleFilterKernels().front(), &counts);
-    EXPECT_EQ(counts.asked, 0u);
+    for (const Form& form : forms(context())) {
+        TriangleFilter::Counts counts;
+        drawn(quad, viewOf({0, 0, 3}, {0, 0, 0}), &form, &counts);
+        EXPECT_EQ(counts.asked, 0u) << form.name;
+    }
 }
 
 }  // namespace
