@@ -71,4 +71,22 @@ class CANDELA_API Context {
     std::unique_ptr<State> state_;
 };
 
+/// A scope at whose end the context that was current on this thread before (of EGL) is current again, or none
+/// where none was: another thread can then make current what was used.
+class CANDELA_API CurrentContextScope {
+  public:
+    /// Changes nothing by itself: for scopes in which contexts are created.
+    CurrentContextScope();
+    /// Makes a headless context current; does nothing to an adopted one. Throws `Error` (environment) when
+    /// EGL refuses, such as where the context is current on another thread.
+    explicit CurrentContextScope(const Context& context);
+    CurrentContextScope(const CurrentContextScope&) = delete;
+    CurrentContextScope& operator=(const CurrentContextScope&) = delete;
+    ~CurrentContextScope();
+
+  private:
+    struct Previous;
+    std::unique_ptr<Previous> previous_;  ///< None where there is nothing to put back.
+};
+
 }  // namespace candela

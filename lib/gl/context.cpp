@@ -147,6 +147,24 @@ const std::vector<ContextAttempt>& Context::attempts() const {
     return state().attempts;
 }
 
+struct CurrentContextScope::Previous {
+    gl::CurrentEglContext context = gl::CurrentEglContext::get();
+};
+
+CurrentContextScope::CurrentContextScope() : previous_(std::make_unique<Previous>()) {}
+
+CurrentContextScope::CurrentContextScope(const Context& context) {
+    const gl::ContextBinding& binding = *context.state().binding;
+    if (!binding.isOwned() || binding.isCurrent()) return;
+    auto previous = std::make_unique<Previous>();
+    binding.makeCurrent();
+    previous_ = std::move(previous);
+}
+
+CurrentContextScope::~CurrentContextScope() {
+    if (previous_) previous_->context.makeCurrent();
+}
+
 std::vector<Device> listDevices() {
     std::vector<Device> devices;
     for (const gl::EglDevice& device : gl::enumerateEglDevices()) devices.push_back(device.device);

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <string>
+#include <thread>
 
 namespace candela::test {
 namespace {
@@ -56,6 +58,40 @@ TEST(HeadlessContext, isCurrentAndReportsTheAttempts) {
         EXPECT_FALSE(attempt.outcome.empty());
     }
     EXPECT_GE(epoxy_gl_version(), 45);
+}
+
+TEST(HeadlessContext, tellsItsDriver) {
+    const Context context = Context::createHeadless();
+    const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+    EXPECT_NE(context.driver().find(version), std::string::npos) << context.driver();
+}
+
+TEST(CurrentContextScope, putsBackWhatWasCurrent) {
+    const Context first = Context::createHeadless(), second = Context::createHeadless();
+    first.makeCurrent();
+    const EGLContext before = eglGetCurrentContext();
+    {
+        const CurrentContextScope scope(second);
+        EXPECT_NE(eglGetCurrentContext(), before);
+        const CurrentContextScope inner(second);
+    }
+    EXPECT_EQ(eglGetCurrentContext(), before);
+}
+
+TEST(CurrentContextScope, leavesAContextToOtherThreads) {
+    std::optional<Context> context;
+    {
+        const CurrentContextScope scope;
+        context.emplace(Context::createHeadless());
+    }
+    EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
+    {
+        const CurrentContextScope scope(*context);
+        std::thread([&] {
+            EXPECT_NE(errorOf([&] { const CurrentContextScope here(*context); }, ErrorKind::environment), "");
+        }).join();
+    }
+    std::thread([&] { EXPECT_NO_THROW(const CurrentContextScope here(*context)); }).join();
 }
 
 TEST(HeadlessContext, softwareOnlyGivesASoftwareDevice) {

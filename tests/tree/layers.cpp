@@ -128,6 +128,7 @@ class Check {
         for (const fs::path& file : filesBelow(root_ / "plugins", codeEndings)) checkPluginFile(file);
         for (const fs::path& file : filesBelow(root_ / "plugins", {"CMakeLists.txt"})) checkPluginLinks(file);
         for (const fs::path& file : filesBelow(root_ / "apps", codeEndings)) checkAppFile(file);
+        for (const fs::path& file : filesBelow(root_ / "python", codeEndings)) checkBindingFile(file);
         return violations_;
     }
 
@@ -233,13 +234,25 @@ class Check {
             const fs::path beside = file.parent_path() / include.name;
             const bool isOwn = isFileBelow(beside, own) || isFileBelow(own / include.name, own) ||
                                isFileBelow(beside, common) || isFileBelow(apps / include.name, common);
-            if (include.name.starts_with("candela/")) {
-                const std::string name = include.name.substr(std::string("candela/").size());
-                if (layerOfHeader.contains(name) || name == umbrella) continue;
-                report(file, include.line, "there is no public header " + include.name);
-            } else if (include.quoted ? !isOwn : isLibraryHeader(include)) {
-                report(file, include.line, "an app must not include " + include.name);
-            }
+            checkUserInclude(file, include, isOwn, "an app");
+        }
+    }
+
+    void checkBindingFile(const fs::path& file) {
+        for (const Include& include : includesOf(file)) {
+            const bool isOwn = isFileBelow(file.parent_path() / include.name, file.parent_path());
+            checkUserInclude(file, include, isOwn, "the Python package");
+        }
+    }
+
+    // What `user`, who has the installed library, includes.
+    void checkUserInclude(const fs::path& file, const Include& include, bool isOwn, const std::string& user) {
+        if (include.name.starts_with("candela/")) {
+            const std::string name = include.name.substr(std::string("candela/").size());
+            if (layerOfHeader.contains(name) || name == umbrella) return;
+            report(file, include.line, "there is no public header " + include.name);
+        } else if (include.quoted ? !isOwn : isLibraryHeader(include)) {
+            report(file, include.line, user + " must not include " + include.name);
         }
     }
 

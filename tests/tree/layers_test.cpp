@@ -58,6 +58,8 @@ TEST_F(LayersOfGeneratedTree, AllowedDependenciesPass) {
           "#include \"../common/args.h\"\n#include \"common/args.h\"\n#include <GLFW/glfw3.h>\n");
     write("apps/render/list.h", "");
     write("apps/common/args.h", "");
+    write("python/src/scene.cpp", "#include \"scene.h\"\n#include <candela/scene.h>\n#include <nanobind/nanobind.h>\n");
+    write("python/src/scene.h", "");
     EXPECT_EQ(joined(layerViolations(root())), "");
 }
 
@@ -129,6 +131,8 @@ TEST_F(LayersOfGeneratedTree, EachForbiddenDependencyIsFound) {
          "apps/view/main.cpp:1: an app must not include scene/limits.h"},
         {"apps/view/main.cpp", "#include <gl/buffer.h>\n",
          "apps/view/main.cpp:1: an app must not include gl/buffer.h"},
+        {"python/src/scene.cpp", "#include \"gl/buffer.h\"\n",
+         "python/src/scene.cpp:1: the Python package must not include gl/buffer.h"},
         {"apps/view/main.cpp", "#include <candela/unknown.h>\n",
          "apps/view/main.cpp:1: there is no public header candela/unknown.h"},
         {"apps/view/main.cpp", "#include \"../render/list.h\"\n",

@@ -66,7 +66,7 @@ std::vector<fs::path> documents(const fs::path& root) {
 /// Whether a code span names a file or folder of the tree, such as `lib/gl/egl.cpp`.
 bool namesFile(const std::string& span) {
     static const std::vector<std::string> folders = {"include/", "lib/",   "shaders/", "plugins/", "apps/",
-                                                     "tests/",   "cmake/", "scripts/", "docs/"};
+                                                     "python/",  "tests/", "cmake/",   "scripts/", "docs/"};
     const bool plain =
         span.find_first_of(" *<>{}()$?:") == std::string::npos && span.find("NAME") == std::string::npos;
     return plain &&
@@ -84,11 +84,11 @@ std::vector<fs::path> sourceFiles(const fs::path& root) {
         ".h",    ".cpp",  ".c",  ".in", ".glsl",  ".vert",         ".geom",
         ".frag", ".comp", ".py", ".sh", ".cmake", "CMakeLists.txt"};
     std::vector<fs::path> files;
-    for (const char* folder : {"include", "lib", "shaders", "plugins", "apps", "tests", "cmake"}) {
+    for (const char* folder : {"include", "lib", "shaders", "plugins", "apps", "python", "tests", "cmake"}) {
         append(files, filesBelow(root / folder, endings));
     }
     for (const char* folder : {"scripts", ".ci"}) append(files, filesBelow(root / folder, {}));
-    for (const char* name : {"CMakeLists.txt", "CMakePresets.json"}) {
+    for (const char* name : {"CMakeLists.txt", "CMakePresets.json", "pyproject.toml"}) {
         if (fs::is_regular_file(root / name)) files.push_back(root / name);
     }
     return files;

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "scene_data.h"
+
+#include <candela/camera.h>
+#include <candela/environment.h>
+#include <candela/light.h>
+#include <candela/plugin_registry.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela::python {
+
+template <>
+struct Convert<Environment> : ConvertClass<Environment> {};
+template <>
+struct Convert<CameraView> : ConvertClass<CameraView> {};
+template <>
+struct Convert<ImportNote> : ConvertClass<ImportNote> {};
+
+/// `Scene` in Python.
+struct SceneHandle {
+    ScenePtr data = std::make_shared<SceneData>();
+};
+
+/// Many lights from arrays: what belongs to all is a number, what belongs to each an array.
+class LightArrays {
+  public:
+    /// `positions` (N, 3), or None where `options` has directions (N, 3) of directional lights.
+    LightArrays(nb::handle positions, const nb::kwargs& options);
+
+    std::size_t size() const { return size_; }
+    Light light(std::size_t index) const;
+    WorldLight worldLight(std::size_t index) const;
+
+    /// The keywords for signatures in the stubs.
+    static const char* keywords();
+
+  private:
+    void read(const std::string& name, nb::handle value);
+
+    std::size_t size_ = 0;
+    Light common_;
+    std::vector<glm::vec3> positions_, directions_, colors_;
+    std::vector<float> intensities_, ranges_, radii_;
+};
+
+/// The plugins that the process uses where none are given. Searched when they are needed first.
+const PluginRegistry& defaultPlugins();
+
+/// What a picture shows where nobody says: an index or a name of a camera, a view, or None for the first
+/// camera of the scene or a view of all of it. `framed` is asked for the latter.
+CameraView resolveView(const Scene& scene, nb::handle camera, double time, float aspect,
+                       const std::function<Bounds()>& framed);
+
+/// The box that the automatic view frames.
+Bounds framedBox(const Scene& scene);
+
+}  // namespace candela::python
