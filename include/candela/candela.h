@@ -19,6 +19,7 @@
 #include <candela/gbuffer.h>
 #include <candela/geometry.h>
 #include <candela/gpu_scene.h>
+#include <candela/handle.h>
 #include <candela/image.h>
 #include <candela/image_file.h>
 #include <candela/import.h>

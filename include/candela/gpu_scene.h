@@ -3,6 +3,7 @@
 #include <candela/color.h>
 #include <candela/context.h>
 #include <candela/export.h>
+#include <candela/handle.h>
 #include <candela/scene.h>
 #include <candela/subdivider.h>
 
@@ -38,6 +39,13 @@ enum class VertexEvaluator {
 /// The evaluator's name on the command line: "auto", "cpu", "compute".
 CANDELA_API const char* toString(VertexEvaluator evaluator);
 
+/// Which attributes of vertices are on the device besides positions and normals: tangents, texture
+/// coordinates and colours.
+enum class VertexDetail {
+    asNeeded,  ///< Those that a material of the scene, or one made from its images, can read.
+    always,    ///< All. For scenes that get their first image, or their first such mesh, later.
+};
+
 struct GpuSceneOptions {
     /// From linear Rec.709, in which scenes give colours, to the working space
     /// (`ColorConfig::workingFromRec709`).
@@ -51,6 +59,31 @@ struct GpuSceneOptions {
     std::optional<Subdivider> subdivider = {};
     SubdivisionSettings subdivision = {};
     VertexEvaluator vertexEvaluator = VertexEvaluator::automatic;
+    VertexDetail vertexDetail = VertexDetail::asNeeded;
+};
+
+/// A rectangle of an image, texels from the first one of the first row.
+struct ImageRegion {
+    std::uint32_t x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Bytes of a buffer of the current OpenGL context, from `offset` on.
+struct BufferRange {
+    std::uint32_t name = 0;  ///< The GL name.
+    std::uint64_t offset = 0;
+};
+
+/// A light in a buffer (`GpuScene::setLights`): four vec4, as std430 lays them out.
+struct LightRecord {
+    float position[3];   ///< As `WorldLight`, likewise the others.
+    float range;         ///< 0: none given.
+    float direction[3];  ///< Unit length.
+    float type;          ///< The number of the `LightType`: 0, 1 or 2.
+    float intensity[3];
+    float castsShadow;  ///< 0 or 1.
+    float innerConeAngle, outerConeAngle;
+    float radius;
+    float unused;
 };
 
 /// The lights of a `GpuScene` as of the last frame, upload or `setLights`.
@@ -95,10 +128,15 @@ struct OcclusionReport {
 /// A `Scene` on the device. The scene given to the constructor is not kept; what edits need of it is copied.
 ///
 /// Edits mark what they change, and the next frame brings the device up to date, at a cost in proportion to
-/// the change. They check their arguments, throw `Error` (badInput) that names the element, and change
-/// nothing then. `setLights`, `setCagePoints`, `setMaterial` and `setEnvironment` throw `Error` (environment)
-/// while the context is not current on this thread. Every function throws `Error` (badInput) on an object
-/// that has been moved from.
+/// the change. They check their arguments, throw `Error` (badInput) that names the element or says that its
+/// handle is stale, and change nothing then. Edits of lights by `setLights`, of cages, meshes, images,
+/// materials and the environment throw `Error` (environment) while the context is not current on this thread.
+/// Every function throws `Error` (badInput) on an object that has been moved from.
+///
+/// Elements are added, removed and replaced while the scene is on the device, and nothing else is uploaded
+/// again; the next frame sorts the draws anew. In elements that are added, indices of parents, meshes,
+/// materials and images are those of their handles. What is drawn after any edits is what a `GpuScene` made
+/// from the edited scene draws, but where surfaces lie in exactly the same place.
 class CANDELA_API GpuScene {
   public:
     /// Uploads. Throws `Error`: badInput when the scene breaks a rule of `validate`, an option is out of its
@@ -116,10 +154,20 @@ class CANDELA_API GpuScene {
     /// longer. Throws `Error`: badInput naming a light whose numbers break what `WorldLight` states, limit
     /// when the device can not hold as many.
     void setLights(std::span<const WorldLight> lights);
+    /// The same with `count` lights of a GL buffer of `LightRecord`s. They are read back, which waits for who
+    /// writes the buffer, and costs 64 bytes a light from the device.
+    void setLights(const BufferRange& records, std::uint64_t count);
     /// Sets a node's local matrix, which moves the node and all below it. Animations of translation, rotation
     /// and scale do not move the node any more; those of morph weights go on. Throws `Error` (badInput) when
     /// there is no such node, a number is not finite or the last row is not 0, 0, 0, 1.
-    void setTransform(std::uint32_t node, const glm::mat4& local);
+    void setTransform(NodeHandle node, const glm::mat4& local);
+    struct NodeTransform {
+        NodeHandle node;
+        glm::mat4 local{1.0f};
+    };
+    /// The same of many nodes. Of one that is listed twice the later matrix counts. All are checked before
+    /// any is changed.
+    void setTransforms(std::span<const NodeTransform> transforms);
     /// Poses all animated nodes, what is below them, and the animated properties of nodes, materials and
     /// lights, as at `seconds`, a finite number. What is drawn depends on `seconds` alone, and not on the
     /// times before. Cameras are posed by `cameraView`.
@@ -133,21 +181,82 @@ class CANDELA_API GpuScene {
     /// Replaces the points of the cage of a node (one per vertex of the cage, in the node's frame). Morph
     /// targets and skin do not move it any more. Throws `Error` (badInput) when there is no such node, it
     /// shows no cage, the number of points differs or one of them is not finite.
-    void setCagePoints(std::uint32_t node, std::span<const glm::vec3> points);
+    void setCagePoints(NodeHandle node, std::span<const glm::vec3> points);
     /// Throws `Error` (badInput) when a setting is out of its range.
     void setSubdivision(const SubdivisionSettings& settings);
     /// Replaces a material, textures and pipeline state included. Throws `Error`: badInput when there is no
     /// such material, the new one breaks what `Material` states or a surface lacks texture coordinates that
     /// it reads; limit when an image does not fit the device. Animations do not change the material any more.
-    void setMaterial(std::uint32_t index, const Material& material);
+    void setMaterial(MaterialHandle handle, const Material& material);
     enum class Visibility { shown, hidden };
     /// Shows or hides the mesh and the cage of the node itself; its children are not affected. What is not
     /// visible in the scene (`Node::visible`) stays so. Throws `Error` (badInput) when there is no such node.
-    void setVisibility(std::uint32_t node, Visibility visibility);
+    void setVisibility(NodeHandle node, Visibility visibility);
+    struct NodeVisibility {
+        NodeHandle node;
+        Visibility visibility = Visibility::shown;
+    };
+    /// The same of many nodes. All are checked before any is changed.
+    void setVisibilities(std::span<const NodeVisibility> visibilities);
     enum class ShadowCasting { on, off };
     /// Whether the mesh and the cage of the node itself cast shadows (`Node::castsShadow`); its children are
     /// not affected. A hidden node casts none. Throws `Error` (badInput) when there is no such node.
-    void setCastsShadow(std::uint32_t node, ShadowCasting casting);
+    void setCastsShadow(NodeHandle node, ShadowCasting casting);
+
+    /// Adds a node below a node that is there, or a root. It shows a mesh that no skin and no morph target
+    /// moves, and no cage. Throws `Error` (badInput) when it breaks what `Node` states or names an element
+    /// that is not there; unsupported for what it can not show.
+    NodeHandle addNode(const Node& node);
+    /// Removes a node, all nodes below it, and their lights. Animations do not name it any more. Throws
+    /// `Error` (badInput) when it, or a node below it, shows a cage or a deformed mesh, or is a joint.
+    void removeNode(NodeHandle node);
+
+    /// Uploads a mesh, which nodes added later may show. Of `Mesh::variantMaterials` nothing is used. Throws
+    /// `Error`: badInput when it breaks what `Mesh` states or names a material that is not there; limit when
+    /// the device has no room; unsupported for more than two sets of texture coordinates, and for attributes
+    /// beside positions and normals in a scene that has none (`GpuSceneOptions::vertexDetail`).
+    MeshHandle addMesh(const Mesh& mesh);
+    /// Replaces a mesh at all nodes that show it. Throws as `addMesh` does, and badInput for a deformed mesh.
+    void replaceMesh(MeshHandle handle, const Mesh& mesh);
+    /// Throws `Error` (badInput) while a node shows the mesh.
+    void removeMesh(MeshHandle handle);
+    /// Moves the vertices of a mesh: its own shape, of which deformed meshes know nothing. `normals` may be
+    /// empty: they stay. Throws `Error` (badInput) when their numbers are not those of the mesh, one is not
+    /// finite, or the mesh is deformed.
+    void setPositions(MeshHandle handle, std::span<const glm::vec3> positions,
+                      std::span<const glm::vec3> normals = {});
+    /// The same with vertices of a GL buffer: position and normal of each, six floats, in `bounds`, what is
+    /// beyond which may be missing from the picture. They do not leave the device, but where the CPU reads
+    /// meshes (software devices) this waits for it. Throws besides when the buffer is too small.
+    void setPositions(MeshHandle handle, const BufferRange& vertices, const Bounds& bounds);
+
+    /// Adds a material. Throws as `setMaterial` does.
+    MaterialHandle addMaterial(const Material& material);
+    /// Throws `Error` (badInput) while a mesh or a cage has the material.
+    void removeMaterial(MaterialHandle handle);
+
+    /// Adds an image, whose pixels are copied and uploaded when a material first reads them. Throws `Error`
+    /// (badInput) when it breaks what `Image` states.
+    ImageHandle addImage(const Image& image);
+    /// Replaces an image in all materials. Throws `Error`: badInput as `addImage`, limit when it does not fit
+    /// the device.
+    void replaceImage(ImageHandle handle, const Image& image);
+    /// Throws `Error` (badInput) while a material reads the image.
+    void removeImage(ImageHandle handle);
+    /// Replaces texels of an image: rows from the top, tightly packed, in the image's format. Mipmaps are
+    /// computed anew. Throws `Error` (badInput) when the region leaves the image, `pixels` have another size
+    /// or a float is not finite.
+    void setPixels(ImageHandle handle, const ImageRegion& region, std::span<const std::byte> pixels);
+    /// The same with pixels of a GL buffer, of which floats are not checked. They pass through the memory of
+    /// the CPU. Throws besides when the buffer is too small.
+    void setPixels(ImageHandle handle, const ImageRegion& region, const BufferRange& pixels);
+
+    /// Adds a light to those of the scene. Throws `Error` (badInput) when it breaks what `Light` states, or
+    /// after `setLights`, which has replaced them.
+    LightHandle addLight(const Light& light);
+    /// Replaces a light of the scene. Animations do not change it any more.
+    void setLight(LightHandle handle, const Light& light);
+    void removeLight(LightHandle handle);
 
     /// Replaces the environment. Filters its picture, which takes some tenths of a second. Throws `Error`:
     /// badInput when it breaks what `Environment` states, limit when its picture does not fit the device.

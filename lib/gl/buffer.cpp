@@ -89,6 +89,36 @@ Buffer Buffer::immutableMapped(const char* label, std::span<const std::byte> byt
                 "the device can not map a buffer of " + std::to_string(bytes.size()) + " bytes");
 }
 
+Buffer Buffer::grown(const char* label, const Buffer& from, std::size_t size) {
+    constexpr GLbitfield mapped = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+    const GLbitfield access = from.memory_ != nullptr ? mapped : 0;
+    Buffer buffer;
+    buffer.object_ = Object<deleteBuffer>(createBuffer(label));
+    buffer.capacity_ = std::max<std::size_t>(size, 4);
+    requireMemory(buffer.capacity_, [&] {
+        glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(buffer.capacity_), nullptr, access);
+    });
+    if (from.name() != 0) buffer.copyFrom(from.name(), 0, 0, std::min(from.capacity_, buffer.capacity_));
+    if (access == 0) return buffer;
+    buffer.memory_ =
+        glMapNamedBufferRange(buffer.name(), 0, static_cast<GLsizeiptr>(buffer.capacity_), access);
+    if (buffer.memory_ != nullptr) return buffer;
+    throw Error(ErrorKind::limit, "",
+                "the device can not map a buffer of " + std::to_string(size) + " bytes");
+}
+
+void Buffer::write(std::size_t offset, std::span<const std::byte> bytes) {
+    if (bytes.empty()) return;
+    const Buffer staging = immutable("staging", bytes);
+    copyFrom(staging.name(), 0, offset, bytes.size());
+}
+
+void Buffer::copyFrom(GLuint source, std::size_t sourceOffset, std::size_t offset, std::size_t size) {
+    if (size == 0) return;
+    glCopyNamedBufferSubData(source, name(), static_cast<GLintptr>(sourceOffset),
+                             static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size));
+}
+
 void Buffer::reserve(std::size_t size) {
     if (size <= capacity_) return;
     requireMemory(size, [&] { glNamedBufferData(name(), static_cast<GLsizeiptr>(size), nullptr, usage_); });

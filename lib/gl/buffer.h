@@ -40,6 +40,19 @@ class Buffer {
         return {static_cast<const T*>(memory_), capacity_ / sizeof(T)};
     }
 
+    /// An immutable buffer of `size` bytes, mapped as `from` is, with the content of `from` and nothing
+    /// defined behind it. Throws `Error` (limit) when the device has no memory for it.
+    static Buffer grown(const char* label, const Buffer& from, std::size_t size);
+    /// Replaces bytes of an immutable buffer from `offset` on: by a copy on the device, in the order of
+    /// commands.
+    void write(std::size_t offset, std::span<const std::byte> bytes);
+    template <typename T>
+    void write(std::size_t first, std::span<const T> values) {
+        write(first * sizeof(T), std::as_bytes(values));
+    }
+    /// The same from another buffer.
+    void copyFrom(GLuint source, std::size_t sourceOffset, std::size_t offset, std::size_t size);
+
     /// Replaces the content. Throws `Error` (limit) when the device has no memory for it. Not for an
     /// immutable buffer.
     void upload(std::span<const std::byte> bytes);

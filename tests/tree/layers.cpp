@@ -64,6 +64,7 @@ const std::map<std::string, std::string> layerOfHeader = {
     {"pending.h", "render"},
     {"picture_parts.h", "render"},
     {"gpu_scene.h", "render"},
+    {"handle.h", "render"},
     {"renderer.h", "render"},
     {"accumulator.h", "render"},
     {"sampling.h", "render"},

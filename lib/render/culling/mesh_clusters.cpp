@@ -162,6 +162,7 @@ void MeshClusters::move(std::uint32_t mesh, const MeshTriangles& moved) {
 }
 
 void MeshClusters::replace(std::uint32_t mesh, const Mesh& content) {
+    if (mesh == parts_.size()) parts_.emplace_back();
     std::uint32_t first = 0, end = 0, count = 0;
     for (std::uint32_t i = 0; i < mesh; ++i)
         for (const Part& part : parts_[i]) first += clustersOf(part.indexCount);

@@ -44,7 +44,7 @@ class MeshClusters {
 
     /// Recomputes those of a mesh whose vertices have moved.
     void move(std::uint32_t mesh, const MeshTriangles& moved);
-    /// The same of a mesh that is another one now.
+    /// The same of a mesh that is another one now, an empty one for instance, or a new one behind the others.
     void replace(std::uint32_t mesh, const Mesh& content);
 
   private:

@@ -5,7 +5,11 @@
 namespace candela {
 
 TriangleFilter::TriangleFilter(const GpuScene::State& scene) : scene_(scene) {
-    scene.describeMeshes(vertexArray_);
+    describeMeshes();
+}
+
+void TriangleFilter::describeMeshes() {
+    scene_.describeMeshes(vertexArray_);
 }
 
 std::optional<ClusterRange> TriangleFilter::clustersOf(const PipelineKey& key, const DrawCommand& command,

@@ -31,6 +31,9 @@ class TriangleFilter {
     TriangleFilter& operator=(const TriangleFilter&) = delete;
     virtual ~TriangleFilter() = default;
 
+    /// To be called when the buffers of the meshes are other ones.
+    void describeMeshes();
+
     /// Fills the runs for the selection as `frame` sees it. Small meshes, what memory is not taken for
     /// and vertices that are not those of the scene's meshes stay as they are. Until the next call.
     virtual void filter(const DrawSelection& selection, const layout::FrameUniforms& frame) = 0;

@@ -83,7 +83,7 @@ void GpuDeformations::listJoints() {
 }
 
 std::optional<std::uint32_t> GpuDeformations::ofNode(std::uint32_t node) const {
-    if (instancesOfNode_.empty()) return std::nullopt;
+    if (node >= instancesOfNode_.size()) return std::nullopt;
     for (const std::uint32_t index : instancesOfNode_[node]) {
         if (instances_[index]->placement.node == node) return index;
     }
@@ -102,13 +102,18 @@ void GpuDeformations::describe(const GpuMeshes& meshes, const gl::Buffer& drawRe
     }
 }
 
+bool GpuDeformations::deforms(std::uint32_t mesh) const {
+    return std::ranges::any_of(instances_,
+                               [&](const auto& instance) { return instance->placement.mesh == mesh; });
+}
+
 void GpuDeformations::mark(std::uint32_t index) {
     if (std::exchange(instances_[index]->isMarked, true)) return;
     marked_.push_back(index);
 }
 
 void GpuDeformations::markNode(std::uint32_t node) {
-    if (instancesOfNode_.empty()) return;
+    if (node >= instancesOfNode_.size()) return;
     for (const std::uint32_t index : instancesOfNode_[node]) mark(index);
 }
 

@@ -30,6 +30,9 @@ class GpuDeformations {
     /// The deformed mesh of a node; none where its mesh is drawn as it is.
     std::optional<std::uint32_t> ofNode(std::uint32_t node) const;
 
+    /// Does any node show the mesh deformed?
+    bool deforms(std::uint32_t mesh) const;
+
     /// Where a deformed mesh stands, as of the last `pose`.
     struct Placement {
         std::uint32_t node = 0, mesh = 0;
@@ -39,7 +42,8 @@ class GpuDeformations {
     };
     const Placement& placement(std::uint32_t index) const { return instances_[index]->placement; }
 
-    /// Describes the vertices of all instances to their vertex arrays. To be called once.
+    /// Describes the vertices of all instances to their vertex arrays. To be called again when the buffers of
+    /// the meshes are other ones.
     void describe(const GpuMeshes& meshes, const gl::Buffer& drawRecords, const DefaultDetail& defaultDetail);
 
     /// Marks the instances that a node moves: its own, and those for whose skin it is a joint.

@@ -1,12 +1,12 @@
 #include "render/gpu_scene/draw_list.h"
 
-#include "scene/geometry/topology.h"
 #include "scene/model/material_textures.h"
 #include "scene/model/uv_sets.h"
 
 #include <algorithm>
-#include <numeric>
+#include <bit>
 #include <tuple>
+#include <utility>
 
 namespace candela {
 
@@ -23,10 +23,6 @@ bool isEmissive(const Material& material) {
 
 enum class Colors { none, perVertex };
 
-Colors colorsOf(const Mesh& mesh) {
-    return mesh.colors.empty() ? Colors::none : Colors::perVertex;
-}
-
 Backdrop backdropOf(const Material& material) {
     if (!transmits(material)) return Backdrop::none;
     if (material.volume.thickness > 0.0f && material.volume.dispersion > 0.0f) return Backdrop::dispersed;
@@ -37,15 +33,6 @@ Backdrop backdropOf(const Material& material) {
 bool blends(const Material& material, Colors colors) {
     return material.alphaMode == AlphaMode::blend &&
            (material.baseColor.a < 1.0f || material.baseColorTexture || colors == Colors::perVertex);
-}
-
-/// A mesh without submeshes is one submesh with the default material.
-std::span<const Submesh> submeshesOf(const Mesh& mesh, const Submesh& whole) {
-    return mesh.submeshes.empty() ? std::span(&whole, 1) : std::span(mesh.submeshes);
-}
-
-Submesh wholeOf(const Mesh& mesh) {
-    return {0, static_cast<std::uint32_t>(mesh.indices.size()), std::nullopt};
 }
 
 bool isPlain(const Material& material, Colors colors, OcclusionTextures occlusion) {
@@ -68,9 +55,10 @@ constexpr std::size_t occlusionIndex = 4;
 bool needsDetail(const Scene& scene, const Mesh& mesh) {
     if (!scene.images.empty() && uvSetsOf(mesh) != 0) return true;
     const auto count = static_cast<std::uint32_t>(scene.materials.size());
-    const Submesh whole = wholeOf(mesh);
-    return std::ranges::any_of(submeshesOf(mesh, whole), [&](const Submesh& submesh) {
-        return !isPlain(materialOf(scene.materials, submesh.material.value_or(count)), colorsOf(mesh),
+    const MeshParts parts = partsOf(mesh);
+    const Colors colors = parts.hasColors ? Colors::perVertex : Colors::none;
+    return std::ranges::any_of(parts.parts, [&](const MeshParts::Part& part) {
+        return !isPlain(materialOf(scene.materials, part.material.value_or(count)), colors,
                         OcclusionTextures::read);
     });
 }
@@ -92,11 +80,6 @@ std::uint32_t furtherUvPairs(const Material& material, std::span<const MaterialT
     return pairs;
 }
 
-GLenum modeOf(Topology topology) {
-    if (topology == Topology::triangles) return GL_TRIANGLES;
-    return topology == Topology::lines ? GL_LINES : GL_POINTS;
-}
-
 }  // namespace
 
 GpuMeshes::Detail detailOf(const Scene& scene) {
@@ -106,73 +89,107 @@ GpuMeshes::Detail detailOf(const Scene& scene) {
     return needed ? GpuMeshes::Detail::everything : GpuMeshes::Detail::positionsAndNormals;
 }
 
-std::size_t DrawSelection::drawCount() const {
-    std::size_t count = 0;
-    for (const DrawCommand& command : commands_) count += command.instanceCount;
-    return count;
+bool DrawList::isPrepared(const MeshParts& parts) const {
+    return std::ranges::all_of(parts.parts, [&](const MeshParts::Part& part) {
+        const VertexKind vertices{parts.hasColors, part.unlit};
+        return materialKeys_[part.material.value_or(noMaterial_)][vertices.index()].has_value();
+    });
 }
 
-bool DrawSelection::isExtended() const {
-    return std::ranges::any_of(
-        batches_, [](const DrawBatch& batch) { return batch.key.program == PipelineKey::Program::extended; });
+void DrawList::prepare(const MeshParts& parts, std::span<const Material> materials, GpuImages& images) {
+    for (const MeshParts::Part& part : parts.parts)
+        requireKey(part.material.value_or(noMaterial_), {parts.hasColors, part.unlit}, materials, images);
 }
 
-Backdrop DrawSelection::backdrop() const {
-    Backdrop highest = Backdrop::none;
-    for (const DrawBatch& batch : batches_) highest = std::max(highest, batch.key.backdrop);
-    return highest;
-}
-
-bool DrawSelection::emits(SurfaceSet set) const {
-    return std::ranges::any_of(
-        batches_, [&](const DrawBatch& batch) { return batch.key.emissive && batch.key.isIn(set); });
-}
-
-void DrawSelection::draw(const DrawBatch& batch) {
-    glMultiDrawElementsIndirect(
-        modeOf(batch.key.topology), GL_UNSIGNED_INT,
-        reinterpret_cast<const void*>(std::uintptr_t{batch.firstCommand} * sizeof(DrawCommand)),
-        static_cast<GLsizei>(batch.commandCount), 0);
-}
-
-void DrawList::addMesh(std::uint32_t instance, const DrawGeometry& geometry, const Mesh& mesh,
-                       const MeshPlace& place, std::span<const Material> materials, GpuImages& images) {
-    const Submesh whole = wholeOf(mesh);
-    for (const Submesh& submesh : submeshesOf(mesh, whole)) {
-        if (submesh.indexCount == 0) continue;
-        Draw draw;
-        draw.command = {submesh.indexCount, 1, place.firstIndex + submesh.firstIndex, place.baseVertex, 0};
+void DrawList::addMesh(std::uint32_t instance, const DrawGeometry& geometry, std::uint32_t mesh,
+                       const MeshParts& parts, const MeshPlace& place, std::span<const Material> materials,
+                       GpuImages& images) {
+    prepare(parts, materials, images);
+    const std::span<Draw> draws = takeDraws(instance, parts.parts.size());
+    // Meshes with further texture coordinates come first in a new scene.
+    const std::uint32_t order = parts.hasFurtherUvs ? mesh : mesh | 1u << 31;
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+        const MeshParts::Part& part = parts.parts[i];
+        Draw& draw = draws[i];
+        draw.command = {part.indices.count, 1, place.firstIndex + part.indices.first, place.baseVertex, 0};
         draw.instance = instance;
-        draw.material = submesh.material.value_or(static_cast<std::uint32_t>(materials.size()));
+        draw.material = part.material.value_or(noMaterial_);
+        draw.meshOrder = order;
+        draw.indexInMesh = part.indices.first;
         draw.geometry = geometry;
-        draw.hasColors = colorsOf(mesh) == Colors::perVertex;
-        draw.topology = submesh.topology;
-        draw.unlit = isUnlit(mesh, submesh);
-        add(draw, materials, images);
+        draw.hasColors = parts.hasColors;
+        draw.topology = part.topology;
+        draw.unlit = part.unlit;
+        finishDraw(draw);
     }
 }
 
 void DrawList::addCage(std::uint32_t instance, std::uint32_t surface, std::span<const std::uint32_t> parts,
                        std::span<const Material> materials, GpuImages& images) {
+    for (const std::uint32_t material : parts) requireKey(material, {false, false}, materials, images);
+    const std::span<Draw> draws = takeDraws(instance, parts.size());
     for (std::uint32_t part = 0; part < parts.size(); ++part) {
-        Draw draw;
+        Draw& draw = draws[part];
         draw.instance = instance;
         draw.material = parts[part];
         draw.part = part;
         draw.geometry = {DrawGeometry::Kind::cage, surface};
-        add(draw, materials, images);
+        finishDraw(draw);
     }
 }
 
-void DrawList::add(Draw draw, std::span<const Material> materials, GpuImages& images) {
-    materialKeys_.resize(materials.size() + 1);
-    const VertexKind vertices{draw.hasColors, draw.unlit};
-    std::optional<PipelineKey>& key = materialKeys_[draw.material][vertices.index()];
-    if (!key) key = materialKey(materialOf(materials, draw.material), vertices, images);
-    const auto index = static_cast<std::uint32_t>(draws_.size());
-    firstDraw_.resize(draw.instance + 1, index);
-    draws_.push_back(draw);
-    mark(draws_.back());
+void DrawList::requireKey(std::uint32_t material, const VertexKind& vertices,
+                          std::span<const Material> materials, GpuImages& images) {
+    std::optional<PipelineKey>& key = materialKeys_[material][vertices.index()];
+    if (!key) key = materialKey(materialOf(materials, material), vertices, images);
+}
+
+std::span<DrawList::Draw> DrawList::takeDraws(std::uint32_t instance, std::size_t count) {
+    if (instance >= spans_.size()) spans_.resize(instance + 1);
+    std::vector<std::uint32_t>& unused = freeDraws_[static_cast<std::uint32_t>(count)];
+    DrawSpan span{static_cast<std::uint32_t>(draws_.size()), static_cast<std::uint32_t>(count)};
+    if (unused.empty()) {
+        draws_.resize(draws_.size() + count);
+    } else {
+        span.first = unused.back();
+        unused.pop_back();
+    }
+    spans_[instance] = span;
+    unplaced_ = true;
+    const std::span<Draw> draws = drawsOf(instance);
+    std::ranges::fill(draws, Draw{});
+    return draws;
+}
+
+void DrawList::finishDraw(Draw& draw) {
+    drawsOfMaterial_[draw.material].draws.push_back(static_cast<std::uint32_t>(&draw - draws_.data()));
+    mark(draw);
+}
+
+void DrawList::remove(std::uint32_t instance) {
+    for (Draw& draw : drawsOf(instance)) {
+        if (draw.group != nullptr) draw.group->changed = true;
+        draw.group = nullptr;
+        draw.removed = true;
+        hasRemoved_ = true;
+        forgetOfMaterial(draw.material);
+    }
+    if (instance >= spans_.size()) return;
+    const DrawSpan span = std::exchange(spans_[instance], {});
+    if (span.count > 0) freeDraws_[span.count].push_back(span.first);
+    unplaced_ = true;
+}
+
+/// The list of a material keeps draws that have been removed until they are the most of it.
+void DrawList::forgetOfMaterial(std::uint32_t material) {
+    std::vector<std::uint32_t>& draws = drawsOfMaterial_[material].draws;
+    if (2 * ++drawsOfMaterial_[material].removed <= draws.size()) return;
+    std::erase_if(draws,
+                  [&](std::uint32_t i) { return draws_[i].removed || draws_[i].material != material; });
+    std::ranges::sort(draws);
+    const auto repeated = std::ranges::unique(draws);
+    draws.erase(repeated.begin(), repeated.end());
+    drawsOfMaterial_[material].removed = 0;
 }
 
 PipelineKey DrawList::materialKey(const Material& material, const VertexKind& vertices, GpuImages& images) {
@@ -205,38 +222,55 @@ std::uint32_t DrawList::lobeSet(const LobeTextures& textures) {
     return entry->second;
 }
 
-void DrawList::finish(std::size_t instanceCount) {
-    firstDraw_.resize(instanceCount + 1, static_cast<std::uint32_t>(draws_.size()));
-    firstOfMaterial_.assign(materialKeys_.size() + 1, 0);
-    for (const Draw& draw : draws_) ++firstOfMaterial_[draw.material + 1];
-    std::partial_sum(firstOfMaterial_.begin(), firstOfMaterial_.end(), firstOfMaterial_.begin());
-    drawsOfMaterial_.resize(draws_.size());
-    std::vector<std::uint32_t> next(firstOfMaterial_);
-    for (std::uint32_t i = 0; i < draws_.size(); ++i) drawsOfMaterial_[next[draws_[i].material]++] = i;
-    placeRecords();
-}
-
-void DrawList::placeRecords() {
-    std::vector<std::uint32_t> order(draws_.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) {
-        const Draw& draw = draws_[i];
-        return std::tuple(draw.geometry, draw.command.firstIndex, draw.command.baseVertex, draw.material);
+void DrawList::placeRecords(std::span<const std::uint32_t> instances) {
+    struct Place {
+        std::uint32_t draw, number;
+    };
+    std::vector<Place> places;
+    places.reserve(draws_.size());
+    for (const std::uint32_t instance : instances) {
+        const DrawSpan span = instance < spans_.size() ? spans_[instance] : DrawSpan{};
+        for (std::uint32_t i = 0; i < span.count; ++i)
+            places.push_back({span.first + i, static_cast<std::uint32_t>(places.size())});
+    }
+    std::ranges::stable_sort(places, {}, [&](const Place& place) {
+        const Draw& draw = draws_[place.draw];
+        return std::tuple(draw.geometry, draw.meshOrder, draw.indexInMesh, draw.material);
     });
     std::vector<std::array<std::uint32_t, 3>> records;
-    records.reserve(draws_.size());
-    for (const std::uint32_t i : order) {
-        draws_[i].command.baseInstance = static_cast<std::uint32_t>(records.size());
-        records.push_back({draws_[i].instance, draws_[i].material, i});
-        numberOfRecord_.push_back(i);
+    records.reserve(places.size());
+    numberOfRecord_.clear();
+    drawOfRecord_.clear();
+    for (const Place& place : places) {
+        Draw& draw = draws_[place.draw];
+        draw.command.baseInstance = static_cast<std::uint32_t>(records.size());
+        records.push_back({draw.instance, draw.material, place.number});
+        numberOfRecord_.push_back(place.number);
+        drawOfRecord_.push_back(place.draw);
     }
-    recordBuffer_ =
-        gl::Buffer::immutable("draw records", std::span<const std::array<std::uint32_t, 3>>(records));
+    recordBuffer_.upload(std::span<const std::array<std::uint32_t, 3>>(records));
+    sortGroups();
+    unplaced_ = false;
+}
+
+/// Takes out what has been removed, and brings the others into the order of their records.
+void DrawList::sortGroups() {
+    for (auto& [key, group] : groups_) {
+        if (group.changed)
+            std::erase_if(group.draws,
+                          [&, current = &group](std::uint32_t i) { return draws_[i].group != current; });
+        std::ranges::sort(group.draws, {}, [&](std::uint32_t i) { return draws_[i].command.baseInstance; });
+    }
 }
 
 std::span<DrawList::Draw> DrawList::drawsOf(std::uint32_t instance) {
-    const std::uint32_t first = firstDraw_[instance];
-    return std::span(draws_).subspan(first, firstDraw_[instance + 1] - first);
+    if (instance >= spans_.size()) return {};
+    return std::span(draws_).subspan(spans_[instance].first, spans_[instance].count);
+}
+
+std::span<const DrawList::Draw> DrawList::drawsOf(std::uint32_t instance) const {
+    if (instance >= spans_.size()) return {};
+    return std::span(draws_).subspan(spans_[instance].first, spans_[instance].count);
 }
 
 void DrawList::mark(Draw& draw) {
@@ -263,8 +297,9 @@ void DrawList::setMaterial(std::uint32_t index, const Material& material, GpuIma
     }
     if (keys == materialKeys_[index]) return;
     materialKeys_[index] = keys;
-    for (std::uint32_t i = firstOfMaterial_[index]; i < firstOfMaterial_[index + 1]; ++i)
-        mark(draws_[drawsOfMaterial_[i]]);
+    for (const std::uint32_t i : drawsOfMaterial_[index].draws) {
+        if (!draws_[i].removed && draws_[i].material == index) mark(draws_[i]);
+    }
 }
 
 void DrawList::setOcclusionTextures(OcclusionTextures textures, std::span<const Material> materials,
@@ -305,25 +340,27 @@ PipelineKey DrawList::keyOf(const Draw& draw) const {
 }
 
 DrawGeometry DrawList::geometryOf(std::uint32_t instance) const {
-    const std::uint32_t first = firstDraw_[instance];
-    return first == firstDraw_[instance + 1] ? DrawGeometry{} : draws_[first].geometry;
+    const std::span<const Draw> draws = drawsOf(instance);
+    return draws.empty() ? DrawGeometry{} : draws.front().geometry;
 }
 
 std::vector<DrawnPart> DrawList::partsOf(std::uint32_t instance) const {
     std::vector<DrawnPart> parts;
-    for (std::uint32_t i = firstDraw_[instance]; i < firstDraw_[instance + 1]; ++i) {
-        if (draws_[i].topology != Topology::triangles) continue;
-        parts.push_back({{draws_[i].command.firstIndex, draws_[i].command.count}, draws_[i].material});
+    for (const Draw& draw : drawsOf(instance)) {
+        if (draw.topology != Topology::triangles) continue;
+        parts.push_back({{draw.command.firstIndex, draw.command.count}, draw.material});
     }
     return parts;
 }
 
 std::size_t DrawList::group() {
-    if (pending_.empty()) return 0;
+    if (pending_.empty() && !hasRemoved_) return 0;
+    hasRemoved_ = false;
     Groups::iterator last = groups_.end();
     for (const std::uint32_t index : pending_) {
         Draw& draw = draws_[index];
         draw.pending = false;
+        if (draw.removed) continue;
         const PipelineKey key = keyOf(draw);
         if (last == groups_.end() || last->first != key) last = groups_.try_emplace(key).first;
         Group& target = last->second;

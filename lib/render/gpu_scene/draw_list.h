@@ -4,6 +4,7 @@
 #include "render/gpu_scene/gpu_images.h"
 #include "render/gpu_scene/gpu_meshes.h"
 #include "render/gpu_scene/lobe_records.h"
+#include "scene/model/uv_sets.h"
 
 #include <candela/gpu_scene.h>
 #include <candela/mesh.h>
@@ -51,6 +52,26 @@ enum class Backdrop {
     blurred,    ///< With prefiltered levels.
     dispersed,  ///< At places that differ by colour.
 };
+
+/// What draws need of a mesh: its submeshes with indices.
+struct MeshParts {
+    struct Part {
+        IndexRange indices;  ///< Within the mesh.
+        std::optional<std::uint32_t> material;
+        Topology topology = Topology::triangles;
+        bool unlit = false;  ///< Lines and points without normals.
+    };
+    std::vector<Part> parts;
+    bool hasColors = false;      ///< Of vertices.
+    bool hasFurtherUvs = false;  ///< More than two sets of texture coordinates.
+    UvSets uvs = 0;
+    /// Indices of triangles, lines and points.
+    std::uint64_t elements(Topology topology) const;
+    bool hasOnlyTriangles() const { return elements(Topology::lines) + elements(Topology::points) == 0; }
+};
+
+/// A mesh without submeshes is one submesh with the default material.
+MeshParts partsOf(const Mesh& mesh);
 
 /// The OpenGL state that a draw needs. Draws with equal keys are issued together.
 struct PipelineKey {
@@ -157,19 +178,45 @@ class DrawSelection {
 };
 
 /// A draw for every submesh of every instance, and for every part of a cage that has one material, grouped by
-/// pipeline key. The record of a draw stays at its place for good: only the grouping changes.
+/// pipeline key. The record of a draw stays at its place until instances are added or removed: else only the
+/// grouping changes.
 class DrawList {
   public:
-    /// Adds all submeshes of a mesh. `place` is where its indices and vertices are within `geometry`.
-    /// `materials` are those of the scene. Instances are added in ascending order.
-    void addMesh(std::uint32_t instance, const DrawGeometry& geometry, const Mesh& mesh,
-                 const MeshPlace& place, std::span<const Material> materials, GpuImages& images);
+    /// `materials` is the number of materials: it stays the index of the default material.
+    explicit DrawList(std::size_t materials)
+        : noMaterial_(static_cast<std::uint32_t>(materials)),
+          drawsOfMaterial_(materials + 1),
+          materialKeys_(materials + 1) {}
+
+    /// Adds all submeshes of mesh `mesh`. `place` is where its indices and vertices are within `geometry`.
+    /// `materials` are those of the scene. The instance has no draws. Throws `Error` (limit) when a texture
+    /// does not fit the device; nothing is changed then.
+    void addMesh(std::uint32_t instance, const DrawGeometry& geometry, std::uint32_t mesh,
+                 const MeshParts& parts, const MeshPlace& place, std::span<const Material> materials,
+                 GpuImages& images);
+    /// Would `prepare` load any?
+    bool isPrepared(const MeshParts& parts) const;
+    /// Loads the textures of a mesh's materials, so that `addMesh` does not throw. Throws as it does.
+    void prepare(const MeshParts& parts, std::span<const Material> materials, GpuImages& images);
+    /// To be called when a material is removed, which nothing has.
+    void removeMaterial(std::uint32_t index) { materialKeys_[index] = {}; }
+    /// Removes the draws of an instance.
+    void remove(std::uint32_t instance);
+    /// Makes room for materials up to `count`.
+    void growMaterials(std::size_t count) {
+        if (count > materialKeys_.size()) materialKeys_.resize(count);
+        if (count > drawsOfMaterial_.size()) drawsOfMaterial_.resize(count);
+    }
     /// Adds a cage that shows a limit surface and whose part i has material `parts[i]` (the number of
     /// materials: none). Nothing of it is drawn before `setRanges`.
     void addCage(std::uint32_t instance, std::uint32_t surface, std::span<const std::uint32_t> parts,
                  std::span<const Material> materials, GpuImages& images);
-    /// Uploads the records. To be called once, after all instances have been added.
-    void finish(std::size_t instanceCount);
+    /// Have instances been added or removed since the last `placeRecords`?
+    bool isUnplaced() const { return unplaced_; }
+    /// Uploads the records: draws of the same indices and material one after the other, so that one command
+    /// draws them. `instances` are those with draws, in the order in which a new scene has them. To be called
+    /// before `group`.
+    void placeRecords(std::span<const std::uint32_t> instances);
 
     void setWinding(std::uint32_t instance, Winding winding);
     /// Brings the draws of all materials to it. Throws as `setMaterial` does.
@@ -194,7 +241,7 @@ class DrawList {
 
     /// The instance that a record is of: those of a command are its `baseInstance` and the ones that follow.
     std::uint32_t instanceOfRecord(std::uint32_t record) const {
-        return draws_[numberOfRecord_[record]].instance;
+        return draws_[drawOfRecord_[record]].instance;
     }
     /// The place of its draw among all, in the order of instances.
     std::uint32_t numberOfRecord(std::uint32_t record) const { return numberOfRecord_[record]; }
@@ -224,12 +271,16 @@ class DrawList {
     struct Draw {
         DrawCommand command;
         std::uint32_t instance, material, part = 0;
+        /// Those of different meshes do not follow each other by where these lie: a new scene has another
+        /// order there.
+        std::uint32_t meshOrder = 0, indexInMesh = 0;
         DrawGeometry geometry;
         bool hasColors = false;  ///< The mesh has vertex colours.
         Topology topology = Topology::triangles;
         bool unlit = false;
         bool mirrored = false;
         bool pending = false;  ///< Waits for `group`.
+        bool removed = false;
         Group* group = nullptr;
     };
     /// What of a draw's vertices its key depends on, and the index of its `MaterialKeys`.
@@ -242,27 +293,42 @@ class DrawList {
     /// draw.
     using MaterialKeys = std::array<std::optional<PipelineKey>, std::size(vertexKinds)>;
 
-    /// Uploads the records: draws of the same indices and material one after the other, so that one command
-    /// draws them.
-    void placeRecords();
-    void add(Draw draw, std::span<const Material> materials, GpuImages& images);
+    struct DrawSpan {
+        std::uint32_t first = 0, count = 0;
+    };
+
+    void requireKey(std::uint32_t material, const VertexKind& vertices, std::span<const Material> materials,
+                    GpuImages& images);
+    /// Makes room for the draws of an instance that has none.
+    std::span<Draw> takeDraws(std::uint32_t instance, std::size_t count);
+    void finishDraw(Draw& draw);
+    void forgetOfMaterial(std::uint32_t material);
+    void sortGroups();
     PipelineKey materialKey(const Material& material, const VertexKind& vertices, GpuImages& images);
     std::uint32_t lobeSet(const LobeTextures& textures);
     std::span<Draw> drawsOf(std::uint32_t instance);
+    std::span<const Draw> drawsOf(std::uint32_t instance) const;
     void mark(Draw& draw);
     PipelineKey keyOf(const Draw& draw) const;
 
+    std::uint32_t noMaterial_;
     std::vector<Draw> draws_;
-    std::vector<std::uint32_t> firstDraw_;  ///< Of each instance, and the number of draws.
-    std::vector<std::uint32_t> firstOfMaterial_, drawsOfMaterial_;
+    std::vector<DrawSpan> spans_;                                    ///< One an instance.
+    std::map<std::uint32_t, std::vector<std::uint32_t>> freeDraws_;  ///< First ones of unused runs, by count.
+    struct MaterialDraws {
+        std::vector<std::uint32_t> draws;  ///< Some of them have been removed.
+        std::size_t removed = 0;           ///< About how many.
+    };
+    std::vector<MaterialDraws> drawsOfMaterial_;
     OcclusionTextures occlusionTextures_ = OcclusionTextures::ignored;
     std::vector<MaterialKeys> materialKeys_;  ///< One a material, and one for draws without.
     std::vector<LobeTextures> lobeSets_;
     std::map<LobeTextures, std::uint32_t> lobeSetOf_;
     Groups groups_;
     std::vector<std::uint32_t> pending_;
-    std::vector<std::uint32_t> numberOfRecord_;
-    gl::Buffer recordBuffer_;
+    bool unplaced_ = true, hasRemoved_ = false;
+    std::vector<std::uint32_t> numberOfRecord_, drawOfRecord_;
+    gl::Buffer recordBuffer_{"draw records", gl::BufferUsage::dynamic};
 };
 
 /// Can any draw of the scene come to need more than positions and normals? One may without asking for it now

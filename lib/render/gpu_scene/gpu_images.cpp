@@ -232,18 +232,26 @@ std::vector<std::byte> GpuImages::readPixels(GLuint texture, TextureContent cont
 }
 
 void GpuImages::writePixels(GLuint texture, TextureContent content, const Image& image) const {
-    const UploadFormat format = formatOf(image.format, content, decoding_);
-    std::vector<std::byte> decoded;
     forEachRun(image, maxTransferBytes_, [&](const Rows& rows) {
-        std::span<const std::byte> part = std::span(image.pixels).subspan(rows.offset, rows.size);
-        if (format.decoded) {
-            decoded.resize(part.size() / texelSize(image.format) * format.texelSize);
-            image.format == PixelFormat::rgba8 ? decodeColor8(part, decoded) : decodeColor16(part, decoded);
-            part = decoded;
-        }
-        glTextureSubImage2D(texture, 0, 0, rows.first, static_cast<GLsizei>(image.width), rows.count, GL_RGBA,
-                            format.type, part.data());
+        const ImageRegion region{0, static_cast<std::uint32_t>(rows.first), image.width,
+                                 static_cast<std::uint32_t>(rows.count)};
+        writeRegion(texture, content, image.format, region,
+                    std::span(image.pixels).subspan(rows.offset, rows.size));
     });
+}
+
+void GpuImages::writeRegion(GLuint texture, TextureContent content, PixelFormat pixelFormat,
+                            const ImageRegion& region, std::span<const std::byte> pixels) const {
+    const UploadFormat format = formatOf(pixelFormat, content, decoding_);
+    std::vector<std::byte> decoded;
+    if (format.decoded) {
+        decoded.resize(pixels.size() / texelSize(pixelFormat) * format.texelSize);
+        pixelFormat == PixelFormat::rgba8 ? decodeColor8(pixels, decoded) : decodeColor16(pixels, decoded);
+        pixels = decoded;
+    }
+    glTextureSubImage2D(texture, 0, static_cast<GLint>(region.x), static_cast<GLint>(region.y),
+                        static_cast<GLsizei>(region.width), static_cast<GLsizei>(region.height), GL_RGBA,
+                        format.type, pixels.data());
 }
 
 std::optional<std::vector<std::byte>> GpuImages::uploadedPixels(std::uint32_t index) const {
@@ -271,16 +279,59 @@ AlphaImage GpuImages::readAlpha(std::uint32_t index) const {
     return alpha;
 }
 
+gl::Texture GpuImages::makeTexture(const Image& image, std::uint32_t index, TextureContent content) const {
+    gl::Texture texture = allocate(image, index, formatOf(image.format, content, decoding_).internal);
+    writePixels(texture.name(), content, image);
+    glGenerateTextureMipmap(texture.name());
+    return texture;
+}
+
 GLuint GpuImages::upload(std::uint32_t index, TextureContent content) {
     const auto known = textures_.find({index, content});
     if (known != textures_.end()) return known->second.name();
-    gl::Texture texture =
-        allocate(images_[index], index, formatOf(images_[index].format, content, decoding_).internal);
     if (images_[index].pixels.empty()) restorePixels(index);
-    writePixels(texture.name(), content, images_[index]);
-    glGenerateTextureMipmap(texture.name());
+    gl::Texture texture = makeTexture(images_[index], index, content);
     if (!kept_.empty()) kept_[index].pixels = std::vector<std::byte>();
     return textures_.emplace(Key(index, content), std::move(texture)).first->second.name();
+}
+
+void GpuImages::set(std::uint32_t index, const Image& image) {
+    if (index >= kept_.size()) kept_.resize(index + 1);
+    kept_[index] = image;
+    images_ = kept_;
+}
+
+void GpuImages::replace(std::uint32_t index, const Image& image) {
+    std::vector<std::pair<Key, gl::Texture>> made;
+    for (const TextureContent content : {TextureContent::color, TextureContent::data}) {
+        if (textures_.contains({index, content}))
+            made.emplace_back(Key(index, content), makeTexture(image, index, content));
+    }
+    set(index, image);
+    if (!made.empty()) kept_[index].pixels = std::vector<std::byte>();
+    for (auto& [key, texture] : made) textures_[key] = std::move(texture);
+}
+
+void GpuImages::remove(std::uint32_t index) {
+    kept_[index] = {};
+    for (const TextureContent content : {TextureContent::color, TextureContent::data})
+        textures_.erase({index, content});
+}
+
+void GpuImages::setPixels(std::uint32_t index, const ImageRegion& region, std::span<const std::byte> pixels) {
+    const Image& image = images_[index];
+    for (const TextureContent content : {TextureContent::color, TextureContent::data}) {
+        const auto texture = textures_.find({index, content});
+        if (texture == textures_.end()) continue;
+        writeRegion(texture->second.name(), content, image.format, region, pixels);
+        glGenerateTextureMipmap(texture->second.name());
+    }
+    if (image.pixels.empty()) return;
+    const std::size_t texel = texelSize(image.format), rowBytes = region.width * texel;
+    for (std::size_t row = 0; row < region.height; ++row) {
+        const std::size_t to = ((region.y + row) * image.width + region.x) * texel;
+        std::memcpy(kept_[index].pixels.data() + to, pixels.data() + row * rowBytes, rowBytes);
+    }
 }
 
 GLuint GpuImages::sampler(const Texture& texture) {

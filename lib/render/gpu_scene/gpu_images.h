@@ -4,6 +4,7 @@
 #include "render/occlusion/occlusion_mesh.h"
 #include "scene/model/material_textures.h"
 
+#include <candela/gpu_scene.h>
 #include <candela/image.h>
 #include <candela/material.h>
 
@@ -42,6 +43,18 @@ class GpuImages {
     /// an image that does not fit the device.
     SampledTexture get(const std::optional<Texture>& texture, TextureContent content);
 
+    // Edits, after `releaseSources`.
+
+    /// Sets an image that no material reads, which may be the next one; its pixels are kept until one does.
+    void set(std::uint32_t index, const Image& image);
+    /// Replaces an image whose textures materials have: those have other names then. Throws `Error` (limit)
+    /// when it does not fit the device; nothing is changed then.
+    void replace(std::uint32_t index, const Image& image);
+    /// Frees an image that no material reads.
+    void remove(std::uint32_t index);
+    /// Replaces the texels of a region, which lies in the image.
+    void setPixels(std::uint32_t index, const ImageRegion& region, std::span<const std::byte> pixels);
+
     /// The alpha of an image, read back from the device where it has been uploaded.
     AlphaImage readAlpha(std::uint32_t index) const;
 
@@ -59,6 +72,9 @@ class GpuImages {
     std::optional<std::vector<std::byte>> uploadedPixels(std::uint32_t index) const;
     std::vector<std::byte> readPixels(GLuint texture, TextureContent content, const Image& image) const;
     void writePixels(GLuint texture, TextureContent content, const Image& image) const;
+    void writeRegion(GLuint texture, TextureContent content, PixelFormat format, const ImageRegion& region,
+                     std::span<const std::byte> pixels) const;
+    gl::Texture makeTexture(const Image& image, std::uint32_t index, TextureContent content) const;
     GLuint upload(std::uint32_t image, TextureContent content);
     GLuint sampler(const Texture& texture);
 

@@ -73,7 +73,7 @@ GpuInstances::GpuInstances(const Scene& scene)
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
         if (!scene.nodes[i].mesh) continue;
         meshOfNode_[i] = static_cast<std::uint32_t>(instances_.size());
-        instances_.push_back({i, scene.nodes[i].mesh, 0});
+        instances_.push_back({i, scene.nodes[i].mesh});
         hasElements_.push_back(!hasOnlyTriangles(scene.meshes[*scene.nodes[i].mesh]));
     }
     std::uint32_t cageInstances = 0;
@@ -89,6 +89,49 @@ GpuInstances::GpuInstances(const Scene& scene)
     isChanged_.resize(instances_.size());
     records_.reserve(instances_.size());
     records_.resize(instances_.size());
+}
+
+std::uint32_t GpuInstances::addMesh(std::uint32_t node, std::uint32_t mesh, Elements elements) {
+    std::uint32_t index = 0;
+    if (!free_.empty()) {
+        index = free_.back();
+        free_.pop_back();
+    } else {
+        index = static_cast<std::uint32_t>(instances_.size());
+        records_.grow(instances_.size() + 1);
+        instances_.emplace_back();
+        hasElements_.push_back(false);
+        spheres_.emplace_back();
+        windings_.push_back(Winding::kept);
+        hidden_.push_back(false);
+        isChanged_.push_back(false);
+    }
+    instances_[index] = {node, mesh, 0, false};
+    setElements(index, elements);
+    windings_[index] = Winding::kept;
+    hidden_[index] = false;
+    meshOfNode_[node] = index;
+    markChanged(index);
+    return index;
+}
+
+void GpuInstances::removeMesh(std::uint32_t node) {
+    const std::uint32_t index = std::exchange(meshOfNode_[node], none);
+    instances_[index].isRemoved = true;
+    hidden_[index] = true;
+    markChanged(index);
+    free_.push_back(index);
+}
+
+std::vector<std::uint32_t> GpuInstances::inNodeOrder() const {
+    std::vector<std::uint32_t> order;
+    order.reserve(instances_.size());
+    for (const std::vector<std::uint32_t>* ofNode : {&meshOfNode_, &cageOfNode_}) {
+        for (const std::uint32_t index : *ofNode) {
+            if (index != none) order.push_back(index);
+        }
+    }
+    return order;
 }
 
 void GpuInstances::place(std::uint32_t index, const glm::mat4& worldFromLocal, const BoundingSphere& local,
@@ -114,7 +157,9 @@ std::vector<std::uint32_t> GpuInstances::takeChanged() {
 
 Bounds GpuInstances::bounds() const {
     Bounds box;
-    for (const BoundingSphere& sphere : spheres_) {
+    for (std::size_t i = 0; i < spheres_.size(); ++i) {
+        if (instances_[i].isRemoved) continue;
+        const BoundingSphere& sphere = spheres_[i];
         const glm::vec3 reach(sphere.radius);
         const Bounds own{sphere.center - reach, sphere.center + reach};
         if (allFinite(own.min) && allFinite(own.max)) box.add(own);

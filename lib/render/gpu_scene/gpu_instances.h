@@ -41,9 +41,11 @@ struct Instance {
     std::uint32_t node = 0;
     std::optional<std::uint32_t> mesh;  ///< Index into `Scene::meshes`; none: it is a cage.
     std::uint32_t cageInstance = 0;     ///< Index into `GpuCages::instances` for a cage.
+    bool isRemoved = false;             ///< The place is free.
 };
 
-/// The meshes and cages of the nodes: first the meshes, then the cages, each in the order of the nodes.
+/// The meshes and cages of the nodes: first the meshes, then the cages, each in the order of the nodes, and
+/// then those added later.
 class GpuInstances {
   public:
     explicit GpuInstances(const Scene& scene);
@@ -54,6 +56,23 @@ class GpuInstances {
     /// The instance of a node's mesh, or of its cage; none where the node has none.
     std::optional<std::uint32_t> meshOf(std::uint32_t node) const { return indexOf(meshOfNode_[node]); }
     std::optional<std::uint32_t> cageOf(std::uint32_t node) const { return indexOf(cageOfNode_[node]); }
+
+    enum class Elements { trianglesOnly, linesOrPoints };
+    /// Adds the mesh of a node, to be placed next, and returns its instance. The node may be a new one.
+    std::uint32_t addMesh(std::uint32_t node, std::uint32_t mesh, Elements elements);
+    /// Removes the mesh of a node.
+    void removeMesh(std::uint32_t node);
+    /// To be called when the mesh of an instance has become another one.
+    void setElements(std::uint32_t index, Elements elements) {
+        hasElements_[index] = elements == Elements::linesOrPoints;
+    }
+    /// To be called when a node without a mesh and a cage is added at the end.
+    void addNode() {
+        meshOfNode_.push_back(none);
+        cageOfNode_.push_back(none);
+    }
+    /// All instances in the order in which those of a new scene are.
+    std::vector<std::uint32_t> inNodeOrder() const;
 
     /// Writes the record of an instance. `winding` is that of the matrix unless given: the vertices of a
     /// skinned mesh may be mirrored themselves.
@@ -130,7 +149,7 @@ class GpuInstances {
     std::vector<Winding> windings_;
     std::vector<bool> hasElements_;  ///< Lines or points.
     std::vector<bool> hidden_, isChanged_;
-    std::vector<std::uint32_t> changed_;
+    std::vector<std::uint32_t> changed_, free_;
     RecordBuffer<glm::vec4> records_;
     std::vector<glm::vec4> kept_;  ///< The records at the last `keep`; empty before.
 };

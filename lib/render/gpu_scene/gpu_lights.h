@@ -62,6 +62,7 @@ class GpuLights {
     /// Moves each light that has a radius to its point in the sample of this number; 0 is its centre. Holds
     /// for later moves too, until the next `set`, which is of sample 0.
     void setSample(std::uint32_t sample);
+    std::uint32_t sample() const { return sample_; }
     /// Do samples move any light?
     bool hasSpheres() const { return !spheres_.empty(); }
     bool hasRangeless() const { return !rangeless_.empty(); }

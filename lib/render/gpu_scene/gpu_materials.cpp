@@ -109,6 +109,12 @@ void GpuMaterials::reserve(const Material& material) {
     lobeRecords_.resize(commonUvs_.size());
 }
 
+void GpuMaterials::grow(std::size_t count) {
+    if (count > records_.size()) records_.grow(count);
+    if (count > commonUvs_.size()) commonUvs_.resize(count, ~UvSets{0});
+    if (!lobeRecords_.texels().empty() && count > lobeRecords_.size()) lobeRecords_.grow(count);
+}
+
 void GpuMaterials::set(std::uint32_t index, const Material& material) {
     writeRecord(records_.edit(index), material, workingFromRec709_);
     if (isExtended(material)) writeLobeRecord(lobeRecords_.edit(index), material);

@@ -14,8 +14,8 @@
 
 namespace candela {
 
-/// The records of shaders/lib/material.glsl for all materials of a scene, and after them one for surfaces
-/// without a material.
+/// The records of shaders/lib/material.glsl for all materials of a scene, after them one for surfaces
+/// without a material, and then those of materials that are added.
 class GpuMaterials {
   public:
     GpuMaterials(const Scene& scene, const glm::dmat3& workingFromRec709);
@@ -27,6 +27,10 @@ class GpuMaterials {
     /// nothing is changed then.
     void reserve(const Material& material);
     void set(std::uint32_t index, const Material& material);
+    /// Makes room for materials up to `count`, to be set. Throws as `reserve` does.
+    void grow(std::size_t count);
+    /// The sets of texture coordinates that all surfaces of a material have.
+    void setCommonUvs(std::uint32_t index, UvSets sets) { commonUvs_[index] = sets; }
     /// Uploads the records set since the last call. Returns how many those are.
     std::size_t upload();
 

@@ -10,7 +10,9 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace candela {
 
@@ -25,6 +27,32 @@ struct DetailVertex {
     glm::vec2 uv0{0.0f}, uv1{0.0f};
     glm::vec4 color{1.0f};
 };
+
+void requireCounts(std::uint64_t vertices, std::uint64_t indices) {
+    if (vertices <= std::numeric_limits<std::int32_t>::max() &&
+        indices <= std::numeric_limits<std::uint32_t>::max()) {
+        return;
+    }
+    throw Error(ErrorKind::limit, "",
+                "the scene has " + std::to_string(vertices) + " vertices and " + std::to_string(indices) +
+                    " indices; candela draws 2,147,483,647 and 4,294,967,295 at most");
+}
+
+void appendSurface(const Mesh& mesh, std::vector<SurfaceVertex>& vertices) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        vertices.push_back({mesh.positions[i], mesh.normals[i]});
+}
+
+void appendDetails(const Mesh& mesh, std::vector<DetailVertex>& vertices) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        DetailVertex vertex;
+        if (!mesh.tangents.empty()) vertex.tangent = mesh.tangents[i];
+        if (!mesh.uv0.empty()) vertex.uv0 = mesh.uv0[i];
+        if (!mesh.uv1.empty()) vertex.uv1 = mesh.uv1[i];
+        if (!mesh.colors.empty()) vertex.color = mesh.colors[i];
+        vertices.push_back(vertex);
+    }
+}
 
 std::vector<glm::vec3> positionsIn(const gl::Buffer& surface, std::size_t first, std::size_t count) {
     const auto vertices = surface.read<SurfaceVertex>(first, count);
@@ -69,8 +97,11 @@ void DefaultDetail::describe(const gl::VertexArray& vertexArray, GLuint binding)
     feedFloats(vertexArray, layout::COLOR_ATTRIBUTE, 4, binding, colorOffset);
 }
 
-GpuMeshes::GpuMeshes(std::span<const Mesh> meshes, Detail detail, Access access) : detail_(detail) {
+GpuMeshes::GpuMeshes(std::span<const Mesh> meshes, Detail detail, Access access)
+    : detail_(detail), access_(access), versions_(meshes.size(), 1) {
     place(meshes);
+    vertexPool_ = RangePool(vertexCount_);
+    indexPool_ = RangePool(indexCount_);
     uploadSurface(meshes, access);
     if (detail_ != Detail::everything) return;
     uploadDetail(meshes);
@@ -85,20 +116,15 @@ void GpuMeshes::place(std::span<const Mesh> meshes) {
     for (const std::uint32_t i : order_) {
         const Mesh& mesh = meshes[i];
         places_[i] = {static_cast<std::uint32_t>(indexCount_), static_cast<std::int32_t>(vertexCount_),
-                      static_cast<std::uint32_t>(mesh.positions.size()), boundingSphere(mesh.positions)};
+                      static_cast<std::uint32_t>(mesh.positions.size()), boundingSphere(mesh.positions),
+                      static_cast<std::uint32_t>(mesh.indices.size())};
         vertexCount_ += mesh.positions.size();
         indexCount_ += mesh.indices.size();
         if (detail_ != Detail::everything || mesh.furtherUvs.empty()) continue;
         furtherVertices_ = vertexCount_;
         furtherPairs_ = std::max(furtherPairs_, (mesh.furtherUvs.size() + 1) / 2);
     }
-    if (vertexCount_ > std::numeric_limits<std::int32_t>::max() ||
-        indexCount_ > std::numeric_limits<std::uint32_t>::max()) {
-        throw Error(ErrorKind::limit, "",
-                    "the scene has " + std::to_string(vertexCount_) + " vertices and " +
-                        std::to_string(indexCount_) +
-                        " indices; candela draws 2,147,483,647 and 4,294,967,295 at most");
-    }
+    requireCounts(vertexCount_, indexCount_);
 }
 
 void GpuMeshes::uploadSurface(std::span<const Mesh> meshes, Access access) {
@@ -108,8 +134,7 @@ void GpuMeshes::uploadSurface(std::span<const Mesh> meshes, Access access) {
     indices.reserve(indexCount_);
     for (const std::uint32_t index : order_) {
         const Mesh& mesh = meshes[index];
-        for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-            vertices.push_back({mesh.positions[i], mesh.normals[i]});
+        appendSurface(mesh, vertices);
         indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
     }
     const auto make = [access](const char* label, std::span<const std::byte> bytes) {
@@ -125,14 +150,7 @@ void GpuMeshes::uploadDetail(std::span<const Mesh> meshes) {
     vertices.reserve(vertexCount_);
     for (const std::uint32_t index : order_) {
         const Mesh& mesh = meshes[index];
-        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-            DetailVertex vertex;
-            if (!mesh.tangents.empty()) vertex.tangent = mesh.tangents[i];
-            if (!mesh.uv0.empty()) vertex.uv0 = mesh.uv0[i];
-            if (!mesh.uv1.empty()) vertex.uv1 = mesh.uv1[i];
-            if (!mesh.colors.empty()) vertex.color = mesh.colors[i];
-            vertices.push_back(vertex);
-        }
+        appendDetails(mesh, vertices);
     }
     details_ = gl::Buffer::immutable("mesh details", std::span<const DetailVertex>(vertices));
 }
@@ -149,6 +167,120 @@ void GpuMeshes::uploadFurtherUvs(std::span<const Mesh> meshes) {
         }
     }
     furtherUvs_ = gl::Buffer::immutable("further texture coordinates", std::span<const glm::vec2>(uvs));
+}
+
+GpuMeshes::Buffers GpuMeshes::reserve(std::uint64_t vertices, std::uint64_t indices, MeshPlace& place) {
+    const auto grownCapacity = [](std::uint64_t capacity, std::uint64_t more, std::uint64_t max) {
+        return std::min(std::max(capacity + capacity / 2, capacity + more), std::max(max, capacity + more));
+    };
+    RangePool vertexPool = vertexPool_, indexPool = indexPool_;
+    std::optional<std::uint64_t> firstVertex = vertexPool.take(vertices),
+                                 firstIndex = indexPool.take(indices);
+    Buffers result = Buffers::same;
+    gl::Buffer surface, details, indexBuffer;
+    if (!firstVertex) {
+        constexpr std::uint64_t max = std::numeric_limits<std::int32_t>::max();
+        vertexPool.growTo(grownCapacity(vertexPool.capacity(), vertices, max));
+        requireCounts(vertexPool.capacity(), 0);
+        firstVertex = vertexPool.take(vertices);
+        surface = gl::Buffer::grown("mesh positions and normals", surface_,
+                                    vertexPool.capacity() * sizeof(SurfaceVertex));
+        if (hasDetail())
+            details =
+                gl::Buffer::grown("mesh details", details_, vertexPool.capacity() * sizeof(DetailVertex));
+    }
+    if (!firstIndex) {
+        constexpr std::uint64_t max = std::numeric_limits<std::uint32_t>::max();
+        indexPool.growTo(grownCapacity(indexPool.capacity(), indices, max));
+        requireCounts(0, indexPool.capacity());
+        firstIndex = indexPool.take(indices);
+        indexBuffer =
+            gl::Buffer::grown("mesh indices", indices_, indexPool.capacity() * sizeof(std::uint32_t));
+    }
+    const auto replace = [&](gl::Buffer& buffer, gl::Buffer& by) {
+        if (by.name() == 0) return;
+        buffer = std::move(by);
+        result = Buffers::replaced;
+    };
+    replace(surface_, surface);
+    replace(details_, details);
+    replace(indices_, indexBuffer);
+    vertexPool_ = std::move(vertexPool);
+    indexPool_ = std::move(indexPool);
+    place.firstIndex = static_cast<std::uint32_t>(*firstIndex);
+    place.baseVertex = static_cast<std::int32_t>(*firstVertex);
+    return result;
+}
+
+void GpuMeshes::write(const MeshPlace& place, const Mesh& mesh) {
+    std::vector<SurfaceVertex> surface;
+    appendSurface(mesh, surface);
+    const auto first = static_cast<std::size_t>(place.baseVertex);
+    surface_.write(first, std::span<const SurfaceVertex>(surface));
+    indices_.write(place.firstIndex, std::span<const std::uint32_t>(mesh.indices));
+    if (hasDetail()) {
+        std::vector<DetailVertex> details;
+        appendDetails(mesh, details);
+        details_.write(first, std::span<const DetailVertex>(details));
+    }
+    settle();
+}
+
+/// The CPU reads what the device writes.
+void GpuMeshes::settle() const {
+    if (access_ == Access::deviceAndCpu) glFinish();
+}
+
+GpuMeshes::Buffers GpuMeshes::set(std::uint32_t mesh, const Mesh& from) {
+    MeshPlace place;
+    place.vertexCount = static_cast<std::uint32_t>(from.positions.size());
+    place.indexCount = static_cast<std::uint32_t>(from.indices.size());
+    place.sphere = boundingSphere(from.positions);
+    const Buffers result = reserve(place.vertexCount, place.indexCount, place);
+    write(place, from);
+    if (mesh >= places_.size()) {
+        places_.resize(mesh + 1);
+        versions_.resize(mesh + 1);
+    }
+    remove(mesh);
+    places_[mesh] = place;
+    return result;
+}
+
+void GpuMeshes::remove(std::uint32_t mesh) {
+    const MeshPlace& old = places_[mesh];
+    vertexPool_.free(static_cast<std::uint64_t>(old.baseVertex), old.vertexCount);
+    indexPool_.free(old.firstIndex, old.indexCount);
+    places_[mesh] = {};
+    ++versions_[mesh];
+}
+
+void GpuMeshes::setSurface(std::uint32_t mesh, std::span<const glm::vec3> positions,
+                           std::span<const glm::vec3> normals) {
+    const auto first = static_cast<std::size_t>(places_[mesh].baseVertex);
+    std::vector<SurfaceVertex> vertices(positions.size());
+    if (normals.empty()) vertices = surface_.read<SurfaceVertex>(first, positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        vertices[i].position = positions[i];
+        if (!normals.empty()) vertices[i].normal = normals[i];
+    }
+    surface_.write(first, std::span<const SurfaceVertex>(vertices));
+    settle();
+    places_[mesh].sphere = boundingSphere(positions);
+    ++versions_[mesh];
+}
+
+void GpuMeshes::copySurface(std::uint32_t mesh, const BufferRange& from, const BoundingSphere& sphere) {
+    MeshPlace& place = places_[mesh];
+    surface_.copyFrom(from.name, from.offset, static_cast<std::size_t>(place.baseVertex) * surfaceBytes(),
+                      place.vertexCount * surfaceBytes());
+    settle();
+    place.sphere = sphere;
+    ++versions_[mesh];
+}
+
+std::size_t GpuMeshes::surfaceBytes() {
+    return sizeof(SurfaceVertex);
 }
 
 std::vector<glm::vec3> GpuMeshes::readPositions(std::uint32_t mesh) const {

@@ -2,7 +2,9 @@
 
 #include "gl/buffer.h"
 #include "render/gpu_scene/gpu_instances.h"
+#include "render/gpu_scene/slots.h"
 
+#include <candela/gpu_scene.h>
 #include <candela/mesh.h>
 
 #include <cstddef>
@@ -43,6 +45,7 @@ struct MeshPlace {
     std::int32_t baseVertex = 0;
     std::uint32_t vertexCount = 0;
     BoundingSphere sphere;
+    std::uint32_t indexCount = 0;
 };
 
 /// The vertices of a deformed mesh, which replace those of the mesh: position and normal of each,
@@ -71,6 +74,26 @@ class GpuMeshes {
     std::span<const std::uint32_t> mappedIndices() const { return indices_.mapped<std::uint32_t>(); }
 
     const std::vector<MeshPlace>& places() const { return places_; }
+    bool hasDetail() const { return detail_ == Detail::everything; }
+    /// How often the vertices of a mesh have been set.
+    std::uint64_t version(std::uint32_t mesh) const { return versions_[mesh]; }
+
+    // Edits. Each leaves the rest where it is.
+
+    enum class Buffers { same, replaced };
+    /// Sets mesh `mesh`, which may be the next one; it has at most two sets of texture coordinates. Throws
+    /// `Error` (limit) when the device has no room; nothing is changed then. Where the buffers have been
+    /// replaced by larger ones, vertex arrays have to be described again.
+    Buffers set(std::uint32_t mesh, const Mesh& from);
+    /// Frees the place of a mesh, which is an empty one then.
+    void remove(std::uint32_t mesh);
+    /// Replaces positions and normals, which are as many; without normals the old ones are read back.
+    void setSurface(std::uint32_t mesh, std::span<const glm::vec3> positions,
+                    std::span<const glm::vec3> normals);
+    /// Replaces both by those of a GL buffer, interleaved, within `sphere`.
+    void copySurface(std::uint32_t mesh, const BufferRange& from, const BoundingSphere& sphere);
+    /// The bytes of a vertex of the latter.
+    static std::size_t surfaceBytes();
 
     // Read back from the device.
 
@@ -105,6 +128,9 @@ class GpuMeshes {
     void describe(const gl::VertexArray& vertexArray, const gl::Buffer& surface, std::size_t firstDetail,
                   const gl::Buffer& draws, const DefaultDetail& defaultDetail) const;
     void place(std::span<const Mesh> meshes);
+    Buffers reserve(std::uint64_t vertices, std::uint64_t indices, MeshPlace& place);
+    void write(const MeshPlace& place, const Mesh& mesh);
+    void settle() const;
     void describeFurtherUvs(const gl::VertexArray& vertexArray, std::size_t firstVertex) const;
     void uploadSurface(std::span<const Mesh> meshes, Access access);
     void uploadDetail(std::span<const Mesh> meshes);
@@ -117,6 +143,9 @@ class GpuMeshes {
     std::size_t furtherVertices_ = 0, furtherPairs_ = 0;
     std::uint64_t vertexCount_ = 0, indexCount_ = 0;
     Detail detail_;
+    Access access_;
+    RangePool vertexPool_, indexPool_;
+    std::vector<std::uint64_t> versions_;  ///< One a mesh.
     gl::Buffer indices_, surface_, details_, furtherUvs_;
 };
 

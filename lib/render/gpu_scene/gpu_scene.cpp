@@ -50,8 +50,12 @@ void GpuScene::setLights(std::span<const WorldLight> lights) {
     state().setLights(lights);
 }
 
-void GpuScene::setTransform(std::uint32_t node, const glm::mat4& local) {
-    state().setTransform(node, local);
+void GpuScene::setTransform(NodeHandle node, const glm::mat4& local) {
+    state().setTransform(state().nodeSlots.indexOf(node), local);
+}
+
+void GpuScene::setTransforms(std::span<const NodeTransform> transforms) {
+    state().setTransforms(transforms);
 }
 
 void GpuScene::setTime(double seconds) {
@@ -67,26 +71,30 @@ void GpuScene::playAnimations(std::span<const std::uint32_t> animations) {
     state().playAnimations(animations);
 }
 
-void GpuScene::setCagePoints(std::uint32_t node, std::span<const glm::vec3> points) {
+void GpuScene::setCagePoints(NodeHandle node, std::span<const glm::vec3> points) {
     requireContext();
-    state().setCagePoints(node, points);
+    state().setCagePoints(state().nodeSlots.indexOf(node), points);
 }
 
 void GpuScene::setSubdivision(const SubdivisionSettings& settings) {
     state().cages.setSettings(settings);
 }
 
-void GpuScene::setMaterial(std::uint32_t index, const Material& material) {
+void GpuScene::setMaterial(MaterialHandle handle, const Material& material) {
     requireContext();
-    state().setMaterial(index, material);
+    state().setMaterial(state().materialSlots.indexOf(handle), material);
 }
 
-void GpuScene::setVisibility(std::uint32_t node, Visibility visibility) {
-    state().setVisibility(node, visibility);
+void GpuScene::setVisibility(NodeHandle node, Visibility visibility) {
+    state().setVisibility(state().nodeSlots.indexOf(node), visibility);
 }
 
-void GpuScene::setCastsShadow(std::uint32_t node, ShadowCasting casting) {
-    state().setCastsShadow(node, casting);
+void GpuScene::setVisibilities(std::span<const NodeVisibility> visibilities) {
+    state().setVisibilities(visibilities);
+}
+
+void GpuScene::setCastsShadow(NodeHandle node, ShadowCasting casting) {
+    state().setCastsShadow(state().nodeSlots.indexOf(node), casting);
 }
 
 void GpuScene::setEnvironment(const std::optional<Environment>& environment) {
@@ -126,7 +134,10 @@ std::uint64_t GpuScene::elementCount(Topology topology) const {
 }
 
 std::uint32_t GpuScene::materialCount() const {
-    return static_cast<std::uint32_t>(state().sceneState.materials.size());
+    const Slots& slots = state().materialSlots;
+    std::uint32_t count = 0;
+    for (std::uint32_t i = 0; i < slots.size(); ++i) count += slots.isAlive(i) ? 1 : 0;
+    return count;
 }
 
 }  // namespace candela

@@ -31,7 +31,10 @@ bool letLightThroughAlike(const Material& a, const Material& b) {
 
 void GpuScene::State::setMaterial(std::uint32_t index, const Material& material) {
     requireIndex("material", index, sceneState.materials.size());
-    validateMaterial(material, sceneState, ErrorContext("material", index, material.name));
+    const ErrorContext element("material", index, material.name);
+    validateMaterial(material, sceneState, element);
+    requireFreshImages(material, element);
+    if (isOfMesh(index)) requireDetail(material, element);
     materials.requireUvs(index, material);
     std::optional<gl::StateGuard> pixelStorage;
     if (hasTextures(material)) pixelStorage.emplace(*binding, "a GpuScene");
@@ -47,7 +50,7 @@ void GpuScene::State::applyMaterial(std::uint32_t index, const Material& materia
     sceneState.materials[index] = material;
     materials.set(index, material);
     cages.setMaterial(index, material);
-    materialsChanged_ = true;
+    rangeRuleChanged_ = true;
 }
 
 /// A time at which a material has no lobes differs from the others in its record alone.
@@ -79,11 +82,11 @@ void GpuScene::State::poseProperties() {
 }
 
 void GpuScene::State::updateLight(std::uint32_t index) {
-    if (!lightsFollowNodes_) return;
+    if (!lightsFollowNodes_ || lightsEdited_) return;
     const Light& light = sceneState.lights[index];
     WorldLight placed = worldLight(light, transforms.world());
     if (light.node && !isVisible_[*light.node]) placed.intensity = glm::vec3(0.0f);
-    lights.change(index, placed);
+    lights.change(lightPlace(index), placed);
 }
 
 void GpuScene::State::setVisibility(std::uint32_t node, Visibility visibility) {
@@ -103,9 +106,9 @@ void GpuScene::State::updateVisibility(std::uint32_t root) {
         if (visible == isVisible_[index]) continue;
         isVisible_[index] = visible;
         applyVisibility(index);
-        if (!nodeLights_.empty()) std::ranges::for_each(nodeLights_[index], [&](auto i) { updateLight(i); });
-        const std::span<const std::uint32_t> children = transforms.childrenOf(index);
-        open.insert(open.end(), children.begin(), children.end());
+        if (index < nodeLights_.size())
+            std::ranges::for_each(nodeLights_[index], [&](auto i) { updateLight(i); });
+        transforms.forEachChild(index, [&](std::uint32_t child) { open.push_back(child); });
     }
 }
 

@@ -40,6 +40,7 @@ Scene editableParts(const Scene& scene) {
     for (Cage& cage : parts.cages) cage.variants.clear();
     parts.skins = scene.skins;
     parts.materials = scene.materials;
+    parts.variants = scene.variants;
     // Animations of morph weights have as many values as their mesh has targets.
     for (const Mesh& mesh : scene.meshes) {
         parts.meshes.emplace_back().name = mesh.name;
@@ -57,6 +58,10 @@ const GpuSceneOptions& checked(const GpuSceneOptions& options) {
     const glm::dmat3& matrix = options.workingFromRec709;
     if (allFinite(matrix[0]) && allFinite(matrix[1]) && allFinite(matrix[2])) return options;
     throw Error(ErrorKind::badInput, "", "the matrix to the working space must be finite numbers");
+}
+
+GpuMeshes::Detail meshDetail(const Scene& scene, const GpuSceneOptions& options) {
+    return options.vertexDetail == VertexDetail::always ? GpuMeshes::Detail::everything : detailOf(scene);
 }
 
 /// How much brighter than diffuse white the peak of a material's specular lobe is: F D G / (4 (n·l)(n·v)) at
@@ -90,20 +95,33 @@ GpuScene::State::State(const Context& context, const Scene& scene, std::span<Ima
       sceneState(editableParts(scene)),
       elements{candela::elementCount(scene, Topology::triangles),
                candela::elementCount(scene, Topology::lines), candela::elementCount(scene, Topology::points)},
+      nodeSlots("node", scene.nodes.size()),
+      meshSlots("mesh", scene.meshes.size()),
+      materialSlots("material", scene.materials.size()),
+      imageSlots("image", scene.images.size()),
+      lightSlots("light", scene.lights.size()),
       transforms(sceneState),
-      meshes(scene.meshes, detailOf(scene),
+      meshes(scene.meshes, meshDetail(scene, options),
              context.isSoftware() ? GpuMeshes::Access::deviceAndCpu : GpuMeshes::Access::device),
       images(scene.images, context.isSoftware() ? ColorDecoding::exact : ColorDecoding::device),
       materials(scene, options.workingFromRec709),
       lights(options.workingFromRec709, context.isSoftware() ? LightUpload::whenBound : LightUpload::atOnce),
       cages(context, sceneState, options),
-      deformations(context, scene, sceneState, detailOf(scene), options.vertexEvaluator),
+      deformations(context, scene, sceneState, meshDetail(scene, options), options.vertexEvaluator),
       instances(scene),
+      draws(scene.materials.size()),
       materialTracks_(sceneState),
       lightTracks_(sceneState),
       nodeTracks_(sceneState),
       isHidden_(sceneState.nodes.size(), false),
       isVisible_(sceneState.nodes.size(), true) {
+    // That of the default material.
+    materialSlots.addUnused();
+    for (const Mesh& mesh : scene.meshes) meshParts.push_back(partsOf(mesh));
+    meshUsers_.resize(scene.meshes.size());
+    for (const Node& node : scene.nodes) {
+        if (node.mesh) ++meshUsers_[*node.mesh];
+    }
     if (!taken.empty()) images.takeSources(taken);
     if (scene.environment) draws.setOcclusionTextures(OcclusionTextures::read, sceneState.materials, images);
     addDraws(scene);
@@ -148,7 +166,7 @@ void GpuScene::State::addDraws(const Scene& scene) {
         draws.addCage(i, surface, cages.surface(surface).tables().materials().materials, scene.materials,
                       images);
     }
-    draws.finish(instances.size());
+    draws.placeRecords(instances.inNodeOrder());
 }
 
 void GpuScene::State::addMeshDraws(std::uint32_t instance, std::uint32_t mesh, const Scene& scene) {
@@ -158,7 +176,7 @@ void GpuScene::State::addMeshDraws(std::uint32_t instance, std::uint32_t mesh, c
         geometry = {DrawGeometry::Kind::deformedMesh, *deformed};
         place.baseVertex = 0;
     }
-    draws.addMesh(instance, geometry, scene.meshes[mesh], place, scene.materials, images);
+    draws.addMesh(instance, geometry, mesh, meshParts[mesh], place, scene.materials, images);
 }
 
 RangeRule GpuScene::State::rangeRule() const {
@@ -169,9 +187,10 @@ RangeRule GpuScene::State::rangeRule() const {
 
 void GpuScene::State::listNodeLights() {
     lightsFollowNodes_ = true;
+    nodeLights_.clear();
     for (std::uint32_t i = 0; i < sceneState.lights.size(); ++i) {
         const std::optional<std::uint32_t> node = sceneState.lights[i].node;
-        if (!node) continue;
+        if (!node || !lightSlots.isAlive(i)) continue;
         nodeLights_.resize(sceneState.nodes.size());
         nodeLights_[*node].push_back(i);
     }
@@ -207,8 +226,11 @@ void GpuScene::State::playAnimations(std::span<const std::uint32_t> animations) 
 void GpuScene::State::setLights(std::span<const WorldLight> worldLights) {
     lights.set(worldLights, rangeRule());
     lightsFollowNodes_ = false;
+    lightsEdited_ = false;
     sceneState.lights = {};
+    lightSlots.removeAll();
     nodeLights_ = {};
+    lightPlaces_ = {};
     lightTracks_.clear();
 }
 
@@ -271,15 +293,17 @@ void GpuScene::State::update() {
     const std::span<const std::uint32_t> deformed = deformations.pose(transforms.world(), transforms.time());
     for (const std::uint32_t index : deformed) placeDeformed(index);
     lastUpdate.deformations = deformed.size();
+    if (lightsEdited_) resetLights();
     const bool changed =
-        !moved.empty() || !posed.empty() || !deformed.empty() || materialsChanged_ || lights.rangelessMoved();
+        !moved.empty() || !posed.empty() || !deformed.empty() || rangeRuleChanged_ || lights.rangelessMoved();
     if (lights.hasRangeless() && changed) lights.assignRanges(rangeRule());
-    materialsChanged_ = false;
+    rangeRuleChanged_ = false;
     lastUpdate.nodes = moved.size();
     lastUpdate.cages = posed.size();
     lastUpdate.instances = instances.upload();
     lastUpdate.lights = lights.upload();
     lastUpdate.materials = materials.upload();
+    if (draws.isUnplaced()) draws.placeRecords(instances.inNodeOrder());
     lastUpdate.draws = draws.group();
 }
 
@@ -294,9 +318,9 @@ void GpuScene::State::moveNode(std::uint32_t node) {
         place(*mesh, transforms.world()[node], meshes.places()[*instances[*mesh].mesh].sphere);
     cages.markNode(node);
     deformations.markNode(node);
-    if (!lightsFollowNodes_ || nodeLights_.empty()) return;
+    if (!lightsFollowNodes_ || lightsEdited_ || node >= nodeLights_.size()) return;
     for (const std::uint32_t light : nodeLights_[node])
-        lights.move(light, worldLight(sceneState.lights[light], transforms.world()));
+        lights.move(lightPlace(light), worldLight(sceneState.lights[light], transforms.world()));
 }
 
 void GpuScene::State::placeCage(std::uint32_t cageInstance) {

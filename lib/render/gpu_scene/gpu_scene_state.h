@@ -14,6 +14,7 @@
 #include "render/gpu_scene/gpu_meshes.h"
 #include "render/gpu_scene/node_transforms.h"
 #include "render/gpu_scene/property_tracks.h"
+#include "render/gpu_scene/slots.h"
 #include "render/subdivision/gpu_cages.h"
 
 #include <candela/gpu_scene.h>
@@ -36,7 +37,30 @@ struct GpuScene::State {
     State(const Context& context, const Scene& scene, std::span<Image> taken, const GpuSceneOptions& options);
     ~State();
 
+    // Nodes, materials and the rest are named by their indices; those of handles come from the slots.
+
     void setTransform(std::uint32_t node, const glm::mat4& local);
+    void setTransforms(std::span<const NodeTransform> nodeTransforms);
+    void setVisibilities(std::span<const NodeVisibility> visibilities);
+    NodeHandle addNode(const Node& node);
+    void removeNode(std::uint32_t node);
+    MeshHandle addMesh(const Mesh& mesh);
+    void replaceMesh(std::uint32_t index, const Mesh& mesh);
+    void removeMesh(std::uint32_t index);
+    void setPositions(std::uint32_t index, std::span<const glm::vec3> positions,
+                      std::span<const glm::vec3> normals);
+    void setPositions(std::uint32_t index, const BufferRange& vertices, const Bounds& bounds);
+    MaterialHandle addMaterial(const Material& material);
+    void removeMaterial(std::uint32_t index);
+    ImageHandle addImage(const Image& image);
+    void replaceImage(std::uint32_t index, const Image& image);
+    void removeImage(std::uint32_t index);
+    void setPixels(std::uint32_t index, const ImageRegion& region, std::span<const std::byte> pixels);
+    void setPixels(std::uint32_t index, const ImageRegion& region, const BufferRange& pixels);
+    LightHandle addLight(const Light& light);
+    void setLight(std::uint32_t index, const Light& light);
+    void removeLight(std::uint32_t index);
+    void setLights(const BufferRange& records, std::uint64_t count);
     void setTime(double seconds);
     void keepPoses();
     void playAnimations(std::span<const std::uint32_t> animations);
@@ -94,9 +118,12 @@ struct GpuScene::State {
     /// `transforms`.
     Scene sceneState;
     std::array<std::uint64_t, 3> elements;  ///< Drawn triangles, lines and points.
+    Slots nodeSlots, meshSlots, materialSlots, imageSlots, lightSlots;
+    std::vector<MeshParts> meshParts;  ///< One a mesh.
     /// Created by the first frame that traces rays.
     std::unique_ptr<OcclusionScene> occlusion;
-    std::uint64_t alphaVersion = 1;  ///< Grows when a material that masks or blends by alpha changes.
+    std::uint64_t alphaVersion = 1;   ///< Grows when a material that masks or blends by alpha changes.
+    std::uint64_t imagesVersion = 1;  ///< Grows when an image changes.
     std::unique_ptr<GpuEnvironment> environment;  ///< Null without one.
 
     NodeTransforms transforms;
@@ -114,6 +141,29 @@ struct GpuScene::State {
     std::unique_ptr<TriangleFilter> triangleFilter;                             ///< On software devices.
 
   private:
+    void requireFreshImages(const Material& material, const ErrorContext& element) const;
+    void requireDetail(const Material& material, const ErrorContext& element) const;
+    void requireMesh(const Mesh& mesh, const ErrorContext& element) const;
+    void requireRigid(std::uint32_t mesh, const ErrorContext& element) const;
+    void requireNode(const Node& node, std::uint32_t index, const ErrorContext& element) const;
+    void appendNode(std::uint32_t index);
+    void showMesh(std::uint32_t node, std::uint32_t mesh);
+    void eraseNode(std::uint32_t node);
+    void countElements(const MeshParts& parts, int sign);
+    void takeMesh(std::uint32_t index, const Mesh& mesh);
+    void redescribe();
+    template <typename Visit>
+    void forEachInstanceOf(std::uint32_t mesh, const Visit& visit);
+    void updateCommonUvs(const MeshParts& parts);
+    UvSets commonUvsOf(std::uint32_t material) const;
+    bool isOfMesh(std::uint32_t material) const;
+    void prepareDraws(const MeshParts& parts);
+    void imageChanged(std::uint32_t index);
+    void requireSceneLights() const;
+    void resetLights();
+    std::uint32_t lightPlace(std::uint32_t light) const {
+        return lightPlaces_.empty() ? light : lightPlaces_[light];
+    }
     static void requireIndex(const char* kind, std::uint32_t index, std::size_t count);
     ErrorContext nodeContext(std::uint32_t node) const;
     void applyMaterial(std::uint32_t index, const Material& material);
@@ -135,7 +185,10 @@ struct GpuScene::State {
     DefaultDetail defaultDetail_;
     std::vector<std::uint32_t> stale_;  ///< Of the `updateDeformations` in progress.
     bool timeChanged_ = true;
-    bool materialsChanged_ = false;
+    bool rangeRuleChanged_ = false;
+    bool lightsEdited_ = false;                           ///< Lights were added, removed or replaced.
+    std::vector<std::uint32_t> lightPlaces_;              ///< Of each light in `lights`; empty: its index.
+    std::vector<std::uint32_t> meshUsers_;                ///< How many nodes show each mesh.
     bool lightsFollowNodes_ = false;                      ///< Until `setLights`.
     std::vector<std::vector<std::uint32_t>> nodeLights_;  ///< Lights of each node; empty without any.
     PropertyTracks<Material> materialTracks_;

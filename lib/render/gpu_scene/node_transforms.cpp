@@ -5,15 +5,12 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <variant>
 
 namespace candela {
 
 namespace {
-
-constexpr std::uint32_t none = 0xffffffffu;  // The parent of a root.
 
 bool isTransform(const AnimationChannel& channel) {
     return channel.path != AnimationPath::morphWeights;
@@ -35,23 +32,53 @@ NodeTransforms::NodeTransforms(Scene& scene)
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
         rest(i);
         parents_.push_back(scene.nodes[i].parent.value_or(none));
+        links_.emplace_back();
+        link(i);
     }
-    listChildren();
     listAnimated();
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) mark(i);
 }
 
-void NodeTransforms::listChildren() {
-    firstChild_.assign(parents_.size() + 1, 0);
-    for (const std::uint32_t parent : parents_) {
-        if (parent != none) ++firstChild_[parent + 1];
+void NodeTransforms::link(std::uint32_t node) {
+    const std::uint32_t parent = parents_[node];
+    if (parent == none) return;
+    std::uint32_t& first = links_[parent].firstChild;
+    links_[node].nextSibling = first;
+    if (first != none) links_[first].previousSibling = node;
+    first = node;
+}
+
+void NodeTransforms::add(std::uint32_t node) {
+    if (node == parents_.size()) {
+        parents_.push_back(none);
+        links_.emplace_back();
+        animated_.push_back(false);
+        local_.emplace_back();
+        world_.emplace_back();
+        isMarked_.push_back(0);
+        if (isFar(scene_)) {
+            exactLocal_.emplace_back();
+            exactWorld_.emplace_back();
+        }
     }
-    std::partial_sum(firstChild_.begin(), firstChild_.end(), firstChild_.begin());
-    children_.resize(firstChild_.back());
-    std::vector<std::uint32_t> next(firstChild_);
-    for (std::uint32_t i = 0; i < parents_.size(); ++i) {
-        if (parents_[i] != none) children_[next[parents_[i]]++] = i;
-    }
+    parents_[node] = scene_.nodes[node].parent.value_or(none);
+    links_[node] = {};
+    link(node);
+    rest(node);
+    mark(node);
+}
+
+void NodeTransforms::remove(std::uint32_t node) {
+    removeChannels(node);
+    const Links& links = links_[node];
+    if (links.nextSibling != none) links_[links.nextSibling].previousSibling = links.previousSibling;
+    if (links.previousSibling != none) links_[links.previousSibling].nextSibling = links.nextSibling;
+    if (parents_[node] != none && links_[parents_[node]].firstChild == node)
+        links_[parents_[node]].firstChild = links.nextSibling;
+    links_[node] = {};
+    parents_[node] = none;
+    rest(node);
+    mark(node);
 }
 
 void NodeTransforms::listAnimated() {
@@ -62,20 +89,19 @@ void NodeTransforms::listAnimated() {
     }
 }
 
-std::span<const std::uint32_t> NodeTransforms::childrenOf(std::uint32_t node) const {
-    return std::span(children_).subspan(firstChild_[node], firstChild_[node + 1] - firstChild_[node]);
+void NodeTransforms::removeChannels(std::uint32_t node) {
+    if (!animated_[node]) return;
+    for (Animation& animation : scene_.animations) {
+        std::erase_if(animation.channels, [&](const AnimationChannel& channel) {
+            return channel.node == node && isTransform(channel);
+        });
+    }
+    animated_[node] = false;
+    playingListed_ = false;
 }
 
 void NodeTransforms::setLocal(std::uint32_t node, const glm::mat4& local) {
-    if (animated_[node]) {
-        for (Animation& animation : scene_.animations) {
-            std::erase_if(animation.channels, [&](const AnimationChannel& channel) {
-                return channel.node == node && isTransform(channel);
-            });
-        }
-        animated_[node] = false;
-        playingListed_ = false;
-    }
+    removeChannels(node);
     local_[node] = local;
     if (isFar(scene_)) exactLocal_[node] = glm::dmat4(local);
     mark(node);
@@ -197,8 +223,7 @@ void NodeTransforms::updateSubtree(std::uint32_t root) {
         stack_.pop_back();
         updateNode(node);
         isMarked_[node] = 0;
-        const std::span<const std::uint32_t> children = childrenOf(node);
-        stack_.insert(stack_.end(), children.begin(), children.end());
+        forEachChild(node, [&](std::uint32_t child) { stack_.push_back(child); });
     }
 }
 

@@ -31,13 +31,27 @@ class NodeTransforms {
     /// Recomputes world matrices. Returns the nodes whose matrices that were, parents before children.
     std::span<const std::uint32_t> update();
 
-    std::span<const std::uint32_t> childrenOf(std::uint32_t node) const;
+    /// Takes in a node of the scene, at the end or at the place of one that was removed. Its children come
+    /// later.
+    void add(std::uint32_t node);
+    /// Takes out a node without children; the scene has an empty one in its place.
+    void remove(std::uint32_t node);
+
+    /// Calls `visit(child)` for the children of a node.
+    template <typename Visit>
+    void forEachChild(std::uint32_t node, const Visit& visit) const {
+        for (std::uint32_t child = links_[node].firstChild; child != none; child = links_[child].nextSibling)
+            visit(child);
+    }
 
     /// One a node, as of the last update.
     const std::vector<glm::mat4>& world() const { return world_; }
 
   private:
-    void listChildren();
+    static constexpr std::uint32_t none = 0xffffffffu;
+
+    void link(std::uint32_t node);
+    void removeChannels(std::uint32_t node);
     void listAnimated();
     void listPlaying();
     void pose();
@@ -53,8 +67,12 @@ class NodeTransforms {
     double time_ = 0.0;
     bool timeChanged_ = true;
     std::vector<std::uint32_t> parents_;
-    std::vector<std::uint32_t> firstChild_, children_;  ///< Children of node i from firstChild_[i] on.
-    std::vector<bool> animated_;                        ///< In translation, rotation or scale.
+    /// The children of a node are a list.
+    struct Links {
+        std::uint32_t firstChild = none, nextSibling = none, previousSibling = none;
+    };
+    std::vector<Links> links_;
+    std::vector<bool> animated_;  ///< In translation, rotation or scale.
     /// A node that playing animations move.
     struct Playing {
         PosedNode pose;                                 ///< As of the last `pose`.

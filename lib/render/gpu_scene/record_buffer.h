@@ -2,6 +2,8 @@
 
 #include "gl/texture.h"
 
+#include <candela/error.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +21,7 @@ class RecordBuffer {
     RecordBuffer(GLenum format, std::size_t texelsPerRecord, const char* label)
         : format_(format), label_(label), texelsPerRecord_(texelsPerRecord), texture_(format, label) {}
 
+    std::size_t size() const { return texels_.size() / texelsPerRecord_; }
     std::span<const Texel> texels() const { return texels_; }
     const gl::BufferTexture& texture() const { return texture_; }
 
@@ -37,6 +40,17 @@ class RecordBuffer {
     void resize(std::size_t records) {
         texels_.resize(records * texelsPerRecord_);
         allEdited_ = true;
+    }
+    /// Makes the records more than they are; the new ones are to be written. Makes more room than it needs,
+    /// so that growing by one takes constant time on average. Throws `Error` (limit) beyond what the device's
+    /// buffer textures hold; nothing is changed then.
+    void grow(std::size_t records) {
+        gl::BufferTexture::requireTexels(records * texelsPerRecord_);
+        if (records * texelsPerRecord_ > texels_.capacity()) texels_.reserve(3 * texels_.size() / 2 + 16);
+        const std::size_t first = size();
+        texels_.resize(records * texelsPerRecord_);
+        for (std::size_t i = first; i < records; ++i) edit(static_cast<std::uint32_t>(i));
+        grows_ = true;
     }
     /// A record to be written; it is uploaded next time.
     std::span<Texel> edit(std::uint32_t record) {
@@ -63,6 +77,7 @@ class RecordBuffer {
     /// Returns what `countEdited` would.
     std::size_t upload() {
         const std::size_t count = countEdited();
+        if (grows_ && size() > capacity_) reserveMore();
         reserveDevice(size());
         if (allChanged_) {
             write(0, size());
@@ -75,7 +90,6 @@ class RecordBuffer {
     }
 
   private:
-    std::size_t size() const { return texels_.size() / texelsPerRecord_; }
     std::span<Texel> recordOf(std::uint32_t record) {
         return std::span(texels_).subspan(record * texelsPerRecord_, texelsPerRecord_);
     }
@@ -86,6 +100,14 @@ class RecordBuffer {
         texture_ = std::move(larger);
         capacity_ = records;
         allChanged_ = true;
+    }
+    /// Half as much again as there is, where the device has room for that.
+    void reserveMore() {
+        try {
+            reserveDevice(std::max(size(), capacity_ + capacity_ / 2));
+        } catch (const Error&) {
+            // What is needed has to do.
+        }
     }
     /// Records between two changed ones are sent along where that takes less than another call.
     void writeChanged() {
@@ -115,6 +137,7 @@ class RecordBuffer {
     std::vector<std::uint32_t> edited_;   ///< Since the last `countEdited`.
     std::vector<std::uint32_t> changed_;  ///< Until then, since the last upload.
     bool allEdited_ = false, allChanged_ = false;
+    bool grows_ = false;
     gl::BufferTexture texture_;
 };
 

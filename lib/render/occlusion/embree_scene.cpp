@@ -194,7 +194,7 @@ EmbreeScene::EmbreeScene() : state_(std::make_unique<State>()) {
 EmbreeScene::~EmbreeScene() = default;
 
 void EmbreeScene::setMesh(std::uint32_t index, std::shared_ptr<const OcclusionMesh> mesh) {
-    if (index == state_->meshes.size()) state_->meshes.emplace_back();
+    if (index >= state_->meshes.size()) state_->meshes.resize(index + 1);
     MeshTree& tree = state_->meshes[index];
     const bool refitted = tree.mesh && sameTriangles(*tree.mesh, *mesh);
     const std::shared_ptr<const OcclusionMesh> before = std::exchange(tree.mesh, std::move(mesh));
@@ -215,13 +215,13 @@ void EmbreeScene::setMesh(std::uint32_t index, std::shared_ptr<const OcclusionMe
 }
 
 void EmbreeScene::setInstance(std::uint32_t index, const OcclusionInstance& instance) {
-    const bool isNew = index == state_->instances.size();
-    if (isNew) {
-        InstanceEntry& added = state_->instances.emplace_back();
-        added.geometry.reset(rtcNewGeometry(state_->device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
-        rtcAttachGeometryByID(state_->top.get(), added.geometry.get(), index);
-    }
+    if (index >= state_->instances.size()) state_->instances.resize(index + 1);
     InstanceEntry& entry = state_->instances[index];
+    const bool isNew = !entry.geometry;
+    if (isNew) {
+        entry.geometry.reset(rtcNewGeometry(state_->device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+        rtcAttachGeometryByID(state_->top.get(), entry.geometry.get(), index);
+    }
     if (isNew || entry.mesh != instance.mesh) {
         if (!isNew) std::erase(state_->meshes[entry.mesh].users, index);
         state_->meshes[instance.mesh].users.push_back(index);
@@ -235,6 +235,15 @@ void EmbreeScene::setInstance(std::uint32_t index, const OcclusionInstance& inst
     }
     if (enabled != entry.enabled) (enabled ? rtcEnableGeometry : rtcDisableGeometry)(entry.geometry.get());
     entry.enabled = enabled;
+    rtcCommitGeometry(entry.geometry.get());
+}
+
+void EmbreeScene::disableInstance(std::uint32_t index) {
+    if (index >= state_->instances.size()) return;
+    InstanceEntry& entry = state_->instances[index];
+    if (!entry.enabled) return;
+    rtcDisableGeometry(entry.geometry.get());
+    entry.enabled = false;
     rtcCommitGeometry(entry.geometry.get());
 }
 

@@ -19,12 +19,14 @@ class EmbreeScene {
     EmbreeScene& operator=(const EmbreeScene&) = delete;
     ~EmbreeScene();
 
-    /// Sets mesh `index`, with which the first call extends the list by one. Where the triangles are those of
+    /// Sets mesh `index`. Where the triangles are those of
     /// before, its tree is refitted. Throws `Error` (limit) when memory does not hold it.
     void setMesh(std::uint32_t index, std::shared_ptr<const OcclusionMesh> mesh);
-    /// Sets instance `index` in the same way. An instance whose matrix is singular, or not finite, hides
-    /// nothing.
+    /// Sets instance `index`, of a mesh that is set. An instance whose matrix is singular, or not finite,
+    /// hides nothing.
     void setInstance(std::uint32_t index, const OcclusionInstance& instance);
+    /// Lets an instance hide nothing until it is set again. One that was never set stays absent.
+    void disableInstance(std::uint32_t index);
     /// Brings the upper tree up to date.
     void commit();
 

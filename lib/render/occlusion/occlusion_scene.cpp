@@ -21,14 +21,14 @@ double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-std::uint64_t versionOf(const GpuScene::State& scene, const DrawGeometry& geometry) {
+std::uint64_t versionOf(const GpuScene::State& scene, const DrawGeometry& geometry, std::uint32_t mesh) {
     switch (geometry.kind) {
         case DrawGeometry::Kind::deformedMesh:
             return scene.deformations.version(geometry.index);
         case DrawGeometry::Kind::cage:
             return scene.cages.surface(geometry.index).version();
         default:
-            return 1;
+            return scene.meshes.version(mesh);
     }
 }
 
@@ -77,12 +77,16 @@ void writeRows(float (&rows)[12], const glm::mat4& matrix) {
 void OcclusionScene::update(GpuScene::State& scene) {
     const Clock::time_point start = Clock::now();
     std::vector<std::uint32_t> changed = scene.instances.takeChanged();
-    if (instances_.size() != scene.instances.size()) {
-        instances_.resize(scene.instances.size());
+    if (instances_.empty()) {
         changed.resize(scene.instances.size());
         std::iota(changed.begin(), changed.end(), 0u);
     }
-    for (const std::uint32_t index : changed) instances_[index].mesh = meshOf(scene, index);
+    // Instances that are new come in the order of their indices.
+    std::ranges::sort(changed);
+    instances_.resize(scene.instances.size());
+    if (imagesVersion_ != scene.imagesVersion) alphaImages_.clear();
+    imagesVersion_ = scene.imagesVersion;
+    for (const std::uint32_t index : changed) updateUsers(scene, index);
     updateMeshes(scene);
     for (const std::uint32_t index : changed) updateInstance(scene, index);
     if (!changed.empty() || meshesChanged_) {
@@ -100,16 +104,51 @@ std::uint32_t OcclusionScene::meshOf(const GpuScene::State& scene, std::uint32_t
     const auto [entry, added] = meshIndices_.try_emplace(key, static_cast<std::uint32_t>(meshes_.size()));
     if (added) {
         meshes_.emplace_back().geometry = geometry;
-        meshes_.back().instance = instance;
+        meshes_.back().sceneMesh = key.second;
     }
     return entry->second;
+}
+
+void OcclusionScene::updateUsers(const GpuScene::State& scene, std::uint32_t instance) {
+    std::uint32_t& mesh = instances_[instance].mesh;
+    const std::uint32_t before = mesh;
+    mesh = scene.instances[instance].isRemoved ? noMesh : meshOf(scene, instance);
+    if (mesh != noMesh) {
+        ++meshes_[mesh].users;
+        meshes_[mesh].instance = instance;
+    }
+    if (before == noMesh) return;
+    MeshEntry& left = meshes_[before];
+    --left.users;
+    if (left.users == 0 || left.instance != instance || mesh == before) return;
+    const auto other = std::ranges::find(instances_, before, &InstanceEntry::mesh);
+    left.instance = static_cast<std::uint32_t>(other - instances_.begin());
+}
+
+/// Frees what belongs to a mesh that no instance shows any more.
+void OcclusionScene::release(std::uint32_t index) {
+    MeshEntry& entry = meshes_[index];
+    entry.version = 0;
+    if (!entry.mesh || entry.mesh->triangles.empty()) return;
+    const auto nothing = std::make_shared<OcclusionMesh>();
+    entry.tree = {};
+    entry.blocks.clear();
+    entry.blends = false;
+    entry.mesh = nothing;
+    entry.isNewToShaders = true;
+    embree_.setMesh(index, nothing);
+    meshesChanged_ = true;
 }
 
 void OcclusionScene::updateMeshes(const GpuScene::State& scene) {
     meshesChanged_ = false;
     for (std::uint32_t i = 0; i < meshes_.size(); ++i) {
         MeshEntry& mesh = meshes_[i];
-        const std::uint64_t version = versionOf(scene, mesh.geometry);
+        if (mesh.users == 0) {
+            release(i);
+            continue;
+        }
+        const std::uint64_t version = versionOf(scene, mesh.geometry, mesh.sceneMesh);
         bool stale = mesh.version != version;
         if (mesh.alphaVersion != scene.alphaVersion) {
             const bool readsAlpha = hasAlphaPart(scene, mesh.instance);
@@ -146,6 +185,11 @@ void OcclusionScene::build(const GpuScene::State& scene, std::uint32_t index) {
 
 void OcclusionScene::updateInstance(const GpuScene::State& scene, std::uint32_t index) {
     InstanceEntry& instance = instances_[index];
+    if (instance.mesh == noMesh) {
+        instance.casts = false;
+        embree_.disableInstance(index);
+        return;
+    }
     instance.casts =
         !scene.instances.isHidden(index) && scene.sceneState.nodes[scene.instances[index].node].castsShadow;
     instance.worldFromLocal = worldFromLocal(scene, index);
@@ -190,8 +234,10 @@ void OcclusionScene::updateShaderForm() {
     }
     if (instancesAreNewToShaders_) {
         std::vector<OcclusionInstance> instances;
-        for (const InstanceEntry& instance : instances_)
-            instances.push_back({instance.mesh, instance.worldFromLocal, instance.casts});
+        for (const InstanceEntry& instance : instances_) {
+            const std::uint32_t mesh = instance.mesh == noMesh ? 0 : instance.mesh;
+            instances.push_back({mesh, instance.worldFromLocal, instance.casts});
+        }
         shaderForm_->setInstances(instances, top_);
         instancesAreNewToShaders_ = false;
     }

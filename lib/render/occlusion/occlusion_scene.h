@@ -43,7 +43,9 @@ class OcclusionScene {
     /// What instances share: a mesh of the scene, a deformed mesh or a limit surface.
     struct MeshEntry {
         DrawGeometry geometry;
+        std::uint32_t sceneMesh = 0;     ///< Where the geometry is that of meshes.
         std::uint32_t instance = 0;      ///< One that shows it.
+        std::uint32_t users = 0;         ///< Instances that show it.
         std::uint64_t version = 0;       ///< Of the vertices.
         std::uint64_t alphaVersion = 0;  ///< Of the materials that mask or blend.
         bool readsAlpha = false;         ///< A part has such a material.
@@ -56,13 +58,17 @@ class OcclusionScene {
     };
     using MeshKey = std::pair<DrawGeometry, std::uint32_t>;
 
+    static constexpr std::uint32_t noMesh = 0xffffffffu;
+
     struct InstanceEntry {
-        std::uint32_t mesh = 0;
+        std::uint32_t mesh = noMesh;  ///< None yet, or the instance has been removed.
         glm::mat4 worldFromLocal{1.0f};
         bool casts = false;
     };
 
     std::uint32_t meshOf(const GpuScene::State& scene, std::uint32_t instance);
+    void updateUsers(const GpuScene::State& scene, std::uint32_t instance);
+    void release(std::uint32_t mesh);
     void updateMeshes(const GpuScene::State& scene);
     void build(const GpuScene::State& scene, std::uint32_t index);
     void updateInstance(const GpuScene::State& scene, std::uint32_t index);
@@ -78,7 +84,8 @@ class OcclusionScene {
     std::optional<GpuOcclusion> shaderForm_;
     bool instancesAreNewToShaders_ = true;  ///< As `MeshEntry::isNewToShaders`.
     AlphaImages alphaImages_;
-    bool meshesChanged_ = false;  ///< By the last `updateMeshes`.
+    std::uint64_t imagesVersion_ = 0;  ///< Of the scene's, to which `alphaImages_` belong.
+    bool meshesChanged_ = false;       ///< By the last `updateMeshes`.
     double updateMilliseconds_ = 0.0;
 };
 

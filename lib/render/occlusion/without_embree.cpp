@@ -24,6 +24,7 @@ EmbreeScene::EmbreeScene() {
 EmbreeScene::~EmbreeScene() = default;
 void EmbreeScene::setMesh(std::uint32_t, std::shared_ptr<const OcclusionMesh>) {}
 void EmbreeScene::setInstance(std::uint32_t, const OcclusionInstance&) {}
+void EmbreeScene::disableInstance(std::uint32_t) {}
 void EmbreeScene::commit() {}
 std::uint64_t EmbreeScene::bytes() const {
     return 0;

@@ -96,7 +96,7 @@ void GpuCages::mark(std::uint32_t instance) {
 }
 
 void GpuCages::markNode(std::uint32_t node) {
-    if (instancesOfNode_.empty()) return;
+    if (node >= instancesOfNode_.size()) return;
     for (const std::uint32_t instance : instancesOfNode_[node]) mark(instance);
 }
 
@@ -148,6 +148,7 @@ void GpuCages::setSettings(const SubdivisionSettings& settings) {
 }
 
 void GpuCages::setMaterial(std::uint32_t index, const Material& material) {
+    if (index >= hasNormalTexture_.size()) hasNormalTexture_.resize(index + 1, false);
     if (hasNormalTexture_[index] == material.normalTexture.has_value()) return;
     hasNormalTexture_[index] = material.normalTexture.has_value();
     for (const auto& surface : surfaces_) setTangents(*surface);
