@@ -4,7 +4,8 @@
 
 #if DEPTH == 1
 layout(binding = DEPTH_UNIT) uniform sampler2D sourceDepth;
-// Near plane; near / far plane, 0 without one; 1 - that. Orthographic: near plane; far plane; far - near plane. w: 1 where depth is reversed.
+// Near plane; near / far plane, 0 without one; 1 - that. Orthographic: near plane; far plane; far - near plane. w: 1 where depth is
+// reversed.
 layout(location = DEPTH_FROM_LOCATION) uniform vec4 from;
 layout(location = DEPTH_TO_LOCATION) uniform vec4 to;
 #endif
@@ -16,7 +17,9 @@ layout(location = 0) out vec4 radiance;
 layout(location = DEPTH_PLACE_LOCATION) uniform ivec4 place;
 
 #if DEPTH == 1
-bool isOrthographic() { return place.z != 0; }
+bool isOrthographic() {
+    return place.z != 0;
+}
 
 // `precise`: radiance is copied where a second pass computes the depth of the first one.
 float distanceAt(float reversedDepth) {

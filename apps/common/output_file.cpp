@@ -86,9 +86,10 @@ std::array<std::vector<float>, 4> splitPlanes(const std::vector<float>& rgba) {
     return planes;
 }
 
-/// Whether an AOV is a depth, a position or a count, for which 11 bits are not enough.
+/// Whether an AOV is a depth, a position, a way, a count or a number, for which 11 bits are not enough.
 bool needsFloats(const std::string& aov) {
-    constexpr std::array names{"Z", "P", "light_count", "shadowed_count"};
+    constexpr std::array names{"Z",       "P",           "light_count", "shadowed_count",
+                               "node_id", "material_id", "instance_id", "motion"};
     return std::ranges::find(names, aov) != names.end();
 }
 

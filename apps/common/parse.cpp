@@ -84,7 +84,7 @@ glm::dvec3 parsePoint(std::string_view option, std::string_view text) {
 }
 
 std::pair<int, int> parseSize(const std::string& text) {
-    constexpr int maxSide = 16384;
+    constexpr int maxSide = 65536;
     const std::size_t cross = text.find('x');
     if (cross == text.npos)
         throw UsageError("--size \"" + text + "\": expected WIDTHxHEIGHT, such as 1280x720");

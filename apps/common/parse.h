@@ -34,7 +34,7 @@ double parseNumberBetween(std::string_view option, std::string_view text, double
 /// "X,Y,Z", finite numbers.
 glm::dvec3 parsePoint(std::string_view option, std::string_view text);
 
-/// "WIDTHxHEIGHT", each from 1 to 16384.
+/// "WIDTHxHEIGHT", each from 1 to 65536.
 std::pair<int, int> parseSize(const std::string& text);
 
 /// A number of threads, 0 (as many as the process may use) to `candela::maxThreadCount`.

@@ -37,7 +37,7 @@ constexpr const char* variant =
     "The variant of the scene that is drawn, by name or by number from 0.\n"
     "Default: the scene as it is without one";
 
-constexpr const char* size = "Width and height in pixels, 1 to 16384 each. Default: 1280x720";
+constexpr const char* size = "Width and height in pixels, 1 to 65536 each. Default: 1280x720";
 constexpr const char* show =
     "Show a debug view instead of the lit picture: normals, level (of subdivision),\n"
     "base_color, metallic, roughness, depth, emission, light_count or\n"

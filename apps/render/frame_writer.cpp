@@ -1,6 +1,11 @@
 #include "frame_writer.h"
 
+#include "parted_picture.h"
+
+#include <candela/panorama.h>
+
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -51,24 +56,29 @@ FrameWriter::FrameWriter(const candela::Context& context, candela::Renderer& ren
       display_(display),
       options_(options),
       isSoftware_(context.isSoftware()),
-      samples_(options.samplingSettings().count) {
+      samples_(options.samplingSettings().count),
+      parts_(candela::pictureParts(options.width, options.height, options.partSide())) {
     if (samples_ > 1)
         accumulator_.emplace(context, candela::AccumulatorOptions{options.aovs, options.aovFilter});
 }
 
-void FrameWriter::drawSamples(const SampleSource& source, FrameTiming& timing) {
+candela::FrameSettings FrameWriter::settings(const SampleSource& source) const {
+    candela::FrameSettings settings = frameSettings(options_);
+    settings.previousView = source.previousView;
+    return settings;
+}
+
+void FrameWriter::drawSamples(const SampleSource& source, const Piece& piece, FrameTiming& timing) {
     accumulator_->reset();
     // On a GPU the times of a frame's passes are known when it has ended; only --stats is worth the wait.
     const bool timed = options_.stats.has_value();
-    candela::FrameSettings settings = frameSettings(options_);
-    settings.previousView = source.previousView;
     const std::uint32_t together = source.moves || (timed && !isSoftware_) ? 1 : samplesTogether;
     for (std::uint32_t first = 0; first < samples_; first += together) {
         const std::uint32_t end = std::min(first + together, samples_);
         const candela::CameraView view = source.viewOf(first);
         if (first == 0) view_ = view;
-        frame_.emplace(accumulator_->addSamples(renderer_, scene_, view, settings, options_.samplingSettings(),
-                                                first, end));
+        frame_.emplace(accumulator_->addSamples(renderer_, scene_, piece.view.value_or(view), piece.settings,
+                                                options_.samplingSettings(), first, end));
         if (timed) addPasses(frame_->passTimes(), timing.passes);
         if (timed && end < samples_) addPasses(accumulator_->passTimes(), timing.passes);
     }
@@ -76,18 +86,50 @@ void FrameWriter::drawSamples(const SampleSource& source, FrameTiming& timing) {
     addPasses(accumulator_->passTimes(), timing.passes);  // waits for the last frame to end
 }
 
+void FrameWriter::drawPiece(const SampleSource& source, const Piece& piece, FrameTiming& timing) {
+    if (accumulator_) return drawSamples(source, piece, timing);
+    view_ = source.viewOf(0);
+    frame_.emplace(renderer_.render(scene_, piece.view.value_or(view_), piece.settings));
+    if (display_) pixels_ = frame_->displayPicture(*display_);
+    addPasses(frame_->passTimes(), timing.passes);  // waits for the frame to end
+}
+
+void FrameWriter::drawParts(const SampleSource& source, FrameTiming& timing) {
+    const candela::FrameSettings whole = settings(source);
+    PartedPicture picture(options_.width, options_.height);
+    counts_ = {};
+    for (const candela::PicturePart& part : parts_) {
+        drawPiece(source, {part.settings(whole), std::nullopt}, timing);
+        counts_ = sum(counts_, countsOf(withoutMargins(part, radiance())));
+        picture.add(part, takePiece());
+    }
+    whole_ = picture.take();
+}
+
+void FrameWriter::drawPanorama(const SampleSource& source, FrameTiming& timing) {
+    const candela::PanoramaFaces faces = candela::panoramaFaces(source.viewOf(0), options_.width);
+    panorama_.reset();
+    Piece piece{settings(source), std::nullopt};
+    piece.settings.width = piece.settings.height = faces.size;
+    std::array<candela::HdrImage, 6> pictures;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        piece.view = faces.views[i];
+        drawPiece(source, piece, timing);
+        pictures[i] = radiance();
+    }
+    panorama_ = candela::panorama(pictures, options_.width);
+    if (display_) pixels_ = candela::displayPicture(*panorama_, *display_);
+}
+
 FrameTiming FrameWriter::draw(const SampleSource& source) {
     const auto start = std::chrono::steady_clock::now();
     FrameTiming timing;
-    if (accumulator_) {
-        drawSamples(source, timing);
+    if (options_.panorama) {
+        drawPanorama(source, timing);
+    } else if (parts_.size() > 1) {
+        drawParts(source, timing);
     } else {
-        view_ = source.viewOf(0);
-        candela::FrameSettings settings = frameSettings(options_);
-        settings.previousView = source.previousView;
-        frame_.emplace(renderer_.render(scene_, view_, settings));
-        if (display_) pixels_ = frame_->displayPicture(*display_);
-        timing.passes = frame_->passTimes();  // waits for the frame to end
+        drawPiece(source, {settings(source), std::nullopt}, timing);
     }
     timing.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -95,13 +137,19 @@ FrameTiming FrameWriter::draw(const SampleSource& source) {
 }
 
 candela::HdrImage FrameWriter::radiance() const {
+    if (panorama_) return *panorama_;
     return accumulator_ ? accumulator_->radiance() : frame_->radiance();
 }
 
 candela::ExposureCounts FrameWriter::exposureCounts(const DrawnPicture& picture) const {
+    if (parts_.size() > 1) return counts_;
+    return countsOf(display_ ? radiance() : picture.radiance);
+}
+
+candela::ExposureCounts FrameWriter::countsOf(const candela::HdrImage& radiance) const {
     const glm::vec3 weights = color_.luminanceWeights();
-    if (display_) return candela::countExposure(radiance(), weights, display_->options().exposure);
-    candela::ExposureCounts counts = candela::countExposure(picture.radiance, weights, 0.0);
+    if (display_) return candela::countExposure(radiance, weights, display_->options().exposure);
+    candela::ExposureCounts counts = candela::countExposure(radiance, weights, 0.0);
     counts.overBlack = counts.lit;
     counts.overWhite = 0;
     return counts;
@@ -121,9 +169,17 @@ void FrameWriter::takeRadiance(DrawnPicture& picture) const {
 }
 
 DrawnPicture FrameWriter::take() {
-    DrawnPicture picture;
+    if (whole_) return *std::exchange(whole_, std::nullopt);
+    DrawnPicture picture = takePiece();
     picture.width = options_.width;
     picture.height = options_.height;
+    return picture;
+}
+
+DrawnPicture FrameWriter::takePiece() {
+    DrawnPicture picture;
+    picture.width = frame_->width();
+    picture.height = frame_->height();
     if (display_) {
         picture.encoding = display_->encoding();
         picture.rgba = std::move(pixels_);

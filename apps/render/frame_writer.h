@@ -7,6 +7,7 @@
 #include <candela/color.h>
 #include <candela/exposure.h>
 #include <candela/gpu_scene.h>
+#include <candela/picture_parts.h>
 #include <candela/renderer.h>
 #include <candela/sampling.h>
 
@@ -28,7 +29,7 @@ struct FrameTiming {
 struct SampleSource {
     /// Brings the scene to the time of a sample and returns the view of the camera then.
     std::function<candela::CameraView(std::uint32_t sample)> viewOf;
-    bool moves;  ///< Whether the times of the samples differ.
+    bool moves;                                            ///< Whether the times of the samples differ.
     std::optional<candela::CameraView> previousView = {};  ///< Of the frame before, for the AOV `motion`.
 };
 
@@ -52,8 +53,19 @@ class FrameWriter {
     DrawnPicture take();
 
   private:
-    void drawSamples(const SampleSource& source, FrameTiming& timing);
+    /// What a frame is of the picture: all of it, a part, or a face of a panorama.
+    struct Piece {
+        candela::FrameSettings settings;
+        std::optional<candela::CameraView> view;  ///< None: the camera's.
+    };
+    void drawPiece(const SampleSource& source, const Piece& piece, FrameTiming& timing);
+    void drawSamples(const SampleSource& source, const Piece& piece, FrameTiming& timing);
+    void drawParts(const SampleSource& source, FrameTiming& timing);
+    void drawPanorama(const SampleSource& source, FrameTiming& timing);
+    candela::FrameSettings settings(const SampleSource& source) const;
     candela::HdrImage radiance() const;
+    DrawnPicture takePiece();
+    candela::ExposureCounts countsOf(const candela::HdrImage& radiance) const;
     void takeRadiance(DrawnPicture& picture) const;
 
     candela::Renderer& renderer_;
@@ -67,4 +79,9 @@ class FrameWriter {
     std::optional<candela::Frame> frame_;
     candela::CameraView view_;
     std::vector<std::uint8_t> pixels_;
+    std::vector<candela::PicturePart> parts_;  ///< One where the picture is drawn as a whole.
+    /// Of a picture of several frames, which is whole when the last one has been drawn.
+    std::optional<DrawnPicture> whole_;
+    candela::ExposureCounts counts_;             ///< Of its parts together.
+    std::optional<candela::HdrImage> panorama_;  ///< Drawn last.
 };

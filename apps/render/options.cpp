@@ -6,6 +6,7 @@
 #include "help.h"
 
 #include <candela/gbuffer.h>
+#include <candela/picture_parts.h>
 #include <candela/version.h>
 
 #include <CLI/CLI.hpp>
@@ -13,11 +14,15 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <tuple>
+#include <utility>
 
 namespace {
 
 constexpr double maxDistance = 1.0e9;
 constexpr std::int64_t maxRays = 4096;
+constexpr int maxFrameSide = 16384;
+constexpr std::pair defaultPanorama{2048, 1024};
 
 ListKind parseListKind(const std::string& text) {
     using enum ListKind;
@@ -85,6 +90,16 @@ void declarePicture(CLI::App& app, Options& options, std::optional<std::string>&
            help::aovFilter)
         ->type_name("WORD")
         ->group("Picture");
+    app.add_flag("--panorama", options.panorama, help::panorama)->group("Picture");
+    app.add_option_function<std::string>(
+           "--tile",
+           [&options](const std::string& text) {
+               options.tile =
+                   static_cast<int>(parseInteger("--tile", text, candela::minPartSide, maxFrameSide));
+           },
+           help::tile)
+        ->type_name("N")
+        ->group("Picture");
     candela::AmbientOcclusionSettings& ambientOcclusion = options.ambientOcclusion;
     app.add_option_function<std::string>(
            "--ao-distance",
@@ -124,6 +139,26 @@ void declareRunning(CLI::App& app, Options& options, std::optional<DeviceOption>
         ->group("Asking");
 }
 
+/// Pictures of several frames: parts, and faces of a panorama.
+void finishFrames(const CLI::App& app, Options& options) {
+    if (options.panorama) {
+        if (app.count("--size") == 0) std::tie(options.width, options.height) = defaultPanorama;
+        if (options.width != 2 * options.height || options.width < 4)
+            throw UsageError("--panorama needs a picture twice as wide as high, and 4 pixels wide or more");
+        if (!options.aovs.empty()) throw UsageError("--panorama has no AOVs: leave out --aov");
+        if (!options.debug.isDefault()) throw UsageError("--panorama can not be combined with --show");
+        if (options.tile) throw UsageError("--panorama can not be combined with --tile");
+    }
+    if (!options.panorama && !options.isParted()) return;
+    if (options.stats) throw UsageError("--stats measures one frame, not pictures of several");
+    using enum candela::DebugView;
+    for (const candela::DebugView view : {depth, lightCount, shadowedCount}) {
+        if (options.debug.view != view) continue;
+        throw UsageError(std::string("--show ") + candela::toString(view) +
+                         " is scaled by the whole picture, which can not be drawn in parts");
+    }
+}
+
 void resolve(const CLI::App& app, const std::optional<std::string>& aovs, Options& options) {
     if (options.scene.empty() && (!options.list || needsScene(*options.list)))
         throw UsageError("SCENE is missing: name a file such as room.glb, or plaza:4096");
@@ -140,9 +175,18 @@ void resolve(const CLI::App& app, const std::optional<std::string>& aovs, Option
     }
     if (exr && !options.debug.isDefault())
         throw UsageError("--show needs a .png picture; --aov puts such channels into an .exr");
+    finishFrames(app, options);
 }
 
 }  // namespace
+
+int Options::partSide() const {
+    if (tile) return *tile;
+    if (panorama) return std::max(width, height);  // Its faces are whole.
+    constexpr std::int64_t maxWhole = std::int64_t{1} << 27;
+    const bool isHeld = std::max(width, height) <= maxFrameSide && std::int64_t{width} * height <= maxWhole;
+    return isHeld ? maxFrameSide : 4096;
+}
 
 candela::SamplingSettings Options::samplingSettings() const {
     candela::SamplingSettings settings = sampling.settings(defaultSamples);

@@ -5,6 +5,7 @@
 
 #include <candela/image_file.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -94,6 +95,8 @@ struct Options : SceneOptions {
     bool placeholders = false;  ///< Implies `skipExisting`.
     bool keepGoing = false;
     bool mkdir = false;
+    bool panorama = false;
+    std::optional<int> tile;  ///< The largest side of the frames of a picture that is drawn in parts.
     DeviceOption device;
     bool quiet = false;
     bool jsonProgress = false;
@@ -105,6 +108,9 @@ struct Options : SceneOptions {
     std::optional<std::uint64_t> shardIndex() const {
         return shard.count > 1 ? std::optional(shard.index) : std::nullopt;
     }
+    /// The same where the command line has none: pictures that devices hold are drawn as a whole.
+    int partSide() const;
+    bool isParted() const { return std::max(width, height) > partSide(); }
     /// How many samples are drawn of a pixel and where; one of a debug view.
     candela::SamplingSettings samplingSettings() const;
 };

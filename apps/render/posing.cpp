@@ -76,7 +76,9 @@ std::optional<candela::CameraView> Samples::keepFrameBefore() {
     if (std::ranges::find(options_.aovs, "motion") == options_.aovs.end()) return std::nullopt;
     PlannedPicture before = picture_;
     --before.frame;
-    const double time = poseTime(scene_, options_, plan_.timeOf(before.frame));
+    // On a turntable the scene rests.
+    const double earlier = options_.turntable ? time_ : time_ - 1.0 / options_.sampling.framesPerSecond;
+    const double time = poseTime(scene_, options_, earlier);
     const candela::CameraView view = plan_.view(before, time);
     lighting_.pose(time, view);
     lighting_.keepPoses();

@@ -107,8 +107,8 @@ inline constexpr std::uint32_t maxLayers = 64;
 
 /// The part of a larger picture that a frame is. Parts are the same as that picture, to the rounding of their
 /// projection, where `x` and the way from the lower edge are multiples of 16; within 16 pixels of a part's
-/// edge ambient occlusion of the environment and refraction lack what lies beyond, so that hosts draw a margin
-/// and cut it off (docs/embedding.md).
+/// edge ambient occlusion of the environment and refraction lack what lies beyond, so that hosts draw a
+/// margin and cut it off (docs/embedding.md).
 struct PictureRegion {
     int width = 0, height = 0;  ///< Of the whole picture, which the view describes: 1 to 2^20 pixels.
     int x = 0, y = 0;           ///< Of the frame's upper left pixel in it; it may lie outside.
@@ -118,7 +118,8 @@ struct PictureRegion {
 struct DepthConvention {
     enum class Direction {
         reversed,  ///< 1 at the near plane, 0 at the far plane.
-        classic,   ///< 0 at the near plane, 1 at the far plane: OpenGL's default, also Vulkan's and Direct3D's.
+        classic,   ///< 0 at the near plane, 1 at the far plane: OpenGL's default, also Vulkan's and
+                   ///< Direct3D's.
     };
     Direction direction = Direction::classic;
     /// Planes of the host's projection, metres; none: those of the view, whose far plane may be at infinity.
@@ -131,7 +132,7 @@ struct DepthConvention {
 struct HostSurfaces {
     /// Names of textures of type GL_TEXTURE_2D in the current context, which candela reads only.
     std::uint32_t radiance = 0;  ///< Scene-linear, working space; 0: black.
-    std::uint32_t depth = 0;     ///< A depth texture or one whose red channel is the depth; 0: no such surfaces.
+    std::uint32_t depth = 0;  ///< A depth texture or one whose red channel is the depth; 0: no such surfaces.
     DepthConvention convention = {};
 };
 
@@ -144,17 +145,17 @@ struct FrameStage {
 };
 
 /// Passes of a host within a frame. OpenGL is in its initial state then, but for clip control (lower left,
-/// zero to one) and what `FrameStage` says. They may change any of it and need restore nothing; they must leave
-/// alone candela's objects, other than what they draw into the framebuffer. Exceptions pass through `render`.
-/// docs/embedding.md has examples.
+/// zero to one) and what `FrameStage` says. They may change any of it and need restore nothing; they must
+/// leave alone candela's objects, other than what they draw into the framebuffer. Exceptions pass through
+/// `render`. docs/embedding.md has examples.
 struct FrameHooks {
     /// After the geometry of opaque surfaces, before light. The framebuffer is the G-buffer: outputs as
     /// docs/gbuffer.md has them, radiance (RGBA32F) at 1, and depth. A fragment that writes 0 to both words
     /// of output 0 is an unlit surface, whose radiance is what it writes to output 1.
     std::function<void(const FrameStage&)> afterGeometry = {};
     /// After light, environment and layers, before overlays and `Frame::display`. The framebuffer has the
-    /// radiance (RGBA32F, working space, output 0) and depth: what is drawn with a depth test of GL_GREATER is
-    /// in front of and behind the scene's opaque surfaces.
+    /// radiance (RGBA32F, working space, output 0) and depth: what is drawn with a depth test of GL_GREATER
+    /// is in front of and behind the scene's opaque surfaces.
     std::function<void(const FrameStage&)> beforeDisplay = {};
 };
 

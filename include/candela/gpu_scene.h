@@ -172,8 +172,8 @@ class CANDELA_API GpuScene {
     /// lights, as at `seconds`, a finite number. What is drawn depends on `seconds` alone, and not on the
     /// times before. Cameras are posed by `cameraView`.
     void setTime(double seconds);
-    /// Remembers where all nodes are, as set so far, for the AOV `motion`: it shows the way from there. Before
-    /// the first call nothing moves but the camera.
+    /// Remembers where all nodes are, as set so far, for the AOV `motion`: it shows the way from there.
+    /// Before the first call nothing moves but the camera.
     void keepPoses();
     /// Lets the animations of these indices play (`Animation::plays`), and no other. What only others change
     /// returns to what it is in the scene. Throws `Error` (badInput) when there is no such animation.

@@ -14,7 +14,7 @@ namespace candela {
 
 /// How the faces of a panorama are drawn.
 struct PanoramaFaces {
-    int size = 0;                      ///< Pixels a side of each face.
+    int size = 0;                     ///< Pixels a side of each face.
     std::array<CameraView, 6> views;  ///< In the order of `cubeViews`.
 };
 

@@ -59,9 +59,10 @@ class CANDELA_API Renderer {
 };
 
 /// Shows radiance that a host has in memory, such as a panorama: 8-bit RGBA, rows from the top, with half a
-/// code value of dither, as `Frame::displayPicture` shows a frame on a software device. Needs no context. Throws
-/// `Error` (badInput) when there are not four numbers a pixel.
-CANDELA_API std::vector<std::uint8_t> displayPicture(const HdrImage& radiance, const DisplayTransform& transform);
+/// code value of dither, as `Frame::displayPicture` shows a frame on a software device. Needs no context.
+/// Throws `Error` (badInput) when there are not four numbers a pixel.
+CANDELA_API std::vector<std::uint8_t> displayPicture(const HdrImage& radiance,
+                                                     const DisplayTransform& transform);
 
 /// A frame that was drawn. It refers to the targets of its renderer, which the renderer's next frame
 /// overwrites: from then on every function throws `Error` (badInput). Functions that draw parts of the scene
@@ -101,9 +102,9 @@ class CANDELA_API Frame {
 
     /// The textures of the frame, by name: radiance, depth and the words of the G-buffer. They are the
     /// renderer's: their content is the frame's until the renderer draws again, and their names are valid
-    /// until it draws with another size or other parts of the G-buffer, or is destroyed. Hosts read them only,
-    /// after candela's calls in the same context (in a context that shares objects with this one, after a
-    /// fence). Radiance that lighting has left in memory is uploaded once.
+    /// until it draws with another size or other parts of the G-buffer, or is destroyed. Hosts read them
+    /// only, after candela's calls in the same context (in a context that shares objects with this one, after
+    /// a fence). Radiance that lighting has left in memory is uploaded once.
     std::vector<FrameTexture> textures() const;
     /// Shows the frame as `display` does in a texture of its size, "display": GL_RGBA8, code values of the
     /// display. Its content is valid until the next frame or the next call of a function that shows one.

@@ -73,11 +73,11 @@ std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
         shadowedCount = state.countShadowed(*scene(), targets);
     if (usesSource(rows, ChannelSource::ambientOcclusion))
         ambientOcclusion = state.traceAmbientOcclusion(*scene(), targets);
-    const bool findsIds = std::ranges::any_of(
-        std::array{ChannelSource::nodeId, ChannelSource::materialId, ChannelSource::instanceId,
-                   ChannelSource::motion},
-        [&](ChannelSource source) { return usesSource(rows, source); });
-    const SurfaceIds ids = findsIds ? listIds(*scene(), state.surfaceIds(*scene(), wholeOf(targets))) : SurfaceIds{};
+    const bool findsIds = std::ranges::any_of(std::array{ChannelSource::nodeId, ChannelSource::materialId,
+                                                         ChannelSource::instanceId, ChannelSource::motion},
+                                              [&](ChannelSource source) { return usesSource(rows, source); });
+    const SurfaceIds ids =
+        findsIds ? listIds(*scene(), state.surfaceIds(*scene(), wholeOf(targets))) : SurfaceIds{};
     const std::vector<GBufferTexel> surfaces = readSurfaces(targets);
     const std::vector<float> depth = readDepth(targets);
     std::vector<float> motion;

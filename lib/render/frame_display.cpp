@@ -11,7 +11,11 @@ void Renderer::State::displayFrame(const DisplayTransform& transform, const Fram
     } else if (!picture.radiance.empty() && MemoryDisplay::suits(target)) {
         memoryDisplay.render(picture, transform, target);
     } else {
-        display.render({targets->litRadiance(), settings.width, settings.height, transform, target,
+        display.render({targets->litRadiance(),
+                        settings.width,
+                        settings.height,
+                        transform,
+                        target,
                         {frame->pixels.left, frame->pixels.bottom}});
     }
     if (hasLines(settings.overlays)) overlays->display(target);

@@ -48,7 +48,8 @@ FrameTexture describe(const char* name, GLuint texture, GLenum format, const GBu
 }
 
 std::string depthMeaning(const CameraView& view) {
-    if (view.orthographicHeight) return "reversed depth, linear: (far - Z) / (far - near), 0 on the background";
+    if (view.orthographicHeight)
+        return "reversed depth, linear: (far - Z) / (far - near), 0 on the background";
     return view.farPlane ? "reversed depth: (near / Z - near / far) / (1 - near / far), 0 on the background"
                          : "reversed depth: near / Z, 0 on the background";
 }
@@ -57,8 +58,8 @@ std::string depthMeaning(const CameraView& view) {
 template <typename Picture, typename Compute>
 Pending<Picture> computeLater(const std::shared_ptr<gl::ContextBinding>& binding, Compute compute) {
     // A function has to be copyable, which the future of a result that is moved is not.
-    const auto computed = std::make_shared<std::future<Picture>>(
-        std::async(std::launch::async, std::move(compute)));
+    const auto computed =
+        std::make_shared<std::future<Picture>>(std::async(std::launch::async, std::move(compute)));
     return makePending<Picture>(
         binding,
         [computed] { return computed->wait_for(std::chrono::seconds(0)) == std::future_status::ready; },
@@ -73,6 +74,16 @@ std::vector<T> elementsOf(const std::vector<std::byte>& bytes) {
 }
 
 }  // namespace
+
+void Renderer::renderViews(GpuScene& scene, std::span<const CameraView> views, const FrameSettings& settings,
+                           const std::function<void(std::size_t view, const Frame& frame)>& use) {
+    for (std::size_t i = 0; i < views.size(); ++i) use(i, render(scene, views[i], settings));
+}
+
+void Renderer::makeCurrent() const {
+    if (!state_) refuse("a Renderer is used that was moved from");
+    state_->binding->makeCurrent();
+}
 
 std::vector<std::uint8_t> displayPicture(const HdrImage& radiance, const DisplayTransform& transform) {
     const bool hasSize = radiance.width >= 1 && radiance.height >= 1;
@@ -111,8 +122,7 @@ FrameTexture Frame::displayTexture(const DisplayTransform& transform) const {
     Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
     const DisplayTarget& shown = state.shownTarget(transform);
-    return describe("display", shown.texture.name(), GL_RGBA8, *state.targets,
-                    "code values of the display");
+    return describe("display", shown.texture.name(), GL_RGBA8, *state.targets, "code values of the display");
 }
 
 void Frame::writeDepth(const FrameTarget& target, const DepthConvention& convention) const {
@@ -130,7 +140,8 @@ std::vector<PickedSurface> Frame::pick(const PictureRectangle& rectangle) const 
         height > frame.settings.height - y) {
         refuse("the rectangle of " + std::to_string(width) + "x" + std::to_string(height) + " pixels at (" +
                std::to_string(x) + ", " + std::to_string(y) + ") is picked of a picture of " +
-               std::to_string(frame.settings.width) + "x" + std::to_string(frame.settings.height) + " pixels");
+               std::to_string(frame.settings.width) + "x" + std::to_string(frame.settings.height) +
+               " pixels");
     }
     const gl::StateGuard guard(*state.binding, user);
     const std::shared_ptr<GpuScene::State> scene = this->scene();
@@ -145,8 +156,9 @@ std::vector<PickedSurface> Frame::pick(const PictureRectangle& rectangle) const 
     for (std::size_t i = 0; i < ids.size(); ++i) {
         if (ids[i].instance == 0) continue;
         const int column = x + static_cast<int>(i) % width, row = part.y + static_cast<int>(i) / width;
-        const float reversed = depth[static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.settings.width) +
-                                     static_cast<std::size_t>(column)];
+        const float reversed =
+            depth[static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.settings.width) +
+                  static_cast<std::size_t>(column)];
         if (!(reversed > 0.0f)) continue;
         const float z = viewDistance(frame.uniforms, reversed);
         const std::uint32_t node = scene->instances[ids[i].instance - 1].node;
@@ -167,17 +179,18 @@ PendingPicture Frame::readDisplayPicture(const DisplayTransform& transform) cons
     const gl::StateGuard guard(*state.binding, user);
     const MemoryPicture picture = state.pictureInMemory();
     if (!picture.radiance.empty() && !hasLines(state.frame->settings.overlays)) {
-        return computeLater<std::vector<std::uint8_t>>(
-            state.binding, [radiance = std::vector<float>(picture.radiance.begin(), picture.radiance.end()),
-                            picture, transform] {
-                return MemoryDisplay().codes({radiance, picture.width, picture.height, picture.place},
-                                             transform);
-            });
+        return computeLater<std::vector<std::uint8_t>>(state.binding, [radiance = std::vector<float>(
+                                                                           picture.radiance.begin(),
+                                                                           picture.radiance.end()),
+                                                                       picture, transform] {
+            return MemoryDisplay().codes({radiance, picture.width, picture.height, picture.place}, transform);
+        });
     }
     const DisplayTarget& shown = state.shownTarget(transform);
     const auto transfer = std::make_shared<PixelTransfer>();
     const int width = shown.width, height = shown.height;
-    transfer->start(std::array{PixelTransfer::Source{shown.texture, GL_RGBA, GL_UNSIGNED_BYTE, width, height, 4}});
+    transfer->start(
+        std::array{PixelTransfer::Source{shown.texture, GL_RGBA, GL_UNSIGNED_BYTE, width, height, 4}});
     return makePending<std::vector<std::uint8_t>>(
         state.binding, [transfer] { return transfer->isReady(); },
         [transfer, width, height] {
@@ -195,14 +208,13 @@ PendingRadiance Frame::readRadiance() const {
     if (const auto& [radiance, depth, rectangle, isUploaded] = targets.memory; !radiance.empty()) {
         return computeLater<HdrImage>(
             state.binding, [rgba = std::vector<float>(radiance.begin(), radiance.end()),
-                            z = std::vector<float>(depth.begin(), depth.end()), width, height]() mutable {
-                return wholeRadiance(width, height, std::move(rgba), z);
-            });
+                            z = std::vector<float>(depth.begin(), depth.end()), width,
+                            height]() mutable { return wholeRadiance(width, height, std::move(rgba), z); });
     }
     const auto transfer = std::make_shared<PixelTransfer>();
-    transfer->start(std::array{
-        PixelTransfer::Source{targets.litRadiance(), GL_RGBA, GL_FLOAT, width, height, 16},
-        PixelTransfer::Source{targets.depth, GL_DEPTH_COMPONENT, GL_FLOAT, width, height, 4}});
+    transfer->start(
+        std::array{PixelTransfer::Source{targets.litRadiance(), GL_RGBA, GL_FLOAT, width, height, 16},
+                   PixelTransfer::Source{targets.depth, GL_DEPTH_COMPONENT, GL_FLOAT, width, height, 4}});
     return makePending<HdrImage>(
         state.binding, [transfer] { return transfer->isReady(); },
         [transfer, width, height] {

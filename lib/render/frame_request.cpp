@@ -21,8 +21,9 @@ namespace {
 void checkRegion(const PictureRegion& region) {
     constexpr int most = 1 << 20;
     if (region.width < 1 || region.height < 1 || region.width > most || region.height > most) {
-        refuse("a part of a picture of " + std::to_string(region.width) + "x" + std::to_string(region.height) +
-               " pixels is asked for; width and height have to be 1 to " + std::to_string(most));
+        refuse("a part of a picture of " + std::to_string(region.width) + "x" +
+               std::to_string(region.height) + " pixels is asked for; width and height have to be 1 to " +
+               std::to_string(most));
     }
     if (std::abs(region.x) <= most && std::abs(region.y) <= most) return;
     refuse("the part at (" + std::to_string(region.x) + ", " + std::to_string(region.y) +

@@ -12,7 +12,8 @@ namespace {
 
 /// Throws unless a texture of a host has one level of the frame's size to read.
 void requireHostTexture(const char* what, GLuint texture, const FrameSettings& settings) {
-    const std::string name = std::string("the ") + what + " of host surfaces, texture " + std::to_string(texture);
+    const std::string name =
+        std::string("the ") + what + " of host surfaces, texture " + std::to_string(texture);
     if (glIsTexture(texture) == GL_FALSE) refuse(name + ", does not exist in the current context");
     GLint target = 0, width = 0, height = 0;
     glGetTextureParameteriv(texture, GL_TEXTURE_TARGET, &target);
@@ -20,8 +21,9 @@ void requireHostTexture(const char* what, GLuint texture, const FrameSettings& s
     glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_WIDTH, &width);
     glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_HEIGHT, &height);
     if (width == settings.width && height == settings.height) return;
-    refuse(name + ", has " + std::to_string(width) + "x" + std::to_string(height) + " pixels; the frame has " +
-           std::to_string(settings.width) + "x" + std::to_string(settings.height));
+    refuse(name + ", has " + std::to_string(width) + "x" + std::to_string(height) +
+           " pixels; the frame has " + std::to_string(settings.width) + "x" +
+           std::to_string(settings.height));
 }
 
 }  // namespace
@@ -54,16 +56,14 @@ void Renderer::State::useHostSurfaces() {
         const DepthScale to = depthScale(frame->view);
         const DepthScale from = hasDepth ? depthScale(requestedView(), host.convention) : to;
         conversion().renderRadiance(
-            host.radiance,
-            {host.depth, from, to, {into.litWithDepth.name()}, into.width, into.height});
+            host.radiance, {host.depth, from, to, {into.litWithDepth.name()}, into.width, into.height});
     };
 }
 
 std::vector<SurfaceId> Renderer::State::surfaceIds(const GpuScene::State& scene,
                                                    const gl::PixelRectangle& rectangle) {
     scene.cull(frame->frustum, draws);
-    return instances.read(
-        {scene, draws, targets->width, targets->height, hostDraws.depth}, rectangle);
+    return instances.read({scene, draws, targets->width, targets->height, hostDraws.depth}, rectangle);
 }
 
 void Renderer::State::runHook(const std::function<void(const FrameStage&)>& hook,

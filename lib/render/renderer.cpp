@@ -53,7 +53,8 @@ CameraView withFarPlane(const CameraView& view, const GpuScene::State& scene, co
     CameraView limited = view;
     constexpr float margin = 1.001f;
     const float minRange = 0.01f * *view.orthographicHeight;
-    const float range = margin * (scene.instances.farthestDepth(Frustum(view, pixels.pictureWindow(view))) - view.nearPlane);
+    const float range =
+        margin * (scene.instances.farthestDepth(Frustum(view, pixels.pictureWindow(view))) - view.nearPlane);
     // Written so that a range that is not a number is the least one.
     const float farPlane = view.nearPlane + (range > minRange ? range : minRange);
     limited.farPlane = std::min({view.farPlane.value_or(farPlane), farPlane, maxFarPlane});
@@ -221,8 +222,8 @@ void Renderer::State::drawDebugView(const GpuScene::State& scene) {
     const LightingInputs inputs = lightingInputs(scene, frameSurfaces);
     lighting.bind(inputs);
     const gl::PassTimer::Scope pass(timer, "debug view");
-    debugView->render({frame->settings.debugView, scene, draws, inputs, lighting, instances,
-                       hostDraws.depth});
+    debugView->render(
+        {frame->settings.debugView, scene, draws, inputs, lighting, instances, hostDraws.depth});
 }
 
 void Renderer::State::drawOverlays(GpuScene::State& scene) {
@@ -301,10 +302,10 @@ void Renderer::State::describeFrame(const GpuScene::State& scene, const CameraVi
     const FramePixels pixels = framePixels(settings);
     const CameraView view = withFarPlane(requested, scene, pixels);
     const ViewWindow window = pixels.window(view);
-    frame.emplace(DrawnFrame{
-        settings, view, requested.farPlane, pixels, technique, traced,
-        frameUniforms(view, pixels, scene.options.workingFromRec709, scene.lights.counts()),
-        Frustum(view, window), scene.sceneState.origin});
+    frame.emplace(
+        DrawnFrame{settings, view, requested.farPlane, pixels, technique, traced,
+                   frameUniforms(view, pixels, scene.options.workingFromRec709, scene.lights.counts()),
+                   Frustum(view, window), scene.sceneState.origin});
     // Of the wider side of a pixel.
     const double pixelShare =
         std::max(1.0 / settings.height, window.halfExtent.x / window.halfExtent.y / settings.width);
@@ -405,16 +406,6 @@ Frame Renderer::render(GpuScene& scene, const CameraView& view, const FrameSetti
     const gl::StateGuard guard(*state_->binding, "a Renderer");
     state_->render(*scene.state_, view, settings);
     return Frame(state_, scene.state_, state_->frameNumber);
-}
-
-void Renderer::renderViews(GpuScene& scene, std::span<const CameraView> views, const FrameSettings& settings,
-                           const std::function<void(std::size_t view, const Frame& frame)>& use) {
-    for (std::size_t i = 0; i < views.size(); ++i) use(i, render(scene, views[i], settings));
-}
-
-void Renderer::makeCurrent() const {
-    if (!state_) refuse("a Renderer is used that was moved from");
-    state_->binding->makeCurrent();
 }
 
 }  // namespace candela

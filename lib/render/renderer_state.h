@@ -70,7 +70,7 @@ struct ShadedSurfaces {
 /// The frame that a renderer's targets hold.
 struct DrawnFrame {
     FrameSettings settings;
-    CameraView view;      ///< Of the whole picture. Orthographic ones have a far plane.
+    CameraView view;  ///< Of the whole picture. Orthographic ones have a far plane.
     std::optional<float> requestedFarPlane;
     FramePixels pixels;
     Technique technique;  ///< Never `automatic`.

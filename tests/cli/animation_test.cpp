@@ -76,8 +76,8 @@ TEST_F(Clips, HoldTheirEndOrRepeat) {
 }
 
 TEST_F(Clips, MotionIsThatSinceTheFrameBefore) {
-    expectSuccess(run({"clips.gltf", "-o", "m.exr", "--aov", "motion", "--camera", "far", "--time", "0.5", "--fps",
-                       "12", "--samples", "1"}));
+    expectSuccess(run({"clips.gltf", "-o", "m.exr", "--aov", "motion", "--camera", "far", "--time", "0.5",
+                       "--fps", "12", "--samples", "1"}));
     const ExrPicture picture = readExr(folder / "m.exr");
     // The square comes from 12 - 5 + 8 / 12 m to 7 m. The pixel right below the middle is 1/16 of half the
     // picture from the axis: 7/16 m.

@@ -54,12 +54,17 @@ float center(const ExrPicture& picture, const std::string& channel) {
 
 TEST_F(RealFile, WithoutAMaterialItIsMetallicAndRough) {
     scene["meshes"][0]["primitives"][0].erase("material");
-    const ExrPicture without = draw("");
+    ExrPicture without = draw("");
+    EXPECT_EQ(center(without, "material_id"), 0.0f);
     EXPECT_EQ(center(without, "metallic"), 1.0f);
     EXPECT_EQ(center(without, "roughness"), 1.0f);
     material() = Json::object();
     scene["meshes"][0]["primitives"][0]["material"] = 0;
-    EXPECT_EQ(draw("").channels, without.channels);
+    ExrPicture with = draw("");
+    EXPECT_EQ(center(with, "material_id"), 1.0f);
+    without.channels.erase("material_id");
+    with.channels.erase("material_id");
+    EXPECT_EQ(with.channels, without.channels);
 }
 
 TEST_F(RealFile, FactorsAboveOneAreHeldAtOne) {

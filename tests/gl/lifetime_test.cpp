@@ -52,6 +52,24 @@ TEST(LifetimeTest, aHeadlessContextLivesAsLongAsWhatIsMadeForIt) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+TEST(LifetimeTest, aRendererMakesItsContextCurrentAfterTheContextIsGone) {
+    std::optional<Context> context = Context::createHeadless();
+    Drawing drawing(*context);
+    const std::vector<float> before = drawing.frame.radiance().rgba;
+    context.reset();
+    const Context other = Context::createHeadless();
+    const auto draw = [&] {
+        return render(drawing.renderer, drawing.scene, drawing.request).radiance().rgba;
+    };
+    EXPECT_NE(errorOf([&] { draw(); }).find("(another one is)"), std::string::npos)
+        << errorOf([&] { draw(); });
+    drawing.renderer.makeCurrent();
+    EXPECT_EQ(draw(), before);
+    std::string onThread;
+    std::thread([&] { onThread = errorOf([&] { draw(); }); }).join();
+    EXPECT_NE(onThread.find("(no context is)"), std::string::npos) << onThread;
+}
+
 TEST(LifetimeTest, destructionUnderAnotherHeadlessContextDoesNotAffectIt) {
     const Context first = Context::createHeadless();
     auto drawing = std::make_unique<Drawing>(first);

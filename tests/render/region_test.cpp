@@ -50,13 +50,15 @@ class RegionTest : public DrawingTest {
     static double differing(const std::vector<float>& a, const std::vector<float>& b) {
         EXPECT_EQ(a.size(), b.size());
         std::size_t count = 0;
-        for (std::size_t i = 0; i < a.size(); ++i) count += std::abs(a[i] - b[i]) > 1e-4f + 2e-3f * std::abs(b[i]);
+        for (std::size_t i = 0; i < a.size(); ++i)
+            count += std::abs(a[i] - b[i]) > 1e-4f + 2e-3f * std::abs(b[i]);
         return double(count) / double(a.size());
     }
     static void copyInto(std::vector<float>& picture, const PicturePart& own, const HdrImage& drawn) {
         copyPart(own, drawn.width, drawn.rgba, picture);
     }
-    static std::vector<float> assembled(GpuScene& scene, const CameraView& view, const FrameSettings& settings) {
+    static std::vector<float> assembled(GpuScene& scene, const CameraView& view,
+                                        const FrameSettings& settings) {
         std::vector<float> picture(std::size_t(4 * width * height), -1.0f);
         for (const PicturePart& own : partsOfThePicture())
             copyInto(picture, own, renderer().render(scene, view, own.settings(settings)).radiance());
@@ -184,8 +186,10 @@ TEST_F(RegionTest, aspectsStretchThePicture) {
     std::size_t others = 0;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            // Three times as fine, with 6 pixels for one across: the middle of a pixel is between two of them.
-            const glm::vec3 a = 0.5f * (pixelOf(reference, 6 * x + 2, 3 * y + 1) + pixelOf(reference, 6 * x + 3, 3 * y + 1));
+            // Three times as fine, with 6 pixels for one across: the middle of a pixel is between two of
+            // them.
+            const glm::vec3 a =
+                0.5f * (pixelOf(reference, 6 * x + 2, 3 * y + 1) + pixelOf(reference, 6 * x + 3, 3 * y + 1));
             const glm::vec3 b = pixelOf(stretched, x, y);
             others += glm::distance(a, b) > 0.02f + 0.05f * glm::length(a);
         }
@@ -199,8 +203,8 @@ TEST_F(RegionTest, aspectsStretchThePicture) {
 }
 
 TEST_F(RegionTest, partsCoverThePictureOnceAndFitTheDevice) {
-    for (const auto& [wide, high, side] :
-         {std::array{160, 96, 80}, std::array{1000, 77, 64}, std::array{64, 64, 64}, std::array{5, 300, 130}}) {
+    for (const auto& [wide, high, side] : {std::array{160, 96, 80}, std::array{1000, 77, 64},
+                                           std::array{64, 64, 64}, std::array{5, 300, 130}}) {
         std::vector<int> covered(std::size_t(wide) * std::size_t(high), 0);
         for (const PicturePart& part : pictureParts(wide, high, side)) {
             EXPECT_LE(part.frameWidth, side);

@@ -166,8 +166,8 @@ const gl::Texture* DebugViewPass::drawSource(const Inputs& inputs, ChannelSource
             return &shadowedCounts_;
         case ChannelSource::instance:
             uploadLevelColors(inputs.scene);
-            return &inputs.instances.render({inputs.scene, inputs.draws, targets.width, targets.height,
-                                            inputs.drawHostDepth});
+            return &inputs.instances.render(
+                {inputs.scene, inputs.draws, targets.width, targets.height, inputs.drawHostDepth});
         default:
             return nullptr;
     }

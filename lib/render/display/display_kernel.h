@@ -16,8 +16,8 @@ struct DisplayJob {
     int width;
     const DisplayStep* steps;
     std::size_t stepCount;
-    std::uint32_t* codes;    ///< Of the lowest row: red in the lowest byte, alpha 255.
-    std::ptrdiff_t rowStep;  ///< From the codes of a row to those of the row above.
+    std::uint32_t* codes;        ///< Of the lowest row: red in the lowest byte, alpha 255.
+    std::ptrdiff_t rowStep;      ///< From the codes of a row to those of the row above.
     std::uint32_t left, bottom;  ///< Of the lower left pixel in the picture of which this is a part.
 };
 

@@ -19,8 +19,9 @@ namespace candela {
 
 namespace {
 
-/// Pixels of a face beyond the cube's edge: interpolation reads half a pixel beyond.
-constexpr int border = 2;
+/// Pixels of a face beyond the cube's edge. Interpolation reads half a pixel beyond, and what neighbouring
+/// pixels share of occlusion four more.
+constexpr int border = 8;
 
 void requireWidth(int width) {
     if (width >= 4 && width % 2 == 0) return;
@@ -80,7 +81,8 @@ HdrImage panorama(std::span<const HdrImage, 6> faces, int width) {
     requireWidth(width);
     const int inner = innerSize(width), size = inner + 2 * border, height = width / 2;
     for (const HdrImage& face : faces) {
-        if (face.width == size && face.height == size && face.rgba.size() == 4 * std::size_t(size) * std::size_t(size))
+        if (face.width == size && face.height == size &&
+            face.rgba.size() == 4 * std::size_t(size) * std::size_t(size))
             continue;
         throw Error(ErrorKind::badInput, "",
                     "a face of a panorama of " + std::to_string(width) + " pixels has " +
@@ -94,11 +96,12 @@ HdrImage panorama(std::span<const HdrImage, 6> faces, int width) {
         for (std::size_t x = 0; x < std::size_t(width); ++x) {
             const double longitude = 2.0 * std::numbers::pi * ((static_cast<double>(x) + 0.5) / width - 0.5);
             const double across = std::cos(latitude);
-            const FacePlace place = placeOf({across * std::sin(longitude), std::sin(latitude),
-                                             -across * std::cos(longitude)});
+            const FacePlace place =
+                placeOf({across * std::sin(longitude), std::sin(latitude), -across * std::cos(longitude)});
             const glm::vec4 color = interpolated(faces[place.face], border + half * (1.0 + place.x),
                                                  border + half * (1.0 - place.y));
-            for (int c = 0; c < 4; ++c) picture.rgba[4 * (y * std::size_t(width) + x) + std::size_t(c)] = color[c];
+            for (int c = 0; c < 4; ++c)
+                picture.rgba[4 * (y * std::size_t(width) + x) + std::size_t(c)] = color[c];
         }
     });
     return picture;

@@ -19,12 +19,11 @@ struct Pending<Picture>::State {
 };
 
 template <typename Picture>
-Pending<Picture> makePending(const std::shared_ptr<gl::ContextBinding>& binding, std::function<bool()> isReady,
-                             std::function<Picture()> take) {
+Pending<Picture> makePending(const std::shared_ptr<gl::ContextBinding>& binding,
+                             std::function<bool()> isReady, std::function<Picture()> take) {
     using State = typename Pending<Picture>::State;
-    return Pending<Picture>(
-        std::shared_ptr<State>(new State{binding, std::move(isReady), std::move(take)},
-                               gl::ContextDeleter<State>{binding, "pending picture"}));
+    return Pending<Picture>(std::shared_ptr<State>(new State{binding, std::move(isReady), std::move(take)},
+                                                   gl::ContextDeleter<State>{binding, "pending picture"}));
 }
 
 }  // namespace candela

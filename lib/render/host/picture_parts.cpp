@@ -9,7 +9,8 @@ namespace candela {
 
 namespace {
 
-/// What is shared by neighbouring pixels: their quads, the pattern of occlusion rays and its filter, tiles of lights.
+/// What is shared by neighbouring pixels: their quads, the pattern of occlusion rays and its filter, tiles of
+/// lights.
 constexpr int alignment = 16;
 constexpr int margin = 16;
 

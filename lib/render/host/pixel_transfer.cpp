@@ -24,10 +24,10 @@ void PixelTransfer::start(std::span<const Source> sources) {
         const int rows = static_cast<int>(std::max<std::size_t>(1, (std::size_t{1} << 30) / rowBytes));
         for (int y = 0; y < source.height; y += rows) {
             const int count = std::min(rows, source.height - y);
-            glGetTextureSubImage(source.texture.name(), 0, 0, y, 0, source.width, count, 1, source.format,
-                                 source.type,
-                                 static_cast<GLsizei>(rowBytes * static_cast<std::size_t>(count)),
-                                 reinterpret_cast<void*>(offsets_[i] + rowBytes * static_cast<std::size_t>(y)));
+            glGetTextureSubImage(
+                source.texture.name(), 0, 0, y, 0, source.width, count, 1, source.format, source.type,
+                static_cast<GLsizei>(rowBytes * static_cast<std::size_t>(count)),
+                reinterpret_cast<void*>(offsets_[i] + rowBytes * static_cast<std::size_t>(y)));
         }
     }
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);

@@ -92,8 +92,8 @@ class Sampler {
         const float pixelExtent = orthographic ? pixelSide : glm::dot(position - eye, forward) * pixelSide;
         const ShadowSurface surface = unpackShadowWord(inputs_.shadowWords[i]);
         // The number of the pixel in its picture, of which the frame may be a part.
-        const auto seed = 2 * static_cast<std::uint32_t>((y + frame.size.w) * frame.lightCounts.w + x +
-                                                         frame.size.z);
+        const auto seed =
+            2 * static_cast<std::uint32_t>((y + frame.size.w) * frame.lightCounts.w + x + frame.size.z);
         return {rays::shadowRayEnd(position, orthographic ? -forward : eye - position,
                                    surface.geometricNormal, surface.lift, pixelExtent),
                 unpackSurface(inputs_.surfaces[i]).normal, 2.0f * std::numbers::pi_v<float> * hashed(seed),

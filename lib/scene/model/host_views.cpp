@@ -29,10 +29,10 @@ Projection readProjection(const glm::mat4& clipFromCamera) {
     const glm::dmat4 clip(clipFromCamera);
     const bool orthographic = clip[2][3] == 0.0;
     const double scale = orthographic ? clip[3][3] : -clip[2][3];
-    element.require(scale > 0.0 && (orthographic || clip[3][3] == 0.0) && clip[0][3] == 0.0 &&
-                        clip[1][3] == 0.0,
-                    "its last row must be (0, 0, -1, 0) of a perspective view, which looks along -Z, or "
-                    "(0, 0, 0, 1) of an orthographic one");
+    element.require(
+        scale > 0.0 && (orthographic || clip[3][3] == 0.0) && clip[0][3] == 0.0 && clip[1][3] == 0.0,
+        "its last row must be (0, 0, -1, 0) of a perspective view, which looks along -Z, or "
+        "(0, 0, 0, 1) of an orthographic one");
     element.require(clip[0][1] == 0.0 && clip[1][0] == 0.0 && clip[0][2] == 0.0 && clip[1][2] == 0.0,
                     "it must not rotate or skew: what is across the axis must not mix");
     element.require(clip[0][0] > 0.0 && clip[1][1] > 0.0,
@@ -62,9 +62,8 @@ double distanceAt(const Projection& projection, double value) {
     if (projection.orthographic) return (offset - value) / slope;
     // z / w is offset / distance - slope. Matrices are in single precision.
     const double limit = value + slope;
-    return std::abs(limit) <= std::numeric_limits<float>::epsilon()
-               ? std::numeric_limits<double>::infinity()
-               : offset / limit;
+    return std::abs(limit) <= std::numeric_limits<float>::epsilon() ? std::numeric_limits<double>::infinity()
+                                                                    : offset / limit;
 }
 
 CameraView faceView(const CameraView& view, const glm::dvec3& forward, const glm::dvec3& up, float fov) {

@@ -51,8 +51,7 @@ ViewWindow viewWindow(const CameraView& view, double aspect) {
     const ErrorContext element("camera view");
     element.requireFinite("its shift", glm::vec3(view.shift, 0.0f));
     if (view.aspect) element.requirePositive("its aspect ratio", *view.aspect);
-    if (view.orthographicHeight)
-        element.requirePositive("its orthographic height", *view.orthographicHeight);
+    if (view.orthographicHeight) element.requirePositive("its orthographic height", *view.orthographicHeight);
     const double halfHeight = view.orthographicHeight ? 0.5 * static_cast<double>(*view.orthographicHeight)
                                                       : std::tan(0.5 * static_cast<double>(view.verticalFov));
     const double ratio = view.aspect ? static_cast<double>(*view.aspect) : aspect;

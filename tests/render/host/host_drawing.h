@@ -72,7 +72,8 @@ class HostQuad {
   public:
     explicit HostQuad(const char* outputs, const char* body) {
         const std::string vertex =
-            "#version 450\nlayout(location = 0) uniform mat4 clip; void main() { vec2 c = vec2(gl_VertexID & 1, "
+            "#version 450\nlayout(location = 0) uniform mat4 clip; void main() { vec2 c = vec2(gl_VertexID & "
+            "1, "
             "gl_VertexID >> 1) * 2.0 - 1.0; gl_Position = clip * vec4(c, 0.0, 1.0); }";
         const std::string fragment =
             std::string("#version 450\n") + outputs + "\nvoid main() { " + body + " }";
@@ -134,7 +135,8 @@ class HostFrameTest : public DrawingTest {
         GpuScene alone = upload(sceneOf(makeQuad(1.0f), Material{}, world));
         return renderer().render(alone, view, frameSettings()).aovs({"Z"})[0].values[0];
     }
-    static std::vector<float> distancesOf(GpuScene& scene, const CameraView& view, const FrameSettings& settings) {
+    static std::vector<float> distancesOf(GpuScene& scene, const CameraView& view,
+                                          const FrameSettings& settings) {
         return renderer().render(scene, view, settings).aovs({"Z"})[0].values[0];
     }
 };

@@ -71,9 +71,8 @@ TEST_F(HostFrameTest, depthIsWrittenInTheConventionOfTheHost) {
         const Frame frame = renderer().render(scene, view, frameSettings());
         const std::vector<float> z = frame.aovs({"Z"})[0].values[0];
         const float nearPlane = 0.5f, farPlane = 60.0f;
-        const glm::mat4 host =
-            orthographic ? glm::orthoRH_NO(-1.0f, 1.0f, -1.0f, 1.0f, nearPlane, farPlane)
-                         : glm::perspectiveRH_NO(0.75f, 1.0f, nearPlane, farPlane);
+        const glm::mat4 host = orthographic ? glm::orthoRH_NO(-1.0f, 1.0f, -1.0f, 1.0f, nearPlane, farPlane)
+                                            : glm::perspectiveRH_NO(0.75f, 1.0f, nearPlane, farPlane);
         for (const auto direction : {classic, reversed}) {
             const HostTarget target;
             target.clear({0.1f, 0.2f, 0.3f, 0.4f}, 0.5f);
@@ -162,7 +161,8 @@ TEST_F(HostFrameTest, picturesThatAreReadLaterAreThoseOfTheirFrame) {
         const Frame frame = renderer().render(scene, lit.view, settings);
         const PendingPicture dropped = frame.readDisplayPicture(transform());
         PendingRadiance asked = frame.readRadiance();
-        while (!asked.ready()) {}
+        while (!asked.ready()) {
+        }
         EXPECT_EQ(asked.get().rgba, frame.radiance().rgba);
     }
 }

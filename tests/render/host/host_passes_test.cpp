@@ -40,7 +40,8 @@ TEST_F(HostFrameTest, hostSurfacesHideAndAreHiddenByDepth) {
             settings.technique = technique;
             const HdrImage without = renderer().render(scene, lit.view, settings).radiance();
             const std::vector<float> z = distancesOf(scene, lit.view, settings);
-            settings.hostSurfaces = {drawn.color.name(), drawn.depth.name(), {direction, nearPlane, farPlane}};
+            settings.hostSurfaces = {
+                drawn.color.name(), drawn.depth.name(), {direction, nearPlane, farPlane}};
             const Frame frame = renderer().render(scene, lit.view, settings);
             const HdrImage with = frame.radiance();
             const std::vector<float> withZ = frame.aovs({"Z"})[0].values[0];
@@ -164,11 +165,11 @@ TEST_F(HostFrameTest, hooksAfterGeometryAddSurfacesWithAndWithoutLight) {
     const GBufferTexel texel = packSurface(surface);
     const std::string words = "uvec2(" + std::to_string(texel.x) + "u, " + std::to_string(texel.y) + "u)";
     const char* outputs =
-        "layout(location = 0) out uvec2 surface; layout(location = 1) out vec4 radiance; layout(location = 2) "
+        "layout(location = 0) out uvec2 surface; layout(location = 1) out vec4 radiance; layout(location = "
+        "2) "
         "out uint shadow;";
     const HostQuad unlit(outputs, "surface = uvec2(0u); radiance = vec4(0.5, 4.0, 0.25, 0.0); shadow = 0u;");
-    const HostQuad shaded(outputs,
-                          ("surface = " + words + "; radiance = vec4(0.0); shadow = 0u;").c_str());
+    const HostQuad shaded(outputs, ("surface = " + words + "; radiance = vec4(0.0); shadow = 0u;").c_str());
     GpuScene scene = upload(lit.scene, lit.lights), complete = upload(filled.scene, filled.lights);
     const std::vector<float> hostZ = distances(place, lit.view);
     for (const Technique technique : techniques) {

@@ -37,7 +37,8 @@ Scene described() {
     for (int i = 0; i < 3; ++i) {
         const Mesh quad = makeQuad(0.4f);
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        for (const glm::vec3& p : quad.positions) mesh.positions.push_back(p + glm::vec3(float(i) - 1.0f, 0, 0));
+        for (const glm::vec3& p : quad.positions)
+            mesh.positions.push_back(p + glm::vec3(float(i) - 1.0f, 0, 0));
         mesh.normals.insert(mesh.normals.end(), quad.normals.begin(), quad.normals.end());
         for (const std::uint32_t index : quad.indices) mesh.indices.push_back(first + index);
     }
@@ -98,7 +99,9 @@ TEST_F(IdsTest, cagesFollowTheMeshesInTheNumbersOfInstances) {
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const float instance = reader.scalar("instance_id", x, y), node = reader.scalar("node_id", x, y);
-            const float expected = instance == 2.0f ? float(cage + 1) : instance == 1.0f ? float(mesh + 1) : 0.0f;
+            const float expected = instance == 2.0f   ? float(cage + 1)
+                                   : instance == 1.0f ? float(mesh + 1)
+                                                      : 0.0f;
             ASSERT_EQ(node, expected);
             cages += instance == 2.0f;
             meshes += instance == 1.0f;
@@ -117,7 +120,8 @@ TEST_F(IdsTest, pickFindsTheSurfacesOfARectangleAndOfAPoint) {
     for (int y = rectangle.y; y < rectangle.y + rectangle.height; ++y) {
         for (int x = rectangle.x; x < rectangle.x + rectangle.width; ++x) {
             if (reader.scalar("Z", x, y) == 0.0f) continue;
-            auto& [pixels, z] = expected[{reader.scalar("node_id", x, y), reader.scalar("material_id", x, y)}];
+            auto& [pixels, z] =
+                expected[{reader.scalar("node_id", x, y), reader.scalar("material_id", x, y)}];
             z = pixels == 0 ? reader.scalar("Z", x, y) : std::min(z, reader.scalar("Z", x, y));
             ++pixels;
         }
@@ -179,7 +183,8 @@ TEST_F(IdsTest, motionIsTheWayOfEachSurfaceInThePicture) {
             const glm::dvec3 p(drawn[0].values[0][i], drawn[0].values[1][i], drawn[0].values[2][i]);
             glm::dmat4 way(1.0);
             if (drawn[1].values[0][i] == 2.0f) way = glm::dmat4(then) * glm::inverse(glm::dmat4(here));
-            const glm::dvec2 expected = pixelAt(now, p) - pixelAt(before, glm::dvec3(way * glm::dvec4(p, 1.0)));
+            const glm::dvec2 expected =
+                pixelAt(now, p) - pixelAt(before, glm::dvec3(way * glm::dvec4(p, 1.0)));
             // Matrices of single precision, times the pixels of the picture.
             ASSERT_LT(glm::length(is - expected), 1e-4) << i;
             moved += glm::length(expected) > 1.0;

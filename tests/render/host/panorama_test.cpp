@@ -19,7 +19,8 @@ constexpr double pi = std::numbers::pi;
 
 /// The direction of a pixel of a panorama, camera space.
 glm::dvec3 directionOf(int x, int y, int width) {
-    const double longitude = 2 * pi * ((x + 0.5) / width - 0.5), latitude = pi * (0.5 - (y + 0.5) * 2 / width);
+    const double longitude = 2 * pi * ((x + 0.5) / width - 0.5),
+                 latitude = pi * (0.5 - (y + 0.5) * 2 / width);
     return {std::cos(latitude) * std::sin(longitude), std::sin(latitude),
             -std::cos(latitude) * std::cos(longitude)};
 }

@@ -40,7 +40,8 @@ void expectSamePicture(const glm::mat4& host, const CameraView& view) {
     const glm::mat4 own = projection(view, 1.0f) * glm::inverse(view.worldFromCamera);
     for (const float x : {-0.7f, 0.1f, 0.9f}) {
         for (const float depth : {0.6f, 3.0f, 9.0f}) {
-            const glm::vec3 expected = onScreen(host, {x, 0.4f, -depth}), is = onScreen(own, {x, 0.4f, -depth});
+            const glm::vec3 expected = onScreen(host, {x, 0.4f, -depth}),
+                            is = onScreen(own, {x, 0.4f, -depth});
             EXPECT_NEAR(is.x, expected.x, rounding * (1.0f + std::abs(expected.x)));
             EXPECT_NEAR(is.y, expected.y, rounding * (1.0f + std::abs(expected.y)));
         }
@@ -80,8 +81,7 @@ TEST(ViewOfProjection, FarPlanesAtInfinityAreNone) {
     EXPECT_NEAR(view.nearPlane, 0.1f, 0.1f * rounding);
     EXPECT_NEAR(view.verticalFov, 0.9f, rounding);
     // candela's own projection comes back.
-    const CameraView again =
-        viewOfProjection(glm::mat4(1.0f), projection(view, 7.0f), ClipDepth::oneToZero);
+    const CameraView again = viewOfProjection(glm::mat4(1.0f), projection(view, 7.0f), ClipDepth::oneToZero);
     EXPECT_FALSE(again.farPlane);
     EXPECT_NEAR(again.nearPlane, view.nearPlane, 0.1f * rounding);
     EXPECT_NEAR(*again.aspect, 1.5f, 1.5f * rounding) << "the view's own, not that of the pixels";

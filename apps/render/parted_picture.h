@@ -1,0 +1,28 @@
+#pragma once
+
+#include "picture_file.h"
+
+#include <candela/exposure.h>
+#include <candela/frame_data.h>
+#include <candela/picture_parts.h>
+
+#include <utility>
+
+/// Puts the parts of a picture together.
+class PartedPicture {
+  public:
+    PartedPicture(int width, int height);
+
+    /// `drawn` is the frame of the part, margins included. All parts have the same channels.
+    void add(const candela::PicturePart& part, const DrawnPicture& drawn);
+    /// The picture, once, after all parts.
+    DrawnPicture take() { return std::move(picture_); }
+
+  private:
+    DrawnPicture picture_;
+};
+
+/// A part of radiance without its margins.
+candela::HdrImage withoutMargins(const candela::PicturePart& part, const candela::HdrImage& frame);
+
+candela::ExposureCounts sum(const candela::ExposureCounts& a, const candela::ExposureCounts& b);
