@@ -1,4 +1,4 @@
-# `cmake --install`: headers, the shared library, plugins (declared in plugins/), the programs, and what lets other
+# `cmake --install`: headers, the shared library, plugins (declared in plugins/), the programs with man pages and completions, and what lets other
 # projects find them: a CMake package and a pkg-config file. The tree can be moved after installation. Components are `library` (with
 # plugins), `development` and `tools`; package.cmake makes packages of them.
 
@@ -10,6 +10,15 @@ install(TARGETS candela EXPORT candelaTargets LIBRARY DESTINATION ${CMAKE_INSTAL
 foreach(program candela-render candela-view candela-bench)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
+    get_target_property(texts ${program} CANDELA_TEXTS)
+    if(texts)
+      install(FILES ${texts}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools)
+      install(FILES ${texts}.bash RENAME ${program} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+        COMPONENT tools)
+      install(FILES ${texts}.zsh RENAME _${program} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions
+        COMPONENT tools)
+      install(FILES ${texts}.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT tools)
+    endif()
   endif()
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/candela ${PROJECT_BINARY_DIR}/include/candela

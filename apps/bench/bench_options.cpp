@@ -1,19 +1,16 @@
 #include "bench_options.h"
 
 #include "bench_scene.h"
+#include "common/command_line.h"
 #include "common/parse.h"
 #include "common/scene_environment.h"
 #include "common/shadow_stats.h"
 #include "crowd_bench.h"
 
 #include <candela/sampling.h>
-#include <candela/version.h>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
-#include <iostream>
 
 namespace {
 
@@ -188,7 +185,7 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json, std::optio
     app.add_option_function<std::string>(
            "--brdf", [&](const std::string& text) { options.brdf = parseBrdf(text); },
            "Reflection model: course or gltf. Default: course")
-        ->type_name("WORD");
+        ->type_name("course|gltf");
     app.add_flag_callback(
         "--baseline", [&] { options.baseline = Baseline::with; },
         "Also measure textbook deferred renderers (textbook_volumes,\n"
@@ -234,7 +231,7 @@ void declare(CLI::App& app, BenchOptions& options, std::string& json, std::optio
            [&](const std::string& text) { options.vertexEvaluator = parseVertexEvaluator(text); },
            "What moves the vertices of --scene cages and crowd:N: auto (by device), cpu or\ncompute. "
            "Default: auto")
-        ->type_name("WORD");
+        ->type_name("auto|cpu|compute");
     app.add_option_function<std::string>(
            "--threads", [&](const std::string& text) { options.threads = parseThreads(text); },
            "Threads of all parallel work on the CPU, 0 to 1024. Default: 0, as many as\nthe process may use")
@@ -248,20 +245,11 @@ std::optional<BenchOptions> parseBenchOptions(int argc, const char* const* argv)
     BenchOptions options;
     std::string json;
     CLI::App app(description, "candela-bench");
-    app.get_formatter()->column_width(28);
-    app.set_help_flag("-h,--help", "Show this help");
-    app.set_version_flag("--version", "candela " CANDELA_VERSION, "Show the version");
+    prepareCommandLine(app);
     app.footer(footer);
     std::optional<DeviceOption> device;
     declare(app, options, json, device);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& asked) {
-        app.exit(asked, std::cout, std::cerr);
-        return std::nullopt;
-    } catch (const CLI::ParseError& error) {
-        throw UsageError(error.what());
-    }
+    if (!parseCommandLine(app, argc, argv)) return std::nullopt;
     options.json = json;
     options.device = chooseDevice(device);
     if (app.count("SCENE") > 0 && app.count("--scene") > 0)

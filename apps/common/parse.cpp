@@ -1,6 +1,7 @@
 #include "parse.h"
 
 #include <candela/error.h>
+#include <candela/nearest_name.h>
 #include <candela/threads.h>
 
 #include <algorithm>
@@ -118,6 +119,14 @@ candela::BrdfModel parseBrdf(const std::string& text) {
     using enum candela::BrdfModel;
     return parseWord("--brdf", text, std::array{course, gltf},
                      [](candela::BrdfModel model) { return candela::toString(model); });
+}
+
+void throwUnknownWord(const std::string& option, const std::string& text,
+                      const std::vector<std::string>& words) {
+    std::string list;
+    for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+    throw UsageError(option + " \"" + text + "\": expected one of " + list +
+                     candela::didYouMean(text, words));
 }
 
 bool parseOnOff(const std::string& option, const std::string& text) {

@@ -50,15 +50,22 @@ candela::Shadows parseShadows(const std::string& text);
 /// True for "on", false for "off".
 bool parseOnOff(const std::string& option, const std::string& text);
 
+/// Throws `UsageError` that lists the words that `option` takes, and says which of them `text` was probably
+/// meant to be.
+[[noreturn]] void throwUnknownWord(const std::string& option, const std::string& text,
+                                   const std::vector<std::string>& words);
+
 /// The one of `values` whose name is `text`. Throws `UsageError` that lists all names, after those in `more`,
 /// which the caller handles itself.
 template <typename Values, typename Name>
 auto parseWord(const std::string& option, const std::string& text, const Values& values, Name&& name,
                std::string more = "") -> std::decay_t<decltype(*std::begin(values))> {
-    std::string words = std::move(more);
+    std::vector<std::string> words = splitAtCommas(more);
+    for (std::string& word : words) word.erase(0, word.find_first_not_of(' '));
+    if (more.empty()) words.clear();
     for (const auto value : values) {
         if (text == name(value)) return value;
-        words += (words.empty() ? "" : ", ") + std::string(name(value));
+        words.emplace_back(name(value));
     }
-    throw UsageError(option + " \"" + text + "\": expected one of " + words);
+    throwUnknownWord(option, text, words);
 }

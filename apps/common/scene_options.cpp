@@ -282,7 +282,7 @@ void SceneOptionReader::declareLighting(CLI::App& app) {
            "--default-lights",
            [this](const std::string& text) { options_.defaultLights = parseDefaultLights(text); },
            help::defaultLights)
-        ->type_name("WORD")
+        ->type_name("auto|on|off")
         ->group("Lighting");
     app.add_option_function<std::string>(
            "--environment",
@@ -300,26 +300,26 @@ void SceneOptionReader::declareLighting(CLI::App& app) {
            "--background",
            [this](const std::string& text) { options_.background = parseOnOff("--background", text); },
            help::background)
-        ->type_name("WORD")
+        ->type_name("on|off")
         ->group("Lighting");
     app.add_option_function<std::string>(
            "--brdf", [this](const std::string& text) { options_.brdf = parseBrdf(text); }, help::brdf)
-        ->type_name("WORD")
+        ->type_name("course|gltf")
         ->group("Lighting");
     app.add_option_function<std::string>(
            "--technique", [this](const std::string& text) { options_.technique = parseTechnique(text); },
            help::technique)
-        ->type_name("WORD")
+        ->type_name("auto|tiles|volumes|fullscreen")
         ->group("Lighting");
     app.add_option_function<std::string>(
            "--tiles", [this](const std::string& text) { options_.tileBackend = parseTileBackend(text); },
            help::tiles)
-        ->type_name("WORD")
+        ->type_name("auto|cpu|compute")
         ->group("Lighting");
     app.add_option_function<std::string>(
            "--shadows", [this](const std::string& text) { options_.shadows = parseShadows(text); },
            std::string(help::shadows) + candela::toString(drawnShadows(options_.shadows)))
-        ->type_name("WORD")
+        ->type_name("on|off")
         ->group("Lighting");
     app.add_option_function<std::string>(
            "--specular-aa",
@@ -327,7 +327,7 @@ void SceneOptionReader::declareLighting(CLI::App& app) {
                options_.specularAntialiasing = parseOnOff("--specular-aa", text);
            },
            help::specularAntialiasing)
-        ->type_name("WORD")
+        ->type_name("on|off")
         ->group("Lighting");
     app.add_option_function<std::string>(
            "--layers", [this](const std::string& text) { options_.layers = parseLayers(text); }, help::layers)
@@ -372,7 +372,7 @@ void SceneOptionReader::declareSubdivision(CLI::App& app) {
            "--subdivision-evaluator",
            [this](const std::string& text) { options_.vertexEvaluator = parseVertexEvaluator(text); },
            help::vertexEvaluator)
-        ->type_name("WORD")
+        ->type_name("auto|cpu|compute")
         ->group("Subdivision");
 }
 

@@ -1,6 +1,7 @@
 #include "scene_selection.h"
 
 #include <candela/error.h>
+#include <candela/nearest_name.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -52,6 +53,12 @@ std::optional<std::uint32_t> findAnimation(const candela::Scene& scene, const st
                        [&](std::uint32_t i) -> const std::string& { return scene.animations[i].name; });
 }
 
+std::vector<std::string> animationNames(const candela::Scene& scene) {
+    std::vector<std::string> names;
+    for (const candela::Animation& animation : scene.animations) names.push_back(animation.name);
+    return names;
+}
+
 std::string labelOf(std::uint32_t index, const std::string& name) {
     return std::to_string(index) + (name.empty() ? "" : " \"" + name + "\"");
 }
@@ -66,7 +73,8 @@ std::vector<std::uint32_t> selectedAnimations(const candela::Scene& scene, const
     throw candela::Error(
         candela::ErrorKind::badInput, options.scene,
         "no animation \"" + *options.animation + "\"; " +
-            (scene.animations.empty() ? "the scene has none" : "there are " + listedAnimations(scene, 0)));
+            (scene.animations.empty() ? "the scene has none" : "there are " + listedAnimations(scene, 0)) +
+            candela::didYouMean(*options.animation, animationNames(scene)));
 }
 
 void playOnly(candela::Scene& scene, const std::vector<std::uint32_t>& animations) {
@@ -97,9 +105,10 @@ void selectVariant(candela::Scene& scene, const std::optional<std::string>& vari
     if (found) return candela::selectVariant(scene, found);
     const std::string all =
         listed(scene.variants.size(), 0, [&](std::uint32_t i) { return variantLabel(scene, i); });
-    throw candela::Error(
-        candela::ErrorKind::badInput, path,
-        "no variant \"" + *variant + "\"; " + (all.empty() ? "the scene has none" : "there are " + all));
+    throw candela::Error(candela::ErrorKind::badInput, path,
+                         "no variant \"" + *variant + "\"; " +
+                             (all.empty() ? "the scene has none" : "there are " + all) +
+                             candela::didYouMean(*variant, scene.variants));
 }
 
 std::string variantLabel(const candela::Scene& scene, std::uint32_t index) {
@@ -212,12 +221,15 @@ std::string cameraLabel(const candela::Scene& scene, std::uint32_t index) {
     return label;
 }
 
-std::string listCameras(const candela::Scene& scene) {
+std::string listCameras(const candela::Scene& scene, const std::string& wanted) {
     if (scene.cameras.empty()) return "the scene has none";
     std::string text = "there are";
     for (std::uint32_t i = 0; i < scene.cameras.size(); ++i)
         text += (i == 0 ? " " : ", ") + cameraLabel(scene, i);
-    return text;
+    std::vector<std::string> names;
+    for (std::uint32_t i = 0; i < scene.cameras.size(); ++i)
+        names.insert(names.end(), {nodeNameOf(scene, i), scene.cameras[i].name});
+    return text + candela::didYouMean(wanted, names);
 }
 
 std::string cameraName(const candela::Scene& scene, std::uint32_t index) {
@@ -232,8 +244,9 @@ CameraSelection::CameraSelection(const candela::Scene& scene, const SceneOptions
     if (options.camera) {
         const std::optional<std::uint32_t> found = findCamera(scene, *options.camera);
         if (!found)
-            throw candela::Error(candela::ErrorKind::badInput, options.scene,
-                                 "no camera \"" + *options.camera + "\"; " + listCameras(scene));
+            throw candela::Error(
+                candela::ErrorKind::badInput, options.scene,
+                "no camera \"" + *options.camera + "\"; " + listCameras(scene, *options.camera));
         camera_ = *found;
     }
     if (options.eye) {

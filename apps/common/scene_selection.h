@@ -62,8 +62,8 @@ std::string cameraLabel(const candela::Scene& scene, std::uint32_t index);
 /// What a user calls a camera: the name of its node, or its own, or its number in the file.
 std::string cameraName(const candela::Scene& scene, std::uint32_t index);
 
-/// The scene's cameras as messages list them.
-std::string listCameras(const candela::Scene& scene);
+/// The scene's cameras as messages list them, and which of them `wanted` was probably meant to be.
+std::string listCameras(const candela::Scene& scene, const std::string& wanted);
 
 /// The camera of the pictures: the eye of the options, a camera of the scene, or a view that frames the scene
 /// and the whole motion in it.

@@ -103,7 +103,7 @@ void declareEncoding(CLI::App& app, Options& options) {
             options.format =
                 parseWord("--format", text, std::array{PictureFormat::png, PictureFormat::exr}, nameOf);
         },
-        help::format, "WORD");
+        help::format, "png|exr");
     add(
         "--raw",
         [&options](const std::string& text) {
@@ -118,11 +118,11 @@ void declareEncoding(CLI::App& app, Options& options) {
         help::pngLevel, "N");
     add(
         "--exr", [&options](const std::string& text) { options.encoding.pixels = parsePixels(text); },
-        help::exrPixels, "WORD");
+        help::exrPixels, "float|half");
     add(
         "--compression",
         [&options](const std::string& text) { options.encoding.exr.compression = parseCompression(text); },
-        help::compression, "WORD");
+        help::compression, "zip|piz|dwaa|none");
     app.add_option_function<std::string>(
            "--encode-threads",
            [&options](const std::string& text) {

@@ -84,8 +84,6 @@ constexpr const char* list =
     "Show plugins, devices, displays or views (of --display, if given), or the\n"
     "animations, cameras, materials, variants, environment or contents of SCENE:\n"
     "what it holds, and what of it is drawn otherwise or not. Draw nothing";
-constexpr const char* help = "Show this help";
-constexpr const char* version = "Show the version";
 
 constexpr const char* footer =
     "Examples:\n"

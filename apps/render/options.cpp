@@ -1,19 +1,17 @@
 #include "options.h"
 
+#include "common/command_line.h"
 #include "common/parse.h"
 #include "common/program.h"
 #include "farm_options.h"
 #include "help.h"
 
 #include <candela/gbuffer.h>
+#include <candela/nearest_name.h>
 #include <candela/picture_parts.h>
-#include <candela/version.h>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
-#include <iostream>
 #include <tuple>
 #include <utility>
 
@@ -47,7 +45,8 @@ std::vector<std::string> parseAovs(const std::string& text) {
         if (std::ranges::find(known, names[i]) == known.end()) {
             std::string list = "all";
             for (const std::string& name : known) list += ", " + name;
-            throw UsageError("--aov \"" + names[i] + "\": expected some of " + list);
+            throw UsageError("--aov \"" + names[i] + "\": expected some of " + list +
+                             candela::didYouMean(names[i], known));
         }
         if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
             names.begin() + static_cast<std::ptrdiff_t>(i))
@@ -88,7 +87,7 @@ void declarePicture(CLI::App& app, Options& options, std::optional<std::string>&
     app.add_option_function<std::string>(
            "--aov-filter", [&](const std::string& text) { options.aovFilter = parseAovFilter(text); },
            help::aovFilter)
-        ->type_name("WORD")
+        ->type_name("auto|average|first")
         ->group("Picture");
     app.add_flag("--panorama", options.panorama, help::panorama)->group("Picture");
     app.add_option_function<std::string>(
@@ -129,13 +128,14 @@ void declareRunning(CLI::App& app, Options& options, std::optional<DeviceOption>
     app.add_option_function<std::string>(
            "--progress", [&](const std::string& text) { options.jsonProgress = parseProgress(text); },
            help::progress)
-        ->type_name("WORD")
+        ->type_name("terminal|json")
         ->group("Running");
     app.add_option("--stats", options.stats, help::stats)->type_name("FILE|-")->group("Running");
     app.add_flag("--quiet", options.quiet, help::quiet)->group("Running");
     app.add_option_function<std::string>(
            "--list", [&](const std::string& text) { options.list = parseListKind(text); }, help::list)
-        ->type_name("KIND")
+        ->type_name(
+            "plugins|devices|displays|views|animations|cameras|materials|variants|environment|contents")
         ->group("Asking");
 }
 
@@ -199,10 +199,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     std::optional<std::string> aovs;
     std::optional<DeviceOption> device;
     CLI::App app(help::description, "candela-render");
-    app.get_formatter()->column_width(32);
-    app.get_formatter()->label("OPTIONS", "OPTION...");
-    app.set_help_flag("-h,--help", help::help)->group("Asking");
-    app.set_version_flag("--version", "candela " CANDELA_VERSION, help::version)->group("Asking");
+    prepareCommandLine(app);
     app.footer(help::footer);
     SceneOptionReader sceneOptions(app, options, defaultSamples);
     app.get_option("--camera")->description(help::camera)->type_name("NAME|INDEX|LIST|all");
@@ -210,14 +207,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     declareEncoding(app, options);
     declareSequence(app, options);
     declareRunning(app, options, device);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& asked) {
-        app.exit(asked, std::cout, std::cerr);
-        return std::nullopt;
-    } catch (const CLI::ParseError& error) {
-        throw UsageError(error.what());
-    }
+    if (!parseCommandLine(app, argc, argv)) return std::nullopt;
     options.device = chooseDevice(device);
     resolve(app, aovs, options);
     if (!options.list) sceneOptions.finish();

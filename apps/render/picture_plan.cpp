@@ -28,7 +28,7 @@ std::vector<std::uint32_t> namedCameras(const candela::Scene& scene, const Optio
         const auto found = findCamera(scene, name);
         if (!found)
             throw candela::Error(candela::ErrorKind::badInput, options.scene,
-                                 "no camera \"" + name + "\"; " + listCameras(scene));
+                                 "no camera \"" + name + "\"; " + listCameras(scene, name));
         if (std::ranges::find(cameras, *found) == cameras.end()) cameras.push_back(*found);
     }
     return cameras;

@@ -1,14 +1,10 @@
 #include "view_options.h"
 
+#include "common/command_line.h"
 #include "common/parse.h"
-
-#include <candela/version.h>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cctype>
-#include <iostream>
 #include <limits>
 
 namespace {
@@ -89,21 +85,11 @@ std::string endingOf(const std::filesystem::path& file) {
 std::optional<ViewOptions> parseViewOptions(int argc, const char* const* argv) {
     ViewOptions options;
     CLI::App app(description, "candela-view");
-    app.get_formatter()->column_width(32);
-    app.get_formatter()->label("OPTIONS", "OPTION...");
-    app.set_help_flag("-h,--help", "Show this help")->group("Asking");
-    app.set_version_flag("--version", "candela " CANDELA_VERSION, "Show the version")->group("Asking");
+    prepareCommandLine(app);
     app.footer(footer);
     SceneOptionReader sceneOptions(app, options, defaultViewSamples);
     declareWindow(app, options);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& asked) {
-        app.exit(asked, std::cout, std::cerr);
-        return std::nullopt;
-    } catch (const CLI::ParseError& error) {
-        throw UsageError(error.what());
-    }
+    if (!parseCommandLine(app, argc, argv)) return std::nullopt;
     sceneOptions.finish();
     noteGiven(app, options);
     check(options);

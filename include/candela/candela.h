@@ -26,6 +26,7 @@
 #include <candela/light.h>
 #include <candela/material.h>
 #include <candela/mesh.h>
+#include <candela/nearest_name.h>
 #include <candela/node.h>
 #include <candela/panorama.h>
 #include <candela/pending.h>

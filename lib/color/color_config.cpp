@@ -1,5 +1,6 @@
 #include <candela/color.h>
 #include <candela/error.h>
+#include <candela/nearest_name.h>
 
 #include "color/display_encoding.h"
 #include "color/display_transform.h"
@@ -123,7 +124,8 @@ std::vector<std::string> ColorConfig::views(const std::string& display) const {
     const std::string* known = findName(all, display);
     if (!known)
         throw Error(ErrorKind::badInput, source(),
-                    "there is no display '" + display + "'; the config has: " + listed(all));
+                    "there is no display '" + display + "'; the config has: " + listed(all) +
+                        didYouMean(display, all));
     std::vector<std::string> names;
     for (int i = 0; i < state_->config->getNumViews(known->c_str()); ++i)
         names.emplace_back(state_->config->getView(known->c_str(), i));
@@ -185,13 +187,14 @@ DisplayTransform ColorConfig::displayTransform(const DisplayOptions& options) co
     if (!view)
         throw Error(ErrorKind::badInput, source(),
                     "the display '" + chosen.display + "' has no view '" + chosen.view +
-                        "'; it has: " + listed(allViews));
+                        "'; it has: " + listed(allViews) + didYouMean(chosen.view, allViews));
     chosen.view = *view;
     if (!chosen.look.empty())
         for (const std::string& look : lookNames(chosen.look))
             if (!findName(looks(), look))
                 throw Error(ErrorKind::badInput, source(),
-                            "there is no look '" + look + "'; the config has: " + listed(looks()));
+                            "there is no look '" + look + "'; the config has: " + listed(looks()) +
+                                didYouMean(look, looks()));
     try {
         state->processor = makeProcessor(state_->config, state_->working.name, chosen);
         state->cpu = state->processor->getOptimizedCPUProcessor(ocioPrecision);

@@ -3,9 +3,11 @@
 #include "import/text.h"
 
 #include <candela/error.h>
+#include <candela/nearest_name.h>
 
 #include <optional>
 #include <set>
+#include <vector>
 
 namespace candela {
 namespace fs = std::filesystem;
@@ -30,14 +32,19 @@ std::optional<SchemeAndRest> splitScheme(const std::string& uri) {
     return SchemeAndRest{scheme, uri.substr(colon + 1)};
 }
 
-// "the plugins loaded take .glb, .gltf and plaza:"
-std::string supportedSources(const PluginRegistry& plugins) {
+// ".glb", ".gltf", "plaza:"
+std::set<std::string> supportedSources(const PluginRegistry& plugins) {
     std::set<std::string> supported;
     for (const PluginReport& report : plugins.reports()) {
         if (report.state != PluginState::loaded) continue;
         for (const std::string& extension : report.extensions) supported.insert("." + extension);
         for (const std::string& scheme : report.schemes) supported.insert(scheme + ":");
     }
+    return supported;
+}
+
+// "the plugins loaded take .glb, .gltf and plaza:"
+std::string listOf(const std::set<std::string>& supported) {
     if (supported.empty()) return "no plugin is loaded";
     std::string list;
     std::size_t left = supported.size();
@@ -49,25 +56,33 @@ std::string supportedSources(const PluginRegistry& plugins) {
     return "the plugins loaded take " + list;
 }
 
+// The same, and which of them `source`, an ending or a scheme, was probably meant to be.
+std::string supportedText(const PluginRegistry& plugins, const std::string& source) {
+    const std::set<std::string> supported = supportedSources(plugins);
+    const std::vector<std::string> names(supported.begin(), supported.end());
+    return listOf(supported) + didYouMean(source, names);
+}
+
 SceneSource schemeSource(const PluginRegistry& plugins, const std::string& uri, const SchemeAndRest& parts) {
     const candela_plugin* plugin = plugins.importerForScheme(parts.scheme);
     if (!plugin)
         throw Error(ErrorKind::unsupported, uri,
                     joined("there is no such file, and no plugin takes the scheme '", parts.scheme, ":'; ",
-                           supportedSources(plugins)));
+                           supportedText(plugins, parts.scheme + ":")));
     return {plugin, {}, parts.rest, std::nullopt};
 }
 
 const candela_plugin* importerFor(const PluginRegistry& plugins, const std::string& uri) {
     const std::string ending = fs::path(uri).extension().string();
     if (ending.size() < 2)
-        throw Error(ErrorKind::unsupported, uri,
-                    "the file's name has no ending that tells its format; " + supportedSources(plugins));
-    const candela_plugin* plugin = plugins.importerForExtension(lowerCase(ending.substr(1)));
-    if (!plugin)
         throw Error(
             ErrorKind::unsupported, uri,
-            joined("no plugin takes files ending in '", oneLine(ending), "'; ", supportedSources(plugins)));
+            "the file's name has no ending that tells its format; " + listOf(supportedSources(plugins)));
+    const candela_plugin* plugin = plugins.importerForExtension(lowerCase(ending.substr(1)));
+    if (!plugin)
+        throw Error(ErrorKind::unsupported, uri,
+                    joined("no plugin takes files ending in '", oneLine(ending), "'; ",
+                           supportedText(plugins, ending)));
     return plugin;
 }
 

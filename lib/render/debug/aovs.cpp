@@ -1,6 +1,7 @@
 #include "render/debug/aovs.h"
 
 #include <candela/error.h>
+#include <candela/nearest_name.h>
 
 #include <algorithm>
 
@@ -8,18 +9,22 @@ namespace candela {
 
 namespace {
 
-std::string knownNames() {
+/// The names that there are, and which of them `name` was probably meant to be.
+std::string knownNames(const std::string& name) {
+    std::vector<std::string> names;
     std::string text;
-    for (const ChannelRow& row : channelRows())
-        text += (text.empty() ? "" : ", ") + std::string(row.channel.name);
-    return text;
+    for (const ChannelRow& row : channelRows()) {
+        names.emplace_back(row.channel.name);
+        text += (text.empty() ? "" : ", ") + names.back();
+    }
+    return text + didYouMean(name, names);
 }
 
 const ChannelRow& findAov(const std::string& name) {
     const auto row = std::ranges::find(channelRows(), name,
                                        [](const ChannelRow& channelRow) { return channelRow.channel.name; });
     if (row != channelRows().end()) return *row;
-    throw Error(ErrorKind::badInput, "", "there is no AOV '" + name + "'; there are " + knownNames());
+    throw Error(ErrorKind::badInput, "", "there is no AOV '" + name + "'; there are " + knownNames(name));
 }
 
 /// Whether a channel has a value at the pixel; 0 stands for none.
