@@ -129,9 +129,9 @@ struct OcclusionReport {
 ///
 /// Edits mark what they change, and the next frame brings the device up to date, at a cost in proportion to
 /// the change. They check their arguments, throw `Error` (badInput) that names the element or says that its
-/// handle is stale, and change nothing then. Edits of lights by `setLights`, of cages, meshes, images,
-/// materials and the environment throw `Error` (environment) while the context is not current on this thread.
-/// Every function throws `Error` (badInput) on an object that has been moved from.
+/// handle is stale, and change nothing then. `setLights`, edits of cages, meshes, images, materials and the
+/// environment, and nodes that are added or removed throw `Error` (environment) while the context is not
+/// current on this thread. Every function throws `Error` (badInput) on an object that has been moved from.
 ///
 /// Elements are added, removed and replaced while the scene is on the device, and nothing else is uploaded
 /// again; the next frame sorts the draws anew. In elements that are added, indices of parents, meshes,
@@ -203,12 +203,13 @@ class CANDELA_API GpuScene {
     /// not affected. A hidden node casts none. Throws `Error` (badInput) when there is no such node.
     void setCastsShadow(NodeHandle node, ShadowCasting casting);
 
-    /// Adds a node below a node that is there, or a root. It shows a mesh that no skin and no morph target
-    /// moves, and no cage. Throws `Error` (badInput) when it breaks what `Node` states or names an element
-    /// that is not there; unsupported for what it can not show.
+    /// Adds a node below a node that is there, or a root. A skin and morph targets may move its mesh where
+    /// that has been added, or was shown deformed by the scene, but not its cage. Throws `Error` (badInput)
+    /// when it breaks what `Node` states or names an element that is not there; unsupported for what it can
+    /// not show.
     NodeHandle addNode(const Node& node);
     /// Removes a node, all nodes below it, and their lights. Animations do not name it any more. Throws
-    /// `Error` (badInput) when it, or a node below it, shows a cage or a deformed mesh, or is a joint.
+    /// `Error` (badInput) when it, or a node below it, is a joint of a skin.
     void removeNode(NodeHandle node);
 
     /// Uploads a mesh, which nodes added later may show. Of `Mesh::variantMaterials` nothing is used. Throws
@@ -220,7 +221,7 @@ class CANDELA_API GpuScene {
     void replaceMesh(MeshHandle handle, const Mesh& mesh);
     /// Throws `Error` (badInput) while a node shows the mesh.
     void removeMesh(MeshHandle handle);
-    /// Moves the vertices of a mesh: its own shape, of which deformed meshes know nothing. `normals` may be
+    /// Moves the vertices of a mesh, which no node added later shows deformed then. `normals` may be
     /// empty: they stay. Throws `Error` (badInput) when their numbers are not those of the mesh, one is not
     /// finite, or the mesh is deformed.
     void setPositions(MeshHandle handle, std::span<const glm::vec3> positions,
@@ -229,6 +230,15 @@ class CANDELA_API GpuScene {
     /// beyond which may be missing from the picture. They do not leave the device, but where the CPU reads
     /// meshes (software devices) this waits for it. Throws besides when the buffer is too small.
     void setPositions(MeshHandle handle, const BufferRange& vertices, const Bounds& bounds);
+
+    /// Adds a cage, which nodes added later may show. Throws `Error` (badInput) when it breaks what `Cage`
+    /// states, names a material that is not there, or the subdivider rejects it.
+    CageHandle addCage(const Cage& cage);
+    /// Replaces a cage at all nodes that show it, where points of `setCagePoints` hold no longer. Throws as
+    /// `addCage` does, and badInput while a skin or morph targets deform it.
+    void replaceCage(CageHandle handle, const Cage& cage);
+    /// Throws `Error` (badInput) while a node shows the cage.
+    void removeCage(CageHandle handle);
 
     /// Adds a material. Throws as `setMaterial` does.
     MaterialHandle addMaterial(const Material& material);

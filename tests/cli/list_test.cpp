@@ -12,7 +12,7 @@ namespace {
 TEST(List, PluginsWithTheirFormats) {
     const CommandResult result = runCommand({"--list", "plugins"});
     expectSuccess(result);
-    for (const char* text : {"loaded", "gltf", ".glb", "plaza", "plaza:"})
+    for (const char* text : {"loaded", "gltf", ".glb", "plaza", "plaza:", "?level=1..8: ", "decodes images"})
         EXPECT_NE(result.out.find(text), std::string::npos) << text << " in\n" << result.out;
 }
 

@@ -45,7 +45,7 @@ bool areAllZero(const std::vector<float>& weights) {
 
 GpuDeformations::GpuDeformations(const Context& context, const Scene& scene, const Scene& kept,
                                  GpuMeshes::Detail detail, VertexEvaluator evaluator)
-    : scene_(kept), deformer_(context, evaluator) {
+    : scene_(kept), detail_(detail), deformer_(context, evaluator) {
     addInstances(scene, detail);
     if (!empty()) listJoints();
 }
@@ -92,19 +92,63 @@ std::optional<std::uint32_t> GpuDeformations::ofNode(std::uint32_t node) const {
 
 void GpuDeformations::describe(const GpuMeshes& meshes, const gl::Buffer& drawRecords,
                                const DefaultDetail& defaultDetail) {
-    for (const auto& instance : instances_) {
-        MeshDeformation& deformation = *instance->deformation;
-        instance->buffers.surface.reserve(deformation.surfaceBytes());
-        if (deformation.hasTangents()) instance->buffers.tangents.reserve(deformation.tangentBytes());
-        const gl::Buffer* tangents = deformation.hasTangents() ? &instance->buffers.tangents : nullptr;
-        meshes.describeDeformed(instance->vertexArray, instance->placement.mesh,
-                                {instance->buffers.surface, tangents}, drawRecords, defaultDetail);
+    for (std::uint32_t i = 0; i < instances_.size(); ++i) {
+        if (!isFree(i)) describe(i, meshes, drawRecords, defaultDetail);
     }
 }
 
+void GpuDeformations::describe(std::uint32_t index, const GpuMeshes& meshes, const gl::Buffer& drawRecords,
+                               const DefaultDetail& defaultDetail) {
+    Instance& instance = *instances_[index];
+    MeshDeformation& deformation = *instance.deformation;
+    instance.buffers.surface.reserve(deformation.surfaceBytes());
+    if (deformation.hasTangents()) instance.buffers.tangents.reserve(deformation.tangentBytes());
+    const gl::Buffer* tangents = deformation.hasTangents() ? &instance.buffers.tangents : nullptr;
+    meshes.describeDeformed(instance.vertexArray, instance.placement.mesh,
+                            {instance.buffers.surface, tangents}, drawRecords, defaultDetail);
+}
+
+void GpuDeformations::setMesh(std::uint32_t mesh, const Mesh& from) {
+    if (mesh >= meshes_.size()) meshes_.resize(mesh + 1);
+    meshes_[mesh].reset();
+    if (from.influenceCount > 0 || !from.morphTargets.empty())
+        meshes_[mesh] = std::make_unique<MeshDeformation>(from, detail_);
+}
+
+std::uint32_t GpuDeformations::add(std::uint32_t nodeIndex) {
+    const Node& node = scene_.nodes[nodeIndex];
+    // The place of a removed one would be taken for it by what knows deformed meshes by their versions.
+    const auto index = static_cast<std::uint32_t>(instances_.size());
+    Instance& instance = *instances_.emplace_back(std::make_unique<Instance>());
+    instance.placement.node = nodeIndex;
+    instance.placement.mesh = *node.mesh;
+    instance.deformation = meshes_[*node.mesh].get();
+    instance.skin = node.skin;
+    if (!areAllZero(node.morphWeights)) instance.morphWeights = node.morphWeights;
+    if (instancesOfNode_.size() < scene_.nodes.size()) instancesOfNode_.resize(scene_.nodes.size());
+    instancesOfNode_[nodeIndex].push_back(index);
+    if (instance.skin) {
+        for (const std::uint32_t joint : scene_.skins[*instance.skin].joints)
+            instancesOfNode_[joint].push_back(index);
+    }
+    mark(index);
+    return index;
+}
+
+void GpuDeformations::remove(std::uint32_t index) {
+    const Instance& instance = *instances_[index];
+    std::erase(instancesOfNode_[instance.placement.node], index);
+    if (instance.skin) {
+        for (const std::uint32_t joint : scene_.skins[*instance.skin].joints)
+            std::erase(instancesOfNode_[joint], index);
+    }
+    std::erase(marked_, index);
+    instances_[index].reset();
+}
+
 bool GpuDeformations::deforms(std::uint32_t mesh) const {
-    return std::ranges::any_of(instances_,
-                               [&](const auto& instance) { return instance->placement.mesh == mesh; });
+    return std::ranges::any_of(
+        instances_, [&](const auto& instance) { return instance && instance->placement.mesh == mesh; });
 }
 
 void GpuDeformations::mark(std::uint32_t index) {
@@ -119,12 +163,13 @@ void GpuDeformations::markNode(std::uint32_t node) {
 
 void GpuDeformations::markAnimated() {
     for (std::uint32_t i = 0; i < instances_.size(); ++i) {
-        if (!instances_[i]->animations.empty()) mark(i);
+        if (!isFree(i) && !instances_[i]->animations.empty()) mark(i);
     }
 }
 
 void GpuDeformations::selectAnimations() {
     for (std::uint32_t i = 0; i < instances_.size(); ++i) {
+        if (isFree(i)) continue;
         Instance& instance = *instances_[i];
         if (!instance.isAnimated) continue;
         instance.animations = morphAnimations(scene_, instance.placement.node);
@@ -190,8 +235,11 @@ void GpuDeformations::deform(std::span<const std::uint32_t> indices) {
 
 DeformationReport GpuDeformations::report() const {
     DeformationReport report;
-    report.meshes = instances_.size();
-    for (const auto& instance : instances_) report.vertices += instance->deformation->vertexCount();
+    for (const auto& instance : instances_) {
+        if (!instance) continue;
+        ++report.meshes;
+        report.vertices += instance->deformation->vertexCount();
+    }
     if (deformer_.lastUsed() != VertexEvaluator::automatic) report.evaluator = toString(deformer_.lastUsed());
     return report;
 }

@@ -25,7 +25,18 @@ class GpuDeformations {
                     VertexEvaluator evaluator);
 
     bool empty() const { return instances_.empty(); }
+    /// Places of deformed meshes, those that are free included.
     std::size_t size() const { return instances_.size(); }
+    bool isFree(std::uint32_t index) const { return !instances_[index]; }
+
+    /// Keeps what deforms mesh `mesh`, which may be a new one and which no node shows deformed.
+    void setMesh(std::uint32_t mesh, const Mesh& from);
+    /// Can nodes that are added show the mesh deformed?
+    bool keeps(std::uint32_t mesh) const { return mesh < meshes_.size() && meshes_[mesh] != nullptr; }
+    /// Adds the mesh of a node, which is kept and which the node deforms, and returns its index. Its vertices
+    /// are to be described.
+    std::uint32_t add(std::uint32_t node);
+    void remove(std::uint32_t index);
 
     /// The deformed mesh of a node; none where its mesh is drawn as it is.
     std::optional<std::uint32_t> ofNode(std::uint32_t node) const;
@@ -45,6 +56,9 @@ class GpuDeformations {
     /// Describes the vertices of all instances to their vertex arrays. To be called again when the buffers of
     /// the meshes are other ones.
     void describe(const GpuMeshes& meshes, const gl::Buffer& drawRecords, const DefaultDetail& defaultDetail);
+    /// The same of one instance.
+    void describe(std::uint32_t index, const GpuMeshes& meshes, const gl::Buffer& drawRecords,
+                  const DefaultDetail& defaultDetail);
 
     /// Marks the instances that a node moves: its own, and those for whose skin it is a joint.
     void markNode(std::uint32_t node);
@@ -87,8 +101,9 @@ class GpuDeformations {
     void poseInstance(Instance& instance, const std::vector<glm::mat4>& world, double time) const;
 
     const Scene& scene_;
+    GpuMeshes::Detail detail_;
     std::vector<std::unique_ptr<MeshDeformation>> meshes_;  ///< One a mesh; nullptr: it is not deformed.
-    std::vector<std::unique_ptr<Instance>> instances_;
+    std::vector<std::unique_ptr<Instance>> instances_;      ///< Null where the node has been removed.
     std::vector<std::vector<std::uint32_t>>
         instancesOfNode_;  ///< That a node moves; empty without instances.
     std::vector<std::uint32_t> marked_, posed_;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <tuple>
 #include <utility>
 
 namespace candela {
@@ -126,7 +125,7 @@ void DrawList::addMesh(std::uint32_t instance, const DrawGeometry& geometry, std
 
 void DrawList::addCage(std::uint32_t instance, std::uint32_t surface, std::span<const std::uint32_t> parts,
                        std::span<const Material> materials, GpuImages& images) {
-    for (const std::uint32_t material : parts) requireKey(material, {false, false}, materials, images);
+    prepare(parts, materials, images);
     const std::span<Draw> draws = takeDraws(instance, parts.size());
     for (std::uint32_t part = 0; part < parts.size(); ++part) {
         Draw& draw = draws[part];
@@ -136,6 +135,15 @@ void DrawList::addCage(std::uint32_t instance, std::uint32_t surface, std::span<
         draw.geometry = {DrawGeometry::Kind::cage, surface};
         finishDraw(draw);
     }
+}
+
+void DrawList::prepare(std::span<const std::uint32_t> parts, std::span<const Material> materials,
+                       GpuImages& images) {
+    for (const std::uint32_t material : parts) requireKey(material, {false, false}, materials, images);
+}
+
+bool DrawList::isPrepared(std::span<const std::uint32_t> parts) const {
+    return std::ranges::all_of(parts, [&](std::uint32_t i) { return materialKeys_[i][0].has_value(); });
 }
 
 void DrawList::requireKey(std::uint32_t material, const VertexKind& vertices,
@@ -220,47 +228,6 @@ std::uint32_t DrawList::lobeSet(const LobeTextures& textures) {
         lobeSetOf_.try_emplace(textures, static_cast<std::uint32_t>(lobeSets_.size()));
     if (isNew) lobeSets_.push_back(textures);
     return entry->second;
-}
-
-void DrawList::placeRecords(std::span<const std::uint32_t> instances) {
-    struct Place {
-        std::uint32_t draw, number;
-    };
-    std::vector<Place> places;
-    places.reserve(draws_.size());
-    for (const std::uint32_t instance : instances) {
-        const DrawSpan span = instance < spans_.size() ? spans_[instance] : DrawSpan{};
-        for (std::uint32_t i = 0; i < span.count; ++i)
-            places.push_back({span.first + i, static_cast<std::uint32_t>(places.size())});
-    }
-    std::ranges::stable_sort(places, {}, [&](const Place& place) {
-        const Draw& draw = draws_[place.draw];
-        return std::tuple(draw.geometry, draw.meshOrder, draw.indexInMesh, draw.material);
-    });
-    std::vector<std::array<std::uint32_t, 3>> records;
-    records.reserve(places.size());
-    numberOfRecord_.clear();
-    drawOfRecord_.clear();
-    for (const Place& place : places) {
-        Draw& draw = draws_[place.draw];
-        draw.command.baseInstance = static_cast<std::uint32_t>(records.size());
-        records.push_back({draw.instance, draw.material, place.number});
-        numberOfRecord_.push_back(place.number);
-        drawOfRecord_.push_back(place.draw);
-    }
-    recordBuffer_.upload(std::span<const std::array<std::uint32_t, 3>>(records));
-    sortGroups();
-    unplaced_ = false;
-}
-
-/// Takes out what has been removed, and brings the others into the order of their records.
-void DrawList::sortGroups() {
-    for (auto& [key, group] : groups_) {
-        if (group.changed)
-            std::erase_if(group.draws,
-                          [&, current = &group](std::uint32_t i) { return draws_[i].group != current; });
-        std::ranges::sort(group.draws, {}, [&](std::uint32_t i) { return draws_[i].command.baseInstance; });
-    }
 }
 
 std::span<DrawList::Draw> DrawList::drawsOf(std::uint32_t instance) {
@@ -351,41 +318,6 @@ std::vector<DrawnPart> DrawList::partsOf(std::uint32_t instance) const {
         parts.push_back({{draw.command.firstIndex, draw.command.count}, draw.material});
     }
     return parts;
-}
-
-std::size_t DrawList::group() {
-    if (pending_.empty() && !hasRemoved_) return 0;
-    hasRemoved_ = false;
-    Groups::iterator last = groups_.end();
-    for (const std::uint32_t index : pending_) {
-        Draw& draw = draws_[index];
-        draw.pending = false;
-        if (draw.removed) continue;
-        const PipelineKey key = keyOf(draw);
-        if (last == groups_.end() || last->first != key) last = groups_.try_emplace(key).first;
-        Group& target = last->second;
-        if (draw.group == &target) continue;
-        if (draw.group != nullptr) draw.group->changed = true;
-        draw.group = &target;
-        target.changed = true;
-        target.added.push_back(index);
-    }
-    for (auto& [key, group] : groups_) {
-        if (!group.changed) continue;
-        group.changed = false;
-        std::erase_if(group.draws,
-                      [&, current = &group](std::uint32_t i) { return draws_[i].group != current; });
-        const auto recordOf = [&](std::uint32_t i) { return draws_[i].command.baseInstance; };
-        std::ranges::sort(group.added, {}, recordOf);
-        const auto middle = static_cast<std::ptrdiff_t>(group.draws.size());
-        group.draws.insert(group.draws.end(), group.added.begin(), group.added.end());
-        std::ranges::inplace_merge(group.draws, group.draws.begin() + middle, {}, recordOf);
-        group.added.clear();
-    }
-    std::erase_if(groups_, [](const auto& entry) { return entry.second.draws.empty(); });
-    const std::size_t count = pending_.size();
-    pending_.clear();
-    return count;
 }
 
 bool DrawList::hasTransparent() const {

@@ -65,6 +65,8 @@ struct MeshParts {
     bool hasColors = false;      ///< Of vertices.
     bool hasFurtherUvs = false;  ///< More than two sets of texture coordinates.
     UvSets uvs = 0;
+    std::uint32_t jointCount = 0;  ///< That the mesh needs of a skin; 0: no skin moves it.
+    std::uint32_t morphTargetCount = 0;
     /// Indices of triangles, lines and points.
     std::uint64_t elements(Topology topology) const;
     bool hasOnlyTriangles() const { return elements(Topology::lines) + elements(Topology::points) == 0; }
@@ -198,6 +200,10 @@ class DrawList {
     bool isPrepared(const MeshParts& parts) const;
     /// Loads the textures of a mesh's materials, so that `addMesh` does not throw. Throws as it does.
     void prepare(const MeshParts& parts, std::span<const Material> materials, GpuImages& images);
+    /// The same of the materials of a cage.
+    void prepare(std::span<const std::uint32_t> parts, std::span<const Material> materials,
+                 GpuImages& images);
+    bool isPrepared(std::span<const std::uint32_t> parts) const;
     /// To be called when a material is removed, which nothing has.
     void removeMaterial(std::uint32_t index) { materialKeys_[index] = {}; }
     /// Removes the draws of an instance.

@@ -92,6 +92,16 @@ GpuInstances::GpuInstances(const Scene& scene)
 }
 
 std::uint32_t GpuInstances::addMesh(std::uint32_t node, std::uint32_t mesh, Elements elements) {
+    const std::uint32_t index = take({node, mesh});
+    setElements(index, elements);
+    return meshOfNode_[node] = index;
+}
+
+std::uint32_t GpuInstances::addCage(std::uint32_t node, std::uint32_t cageInstance) {
+    return cageOfNode_[node] = take({node, std::nullopt, cageInstance});
+}
+
+std::uint32_t GpuInstances::take(const Instance& instance) {
     std::uint32_t index = 0;
     if (!free_.empty()) {
         index = free_.back();
@@ -106,17 +116,18 @@ std::uint32_t GpuInstances::addMesh(std::uint32_t node, std::uint32_t mesh, Elem
         hidden_.push_back(false);
         isChanged_.push_back(false);
     }
-    instances_[index] = {node, mesh, 0, false};
-    setElements(index, elements);
+    instances_[index] = instance;
+    isNew_.resize(instances_.size());
+    isNew_[index] = true;
+    hasElements_[index] = false;
     windings_[index] = Winding::kept;
     hidden_[index] = false;
-    meshOfNode_[node] = index;
     markChanged(index);
     return index;
 }
 
-void GpuInstances::removeMesh(std::uint32_t node) {
-    const std::uint32_t index = std::exchange(meshOfNode_[node], none);
+void GpuInstances::remove(std::uint32_t& ofNode) {
+    const std::uint32_t index = std::exchange(ofNode, none);
     instances_[index].isRemoved = true;
     hidden_[index] = true;
     markChanged(index);

@@ -60,8 +60,11 @@ class GpuInstances {
     enum class Elements { trianglesOnly, linesOrPoints };
     /// Adds the mesh of a node, to be placed next, and returns its instance. The node may be a new one.
     std::uint32_t addMesh(std::uint32_t node, std::uint32_t mesh, Elements elements);
-    /// Removes the mesh of a node.
-    void removeMesh(std::uint32_t node);
+    /// The same of its cage, which is instance `cageInstance` of `GpuCages`.
+    std::uint32_t addCage(std::uint32_t node, std::uint32_t cageInstance);
+    /// Removes the mesh, or the cage, of a node.
+    void removeMesh(std::uint32_t node) { remove(meshOfNode_[node]); }
+    void removeCage(std::uint32_t node) { remove(cageOfNode_[node]); }
     /// To be called when the mesh of an instance has become another one.
     void setElements(std::uint32_t index, Elements elements) {
         hasElements_[index] = elements == Elements::linesOrPoints;
@@ -125,15 +128,22 @@ class GpuInstances {
     /// As in the record.
     glm::mat4 worldFromLocal(std::uint32_t index) const { return matrixOf(records_.texels(), index); }
     /// Remembers where the instances are.
-    void keep() { kept_.assign(records_.texels().begin(), records_.texels().end()); }
-    /// Where an instance was at the last `keep`; before, where it is.
+    void keep() {
+        kept_.assign(records_.texels().begin(), records_.texels().end());
+        isNew_.assign(instances_.size(), false);
+    }
+    /// Where an instance was at the last `keep`; before, and where it has been added since, where it is.
     glm::mat4 keptWorldFromLocal(std::uint32_t index) const {
-        return matrixOf(kept_.empty() ? records_.texels() : std::span<const glm::vec4>(kept_), index);
+        const bool isKept = !kept_.empty() && !isNew_[index];
+        return matrixOf(isKept ? std::span<const glm::vec4>(kept_) : records_.texels(), index);
     }
     const gl::BufferTexture& records() const { return records_.texture(); }
 
   private:
     static constexpr std::uint32_t none = 0xffffffffu;
+
+    std::uint32_t take(const Instance& instance);
+    void remove(std::uint32_t& ofNode);
     static std::optional<std::uint32_t> indexOf(std::uint32_t index) {
         return index == none ? std::nullopt : std::optional(index);
     }
@@ -152,6 +162,7 @@ class GpuInstances {
     std::vector<std::uint32_t> changed_, free_;
     RecordBuffer<glm::vec4> records_;
     std::vector<glm::vec4> kept_;  ///< The records at the last `keep`; empty before.
+    std::vector<bool> isNew_;      ///< Since then.
 };
 
 }  // namespace candela

@@ -10,6 +10,7 @@ NodeHandle GpuScene::addNode(const Node& node) {
 }
 
 void GpuScene::removeNode(NodeHandle node) {
+    requireContext();
     state().removeNode(state().nodeSlots.indexOf(node));
 }
 
@@ -36,6 +37,21 @@ void GpuScene::setPositions(MeshHandle handle, std::span<const glm::vec3> positi
 void GpuScene::setPositions(MeshHandle handle, const BufferRange& vertices, const Bounds& bounds) {
     requireContext();
     state().setPositions(state().meshSlots.indexOf(handle), vertices, bounds);
+}
+
+CageHandle GpuScene::addCage(const Cage& cage) {
+    requireContext();
+    return state().addCage(cage);
+}
+
+void GpuScene::replaceCage(CageHandle handle, const Cage& cage) {
+    requireContext();
+    state().replaceCage(state().cageSlots.indexOf(handle), cage);
+}
+
+void GpuScene::removeCage(CageHandle handle) {
+    requireContext();
+    state().removeCage(state().cageSlots.indexOf(handle));
 }
 
 MaterialHandle GpuScene::addMaterial(const Material& material) {

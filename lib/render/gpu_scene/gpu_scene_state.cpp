@@ -97,6 +97,7 @@ GpuScene::State::State(const Context& context, const Scene& scene, std::span<Ima
                candela::elementCount(scene, Topology::lines), candela::elementCount(scene, Topology::points)},
       nodeSlots("node", scene.nodes.size()),
       meshSlots("mesh", scene.meshes.size()),
+      cageSlots("cage", scene.cages.size()),
       materialSlots("material", scene.materials.size()),
       imageSlots("image", scene.images.size()),
       lightSlots("light", scene.lights.size()),
@@ -353,6 +354,7 @@ void GpuScene::State::updateCages(const CameraView& view, int width, int height,
 void GpuScene::State::updateDeformations(const Frustum& frustum, VertexScope scope) {
     stale_.clear();
     for (std::uint32_t i = 0; i < deformations.size(); ++i) {
+        if (deformations.isFree(i)) continue;
         const std::uint32_t instance = *instances.meshOf(deformations.placement(i).node);
         const bool needed = scope == VertexScope::everywhere || instances.isVisible(instance, frustum);
         if (deformations.isStale(i) && needed) stale_.push_back(i);

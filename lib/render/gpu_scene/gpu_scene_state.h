@@ -50,6 +50,9 @@ struct GpuScene::State {
     void setPositions(std::uint32_t index, std::span<const glm::vec3> positions,
                       std::span<const glm::vec3> normals);
     void setPositions(std::uint32_t index, const BufferRange& vertices, const Bounds& bounds);
+    CageHandle addCage(const Cage& cage);
+    void replaceCage(std::uint32_t index, const Cage& cage);
+    void removeCage(std::uint32_t index);
     MaterialHandle addMaterial(const Material& material);
     void removeMaterial(std::uint32_t index);
     ImageHandle addImage(const Image& image);
@@ -118,7 +121,7 @@ struct GpuScene::State {
     /// `transforms`.
     Scene sceneState;
     std::array<std::uint64_t, 3> elements;  ///< Drawn triangles, lines and points.
-    Slots nodeSlots, meshSlots, materialSlots, imageSlots, lightSlots;
+    Slots nodeSlots, meshSlots, cageSlots, materialSlots, imageSlots, lightSlots;
     std::vector<MeshParts> meshParts;  ///< One a mesh.
     /// Created by the first frame that traces rays.
     std::unique_ptr<OcclusionScene> occlusion;
@@ -148,6 +151,13 @@ struct GpuScene::State {
     void requireNode(const Node& node, std::uint32_t index, const ErrorContext& element) const;
     void appendNode(std::uint32_t index);
     void showMesh(std::uint32_t node, std::uint32_t mesh);
+    void showCage(std::uint32_t node);
+    void hideMesh(std::uint32_t node);
+    void hideCage(std::uint32_t node);
+    void requireCage(const Cage& cage, const ErrorContext& element) const;
+    void takeCage(std::uint32_t index, const Cage& cage, std::unique_ptr<CageTables> tables);
+    std::vector<std::uint32_t> nodesOfCage(std::uint32_t index) const;
+    void prepareDraws(const CageMaterials& parts);
     void eraseNode(std::uint32_t node);
     void countElements(const MeshParts& parts, int sign);
     void takeMesh(std::uint32_t index, const Mesh& mesh);

@@ -60,6 +60,7 @@ void GpuScene::State::takeMesh(std::uint32_t index, const Mesh& mesh) {
     kept.name = mesh.name;
     kept.morphTargets.resize(mesh.morphTargets.size());
     if (triangleFilter) clusters.replace(index, mesh);
+    deformations.setMesh(index, mesh);
     updateCommonUvs(before);
     updateCommonUvs(meshParts[index]);
 }
@@ -132,6 +133,7 @@ void GpuScene::State::setPositions(std::uint32_t index, std::span<const glm::vec
         const MeshPlace& at = meshes.places()[index];
         clusters.move(index, {positions, meshes.mappedIndices().subspan(at.firstIndex, at.indexCount)});
     }
+    deformations.setMesh(index, {});
     forEachInstanceOf(index, [&](std::uint32_t instance) {
         place(instance, transforms.world()[instances[instance].node], meshes.places()[index].sphere);
     });
@@ -149,6 +151,7 @@ void GpuScene::State::setPositions(std::uint32_t index, const BufferRange& verti
     const glm::vec3 corners[] = {bounds.min, bounds.max};
     meshes.copySurface(index, vertices, boundingSphere(corners));
     if (triangleFilter) clusters.replace(index, {});
+    deformations.setMesh(index, {});
     forEachInstanceOf(index, [&](std::uint32_t instance) {
         place(instance, transforms.world()[instances[instance].node], meshes.places()[index].sphere);
     });

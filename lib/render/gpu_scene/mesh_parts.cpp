@@ -1,6 +1,8 @@
 #include "render/gpu_scene/draw_list.h"
 #include "scene/geometry/topology.h"
 
+#include <algorithm>
+
 namespace candela {
 
 namespace {
@@ -28,6 +30,8 @@ MeshParts partsOf(const Mesh& mesh) {
     result.hasColors = !mesh.colors.empty();
     result.hasFurtherUvs = !mesh.furtherUvs.empty();
     result.uvs = uvSetsOf(mesh);
+    if (!mesh.joints.empty()) result.jointCount = *std::ranges::max_element(mesh.joints) + 1;
+    result.morphTargetCount = static_cast<std::uint32_t>(mesh.morphTargets.size());
     return result;
 }
 

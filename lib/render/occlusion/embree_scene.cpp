@@ -48,9 +48,17 @@ struct MeshTree {
     std::vector<std::uint32_t> users;  ///< Its instances.
 };
 
+/// A tree over instances.
+struct UpperTree {
+    Scene3 scene;
+    std::size_t instances = 0;
+    bool changed = true;  ///< Since the last commit.
+};
+
 struct InstanceEntry {
     std::uint32_t mesh = 0;
     Geometry3 geometry;
+    UpperTree* tree = nullptr;  ///< That holds the geometry.
     bool enabled = true;
 };
 
@@ -108,7 +116,11 @@ struct EmbreeScene::State {
     std::atomic<std::int64_t> bytes{0};
     std::vector<MeshTree> meshes;
     std::vector<InstanceEntry> instances;
-    Scene3 top;
+    /// Those that rest, and those that have changed. A commit builds a tree anew: few that move, in a scene
+    /// of many, do not touch the large one.
+    UpperTree still, moving;
+    std::vector<std::uint32_t> changed;  ///< Instances since the last commit; some are listed twice.
+    bool isCommitted = false;
 
     /// Throws where the last calls have failed.
     void check(const std::string& what) const {
@@ -116,6 +128,40 @@ struct EmbreeScene::State {
         if (code == RTC_ERROR_NONE) return;
         const auto kind = code == RTC_ERROR_OUT_OF_MEMORY ? ErrorKind::limit : ErrorKind::environment;
         throw Error(kind, "", "Embree cannot " + what + " (error " + std::to_string(code) + ")");
+    }
+
+    void makeTree(UpperTree& tree) const {
+        tree.scene.reset(rtcNewScene(device.get()));
+        rtcSetSceneFlags(tree.scene.get(),
+                         static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC));
+        rtcSetSceneBuildQuality(tree.scene.get(), RTC_BUILD_QUALITY_LOW);
+    }
+
+    /// Puts an instance into a tree, out of the one that holds it.
+    void put(InstanceEntry& entry, std::uint32_t index, UpperTree& tree) {
+        tree.changed = true;
+        changed.push_back(index);
+        if (entry.tree == &tree) return;
+        if (entry.tree != nullptr) {
+            rtcDetachGeometry(entry.tree->scene.get(), index);
+            entry.tree->changed = true;
+            --entry.tree->instances;
+        }
+        rtcAttachGeometryByID(tree.scene.get(), entry.geometry.get(), index);
+        entry.tree = &tree;
+        ++tree.instances;
+    }
+
+    /// Where few of those that once moved have changed now, the others are taken for resting again.
+    void separate() {
+        std::vector<std::uint32_t> now = std::exchange(changed, {});
+        if (!isCommitted || 8 * now.size() >= moving.instances) return;
+        std::vector<bool> isChanged(instances.size(), false);
+        for (const std::uint32_t index : now) isChanged[index] = true;
+        for (std::uint32_t i = 0; i < instances.size(); ++i) {
+            if (instances[i].tree == &moving && !isChanged[i]) put(instances[i], i, still);
+        }
+        changed.clear();
     }
 
     void writeVertices(RTCGeometry geometry, const OcclusionMesh& mesh) const {
@@ -185,10 +231,8 @@ EmbreeScene::EmbreeScene() : state_(std::make_unique<State>()) {
             return true;
         },
         &state_->bytes);
-    state_->top.reset(rtcNewScene(state_->device.get()));
-    rtcSetSceneFlags(state_->top.get(),
-                     static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC));
-    rtcSetSceneBuildQuality(state_->top.get(), RTC_BUILD_QUALITY_LOW);
+    state_->makeTree(state_->still);
+    state_->makeTree(state_->moving);
 }
 
 EmbreeScene::~EmbreeScene() = default;
@@ -208,9 +252,10 @@ void EmbreeScene::setMesh(std::uint32_t index, std::shared_ptr<const OcclusionMe
     state_->check("build the tree of a mesh");
     // The upper tree has read the bounds of the mesh, and its scene where that is a new one.
     for (const std::uint32_t user : tree.users) {
-        const InstanceEntry& instance = state_->instances[user];
+        InstanceEntry& instance = state_->instances[user];
         rtcSetGeometryInstancedScene(instance.geometry.get(), tree.scene.get());
         rtcCommitGeometry(instance.geometry.get());
+        state_->put(instance, user, state_->isCommitted ? state_->moving : *instance.tree);
     }
 }
 
@@ -218,10 +263,9 @@ void EmbreeScene::setInstance(std::uint32_t index, const OcclusionInstance& inst
     if (index >= state_->instances.size()) state_->instances.resize(index + 1);
     InstanceEntry& entry = state_->instances[index];
     const bool isNew = !entry.geometry;
-    if (isNew) {
-        entry.geometry.reset(rtcNewGeometry(state_->device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
-        rtcAttachGeometryByID(state_->top.get(), entry.geometry.get(), index);
-    }
+    if (isNew) entry.geometry.reset(rtcNewGeometry(state_->device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+    // What is added to a scene that is drawn already is taken for something that moves.
+    state_->put(entry, index, isNew && !state_->isCommitted ? state_->still : state_->moving);
     if (isNew || entry.mesh != instance.mesh) {
         if (!isNew) std::erase(state_->meshes[entry.mesh].users, index);
         state_->meshes[instance.mesh].users.push_back(index);
@@ -241,14 +285,20 @@ void EmbreeScene::setInstance(std::uint32_t index, const OcclusionInstance& inst
 void EmbreeScene::disableInstance(std::uint32_t index) {
     if (index >= state_->instances.size()) return;
     InstanceEntry& entry = state_->instances[index];
-    if (!entry.enabled) return;
+    if (!entry.geometry || !entry.enabled) return;
     rtcDisableGeometry(entry.geometry.get());
     entry.enabled = false;
     rtcCommitGeometry(entry.geometry.get());
+    state_->put(entry, index, state_->moving);
 }
 
 void EmbreeScene::commit() {
-    rtcCommitScene(state_->top.get());
+    state_->separate();
+    for (UpperTree* tree : {&state_->still, &state_->moving}) {
+        if (tree->changed) rtcCommitScene(tree->scene.get());
+        tree->changed = false;
+    }
+    state_->isCommitted = true;
     state_->check("build the tree of the instances");
 }
 
@@ -279,7 +329,9 @@ std::uint32_t EmbreeScene::trace(const RayPacket& packet, float* transmittance) 
     // 3.13.5 stores a mask of 16 bits where it reads 64, and at times never ends.
     context.base.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     const FlushDenormals flush;
-    rtcOccluded16(packet.active, state_->top.get(), &context.base, &rays);
+    for (const UpperTree* tree : {&state_->still, &state_->moving}) {
+        if (tree->instances > 0) rtcOccluded16(packet.active, tree->scene.get(), &context.base, &rays);
+    }
     std::uint32_t hidden = 0;
     for (int i = 0; i < 16; ++i) {
         // A ray that meets something opaque ends at minus infinity.

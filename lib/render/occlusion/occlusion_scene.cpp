@@ -187,22 +187,31 @@ void OcclusionScene::updateInstance(const GpuScene::State& scene, std::uint32_t 
     InstanceEntry& instance = instances_[index];
     if (instance.mesh == noMesh) {
         instance.casts = false;
+        placeInstance(instance);
         embree_.disableInstance(index);
         return;
     }
     instance.casts =
         !scene.instances.isHidden(index) && scene.sceneState.nodes[scene.instances[index].node].castsShadow;
     instance.worldFromLocal = worldFromLocal(scene, index);
+    placeInstance(instance);
     embree_.setInstance(index, {instance.mesh, instance.worldFromLocal, instance.casts});
+}
+
+void OcclusionScene::placeInstance(InstanceEntry& instance) const {
+    instance.bounds = {};
+    if (!instance.casts || !isInvertible(instance.worldFromLocal)) return;
+    instance.bounds = transformed(meshes_[instance.mesh].tree.bounds, instance.worldFromLocal);
+    writeRows(instance.localFromWorld, glm::inverse(instance.worldFromLocal));
 }
 
 /// The tree over instances is built anew: that takes less than refitting would cost rays.
 void OcclusionScene::updateView() {
     std::vector<Bounds> boxes(instances_.size());
     for (std::size_t i = 0; i < instances_.size(); ++i) {
-        const InstanceEntry& instance = instances_[i];
-        if (instance.casts && isInvertible(instance.worldFromLocal))
-            boxes[i] = transformed(meshes_[instance.mesh].tree.bounds, instance.worldFromLocal);
+        // Those of a mesh that has changed have other boxes.
+        if (meshesChanged_) placeInstance(instances_[i]);
+        boxes[i] = instances_[i].bounds;
     }
     top_ = buildWideTree(boxes, 1);
     instancesAreNewToShaders_ = true;
@@ -212,7 +221,7 @@ void OcclusionScene::updateView() {
         const InstanceEntry& instance = instances_[top_.primitives[leaf.first]];
         const MeshEntry& mesh = meshes_[instance.mesh];
         OcclusionInstanceView& view = instanceViews_.emplace_back();
-        writeRows(view.localFromWorld, glm::inverse(instance.worldFromLocal));
+        std::ranges::copy(instance.localFromWorld, view.localFromWorld);
         view.nodes = mesh.tree.nodes.data();
         view.blocks = mesh.blocks.data();
         view.opaqueCount = static_cast<std::uint32_t>(mesh.mesh->opaqueCount());

@@ -64,7 +64,10 @@ class OcclusionScene {
         std::uint32_t mesh = noMesh;  ///< None yet, or the instance has been removed.
         glm::mat4 worldFromLocal{1.0f};
         bool casts = false;
+        Bounds bounds;  ///< World; empty where it hides nothing.
+        float localFromWorld[12]{};
     };
+    void placeInstance(InstanceEntry& instance) const;
 
     std::uint32_t meshOf(const GpuScene::State& scene, std::uint32_t instance);
     void updateUsers(const GpuScene::State& scene, std::uint32_t instance);

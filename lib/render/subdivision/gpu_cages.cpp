@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace candela {
 
@@ -19,17 +20,15 @@ bool sameView(const CameraView& a, const CameraView& b) {
 
 GpuCages::GpuCages(const Context& context, const Scene& scene, const GpuSceneOptions& options)
     : scene_(scene),
+      subdivider_(options.subdivider),
+      noMaterial_(static_cast<std::uint32_t>(scene.materials.size())),
       settings_(options.subdivision),
       subdivided_(options.subdivider.has_value()),
       evaluator_(context, options.vertexEvaluator) {
     checkSettings(settings_);
-    const auto noMaterial = static_cast<std::uint32_t>(scene.materials.size());
-    tables_.reserve(scene.cages.size());
-    for (const Cage& cage : scene.cages) {
-        CageTables& tables = tables_.emplace_back(cage, options.subdivider, noMaterial);
-        // A cage that the subdivider rejects fails the upload.
-        tables.table(firstLevel(tables));
-    }
+    // A cage that the subdivider rejects fails the upload.
+    for (const Cage& cage : scene.cages) tables_.push_back(makeTables(cage));
+    sharedSurfaces_.resize(tables_.size());
     for (const Material& material : scene.materials)
         hasNormalTexture_.push_back(material.normalTexture.has_value());
     addInstances();
@@ -40,13 +39,12 @@ GpuCages::GpuCages(const Context& context, const Scene& scene, const GpuSceneOpt
 }
 
 void GpuCages::addInstances() {
-    std::vector<std::optional<std::uint32_t>> undeformed(scene_.cages.size());
     for (std::uint32_t i = 0; i < scene_.nodes.size(); ++i) {
         const std::optional<std::uint32_t> cage = scene_.nodes[i].cage;
         if (!cage) continue;
         Instance instance{.node = i, .cage = *cage};
         instance.isDeformed = candela::isDeformed(scene_.nodes[i], scene_.cages[*cage]);
-        std::optional<std::uint32_t>& shared = undeformed[*cage];
+        std::optional<std::uint32_t>& shared = sharedSurfaces_[*cage];
         if (!instance.isDeformed && !shared) shared = addSurface(*cage);
         instance.surface = instance.isDeformed ? addSurface(*cage) : *shared;
         users_[instance.surface].push_back(static_cast<std::uint32_t>(instances_.size()));
@@ -82,15 +80,76 @@ std::uint32_t GpuCages::firstLevel(const CageTables& tables) const {
 }
 
 std::uint32_t GpuCages::addSurface(std::uint32_t cage) {
-    CageTables& tables = tables_[cage];
+    CageTables& tables = *tables_[cage];
     surfaces_.push_back(std::make_unique<LimitSurface>(tables, firstLevel(tables)));
     users_.emplace_back();
     requests_.emplace_back();
     return static_cast<std::uint32_t>(surfaces_.size() - 1);
 }
 
+std::unique_ptr<CageTables> GpuCages::makeTables(const Cage& cage) const {
+    auto tables = std::make_unique<CageTables>(cage, subdivider_, noMaterial_);
+    tables->table(firstLevel(*tables));
+    return tables;
+}
+
+void GpuCages::setTables(std::uint32_t cage, std::unique_ptr<CageTables> tables) {
+    if (cage >= tables_.size()) {
+        tables_.resize(cage + 1);
+        sharedSurfaces_.resize(cage + 1);
+    }
+    if (const std::optional<std::uint32_t> shared = std::exchange(sharedSurfaces_[cage], std::nullopt))
+        surfaces_[*shared].reset();
+    tables_[cage] = std::move(tables);
+    view_.reset();
+}
+
+std::uint32_t GpuCages::addInstance(std::uint32_t node) {
+    Instance instance{.node = node, .cage = *scene_.nodes[node].cage};
+    std::optional<std::uint32_t>& shared = sharedSurfaces_[instance.cage];
+    if (!shared) {
+        shared = addSurface(instance.cage);
+        setTangents(*surfaces_[*shared]);
+    }
+    instance.surface = *shared;
+    auto index = static_cast<std::uint32_t>(instances_.size());
+    if (freeInstances_.empty()) {
+        instances_.emplace_back();
+    } else {
+        index = freeInstances_.back();
+        freeInstances_.pop_back();
+    }
+    instances_[index] = instance;
+    users_[instance.surface].push_back(index);
+    if (node >= instancesOfNode_.size()) instancesOfNode_.resize(scene_.nodes.size());
+    instancesOfNode_[node].push_back(index);
+    mark(index);
+    return index;
+}
+
+void GpuCages::removeInstance(std::uint32_t index) {
+    Instance& instance = instances_[index];
+    leaveSurface(index);
+    // Joints that have moved it may still list it.
+    std::erase(instancesOfNode_[instance.node], index);
+    std::erase(animated_, index);
+    std::erase(marked_, index);
+    instance = {};
+    instance.isRemoved = instance.hidden = true;
+    freeInstances_.push_back(index);
+    view_.reset();
+}
+
+/// A surface that no instance shows any more is freed, unless later instances may share it.
+void GpuCages::leaveSurface(std::uint32_t index) {
+    const Instance& instance = instances_[index];
+    std::erase(users_[instance.surface], index);
+    if (users_[instance.surface].empty() && sharedSurfaces_[instance.cage] != instance.surface)
+        surfaces_[instance.surface].reset();
+}
+
 void GpuCages::mark(std::uint32_t instance) {
-    if (instances_[instance].isMarked) return;
+    if (instances_[instance].isMarked || instances_[instance].isRemoved) return;
     instances_[instance].isMarked = true;
     marked_.push_back(instance);
 }
@@ -130,6 +189,8 @@ void GpuCages::setPoints(std::uint32_t index, std::span<const glm::vec3> points)
         users_[own].push_back(index);
         instance.surface = own;
         setTangents(*surfaces_[own]);
+    } else if (sharedSurfaces_[instance.cage] == instance.surface) {
+        sharedSurfaces_[instance.cage].reset();
     }
     instance.isDeformed = false;
     surfaces_[instance.surface]->setPoints(points);
@@ -151,7 +212,14 @@ void GpuCages::setMaterial(std::uint32_t index, const Material& material) {
     if (index >= hasNormalTexture_.size()) hasNormalTexture_.resize(index + 1, false);
     if (hasNormalTexture_[index] == material.normalTexture.has_value()) return;
     hasNormalTexture_[index] = material.normalTexture.has_value();
-    for (const auto& surface : surfaces_) setTangents(*surface);
+    for (const auto& surface : surfaces_) {
+        if (surface) setTangents(*surface);
+    }
+}
+
+bool GpuCages::isNeeded(std::uint32_t surface, VertexScope scope) const {
+    if (users_[surface].empty()) return false;
+    return scope == VertexScope::everywhere || requests_[surface].inView;
 }
 
 void GpuCages::setTangents(LimitSurface& surface) const {
@@ -168,8 +236,7 @@ std::span<const std::uint32_t> GpuCages::update(const View& view, VertexScope sc
     if (!known) requestLevels(view);
     releveled_.clear();
     for (std::uint32_t i = 0; i < surfaces_.size(); ++i) {
-        const bool needed = scope == VertexScope::everywhere || requests_[i].inView;
-        if (needed && surfaces_[i]->setLevel(levelFor(i), drawRecords, defaultDetail_))
+        if (isNeeded(i, scope) && surfaces_[i]->setLevel(levelFor(i), drawRecords, defaultDetail_))
             releveled_.push_back(i);
     }
     evaluateStale(scope);
@@ -213,9 +280,8 @@ std::uint32_t GpuCages::levelFor(std::uint32_t index) const {
 }
 
 void GpuCages::evaluateStale(VertexScope scope) {
-    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        const bool needed = scope == VertexScope::everywhere || requests_[i].inView;
-        if (needed && surfaces_[i]->isStale()) surfaces_[i]->evaluate(evaluator_);
+    for (std::uint32_t i = 0; i < surfaces_.size(); ++i) {
+        if (isNeeded(i, scope) && surfaces_[i]->isStale()) surfaces_[i]->evaluate(evaluator_);
     }
 }
 
@@ -232,16 +298,17 @@ bool GpuCages::isLodClamped(std::uint32_t index) const {
 
 CageReport GpuCages::report() const {
     CageReport report;
-    report.cages = instances_.size();
+    report.cages = instances_.size() - freeInstances_.size();
     report.subdivided = subdivided_;
     for (const Instance& instance : instances_) {
+        if (instance.isRemoved) continue;
         report.triangles += surfaces_[instance.surface]->triangles();
         report.lodClamped += isLodClamped(instance.surface) ? 1 : 0;
     }
-    for (const CageTables& tables : tables_) report.tableBytes += tables.tableBytes();
+    for (const auto& tables : tables_) report.tableBytes += tables ? tables->tableBytes() : 0;
     bool any = false;
     for (const auto& surface : surfaces_) {
-        if (!surface->level()) continue;
+        if (!surface || !surface->level()) continue;
         report.minLevel = any ? std::min(report.minLevel, *surface->level()) : *surface->level();
         report.maxLevel = std::max(report.maxLevel, *surface->level());
         any = true;

@@ -26,6 +26,16 @@ class GpuCages {
 
     bool empty() const { return instances_.empty(); }
 
+    /// The tables of a cage that is to be added or replaced. Throws what the subdivider does.
+    std::unique_ptr<CageTables> makeTables(const Cage& cage) const;
+    /// Sets the tables of cage `cage`, which may be the next one and which no node shows; null: it has been
+    /// removed.
+    void setTables(std::uint32_t cage, std::unique_ptr<CageTables> tables);
+    /// Adds the cage of a node of the scene, which nothing deforms, and returns its instance.
+    std::uint32_t addInstance(std::uint32_t node);
+    void removeInstance(std::uint32_t instance);
+    const CageTables& tables(std::uint32_t cage) const { return *tables_[cage]; }
+
     /// The cage of a node.
     struct Instance {
         std::uint32_t node = 0, cage = 0;
@@ -33,7 +43,8 @@ class GpuCages {
         glm::mat4 worldFromPoints{1.0f};  ///< As of the last `pose`.
         bool isDeformed = false;          ///< By morph targets or a skin.
         bool hidden = false;
-        bool isMarked = false;  ///< To be posed.
+        bool isMarked = false;   ///< To be posed.
+        bool isRemoved = false;  ///< The place is free.
     };
     std::span<const Instance> instances() const { return instances_; }
     const LimitSurface& surface(std::uint32_t index) const { return *surfaces_[index]; }
@@ -55,8 +66,8 @@ class GpuCages {
     /// Surfaces have tangents where any material of the cage has a normal texture.
     void setMaterial(std::uint32_t index, const Material& material);
 
-    /// Chooses the levels for a view and evaluates the surfaces of the scope that are not up to date. Returns the surfaces whose levels have changed. `drawRecords` are those of the
-    /// draw list.
+    /// Chooses the levels for a view and evaluates the surfaces of the scope that are not up to date. Returns
+    /// the surfaces whose levels have changed. `drawRecords` are those of the draw list.
     struct View {
         CameraView camera;
         int width = 0, height = 0;  ///< Pixels.
@@ -79,6 +90,8 @@ class GpuCages {
     void mark(std::uint32_t instance);
     std::uint32_t firstLevel(const CageTables& tables) const;
     std::uint32_t addSurface(std::uint32_t cage);
+    void leaveSurface(std::uint32_t instance);
+    bool isNeeded(std::uint32_t surface, VertexScope scope) const;
     void setTangents(LimitSurface& surface) const;
     void requestLevels(const View& view);
     void requestLevel(const LodView& view, const Instance& instance);
@@ -87,16 +100,20 @@ class GpuCages {
     void evaluateStale(VertexScope scope);
 
     const Scene& scene_;
+    const std::optional<Subdivider>& subdivider_;
+    std::uint32_t noMaterial_;
     SubdivisionSettings settings_;
     bool subdivided_;
-    std::vector<CageTables> tables_;  ///< One a cage.
-    std::vector<std::unique_ptr<LimitSurface>> surfaces_;
-    std::vector<std::vector<std::uint32_t>> users_;  ///< Instances, one list a surface.
-    std::vector<LodRequest> requests_;               ///< One a surface.
+    std::vector<std::unique_ptr<CageTables>> tables_;  ///< One a cage; null where it has been removed.
+    /// The surface of each cage that instances in its own shape share.
+    std::vector<std::optional<std::uint32_t>> sharedSurfaces_;
+    std::vector<std::unique_ptr<LimitSurface>> surfaces_;  ///< Null where no instance is left.
+    std::vector<std::vector<std::uint32_t>> users_;        ///< Instances, one list a surface.
+    std::vector<LodRequest> requests_;                     ///< One a surface.
     std::vector<Instance> instances_;
     std::vector<std::vector<std::uint32_t>> instancesOfNode_;  ///< That a node moves; empty without cages.
     std::vector<std::uint32_t> animated_;  ///< Instances whose morph weights are animated.
-    std::vector<std::uint32_t> marked_, posed_;
+    std::vector<std::uint32_t> marked_, posed_, freeInstances_;
     std::vector<bool> hasNormalTexture_;  ///< One a material.
     std::optional<View> view_;            ///< For which `requests_` hold.
     std::vector<glm::vec3> worldPoints_;

@@ -78,9 +78,11 @@ class GpuStencilTable {
 /// A cage and its stencil tables, which are created on first use and kept.
 class CageTables {
   public:
-    /// `noMaterial` stands for faces without a material. Both references have to outlive the object. Without
-    /// a subdivider there is one level, 0: the cage's polygons.
+    /// `noMaterial` stands for faces without a material. `subdivider` has to outlive the object. Without one
+    /// there is one level, 0: the cage's polygons.
     CageTables(const Cage& cage, const std::optional<Subdivider>& subdivider, std::uint32_t noMaterial);
+    CageTables(const CageTables&) = delete;
+    CageTables& operator=(const CageTables&) = delete;
 
     const Cage& cage() const { return cage_; }
     const CageMaterials& materials() const { return materials_; }
@@ -100,7 +102,7 @@ class CageTables {
     const EdgeIndices& cageEdges();
 
   private:
-    const Cage& cage_;
+    Cage cage_;
     const std::optional<Subdivider>& subdivider_;
     CageMaterials materials_;
     std::vector<CageEdge> edges_;

@@ -286,15 +286,72 @@ TEST_F(LiveSceneTest, AnEditCostsWhatItChanges) {
     EXPECT_EQ(counts.materials, 0u);
 }
 
-TEST_F(LiveSceneTest, NodesOfCagesAndJointsStay) {
-    Scene scene = oneBox();
-    scene.nodes.emplace_back();
-    scene.skins.push_back({"skin", {1}, {glm::mat4(1.0f)}});
-    GpuScene live(context(), scene);
-    EXPECT_EQ(errorOf([&] { live.removeNode(1); }), "node 1: is a joint of skin 0 and can not be removed");
+/// A sphere whose upper half follows joint 1 and the lower one joint 0, and which one target makes wider.
+Mesh deformableSphere(float radius) {
+    Mesh mesh = sphereMesh(radius, 16, 9);
+    mesh.influenceCount = 1;
+    MorphTarget wider;
+    for (const glm::vec3& position : mesh.positions) {
+        mesh.joints.push_back(position.y > 0.0f ? 1 : 0);
+        mesh.jointWeights.push_back(1.0f);
+        wider.offsets.emplace_back(0.4f * position.x, 0.0f, 0.0f);
+    }
+    mesh.morphTargets.push_back(wider);
+    return mesh;
+}
+
+TEST_F(LiveSceneTest, DeformedNodesComeAndGo) {
+    Random random(9);
+    Scene scene;
+    scene.nodes.resize(2);
+    scene.skins.push_back({"skin", {0, 1}, {glm::mat4(1.0f), glm::mat4(1.0f)}});
+    scene.meshes.push_back(deformableSphere(0.4f));
     Node node;
+    node.mesh = 0;
     node.skin = 0;
-    EXPECT_NE(errorOf([&] { live.addNode(node); }).find("can not show a deformed mesh"), std::string::npos);
+    scene.nodes.push_back(node);
+    for (int i = 0; i < 3; ++i) scene.lights.push_back(randomLight(random, std::nullopt));
+    GpuScene live(context(), scene);
+    FrameRequest shadowed = request;
+    shadowed.shadows = Shadows::on;
+    const auto expectSame = [&](const char* what) {
+        GpuScene anew(context(), scene);
+        const HdrImage picture = drawn(live, shadowed);
+        EXPECT_EQ(picture.rgba, drawn(anew, shadowed).rgba) << what;
+        EXPECT_EQ(live.deformationReport().meshes, anew.deformationReport().meshes) << what;
+    };
+    drawn(live, shadowed);
+    // A second mesh, moved by the skin and by its target, and by the target alone.
+    scene.meshes.push_back(deformableSphere(0.3f));
+    EXPECT_EQ(live.addMesh(scene.meshes[1]).index, 1u);
+    node.mesh = 1;
+    node.morphWeights = {0.7f};
+    scene.nodes.push_back(node);
+    EXPECT_EQ(live.addNode(node).index, 3u);
+    node.skin = std::nullopt;
+    node.transform = glm::translate(glm::mat4(1.0f), {0, 1.2f, 0});
+    scene.nodes.push_back(node);
+    EXPECT_EQ(live.addNode(node).index, 4u);
+    expectSame("added");
+    const glm::mat4 moved = glm::translate(glm::mat4(1.0f), {0.3f, 0.5f, 0});
+    scene.nodes[1].transform = moved;
+    live.setTransform(1, moved);
+    expectSame("a joint has moved");
+    live.removeNode(2);
+    scene.nodes[2] = {};
+    expectSame("removed");
+    node.morphWeights = {0.0f};
+    node.mesh = 0;
+    node.skin = 0;
+    scene.nodes[2] = node;
+    EXPECT_EQ(live.addNode(node), NodeHandle(2, 1));
+    expectSame("added again");
+    EXPECT_EQ(errorOf([&] { live.removeNode(1); }), "node 1: is a joint of skin 0 and can not be removed");
+    EXPECT_EQ(errorOf([&] { live.replaceMesh(1, boxMesh()); }),
+              "mesh 1 'box': a node shows it deformed: it can not be changed");
+    node.morphWeights = {1.0f, 2.0f};
+    EXPECT_NE(errorOf([&] { live.addNode(node); }).find("2 morph weights"), std::string::npos);
+    expectSame("refused");
 }
 
 }  // namespace
