@@ -51,22 +51,28 @@ glm::dmat4 cameraFromFile(const ExrMetadata& metadata) {
            glm::translate(glm::dmat4(1.0), -metadata.origin);
 }
 
-glm::dmat4 ndcFromCamera(const ExrMetadata& metadata) {
-    candela::CameraView view = metadata.view;
+/// Clip space of the library from its camera space.
+glm::dmat4 clipFromCamera(candela::CameraView view, float aspect) {
     if (view.orthographicHeight && !view.farPlane) view.farPlane = view.nearPlane + someFarPlane;
-    // From -1 to 1 with y up to 0 to 1 with y down.
+    return glm::dmat4(candela::projection(view, aspect));
+}
+
+/// From -1 to 1 with y up to 0 to 1 with y down.
+glm::dmat4 ndcFromClip() {
     glm::dmat4 window(1.0);
     window[0][0] = 0.5;
     window[1][1] = -0.5;
     window[3] = {0.5, 0.5, 0.0, 1.0};
-    return window * glm::dmat4(candela::projection(view, metadata.aspect));
+    return window;
 }
 
-/// Source: OpenEXR, "Technical Introduction", Projection, Camera Coordinate System and Screen Window.
-float screenWindowWidth(const ExrMetadata& metadata) {
-    const candela::CameraView& view = metadata.view;
-    const float height = view.orthographicHeight.value_or(2.0f * std::tan(0.5f * view.verticalFov));
-    return height * metadata.aspect;
+/// What the picture shows of the plane onto which the camera projects. The width of the screen window is that
+/// of the plane at distance 1. Source: OpenEXR, "Technical Introduction", Projection, Camera Coordinate
+/// System and Screen Window.
+void addProjection(const ExrMetadata& metadata, std::vector<candela::ExrAttribute>& attributes) {
+    const glm::dmat4 clip = clipFromCamera(metadata.view, *metadata.aspect);
+    attributes.push_back({"worldToNDC", glm::mat4(ndcFromClip() * clip * cameraFromFile(metadata))});
+    attributes.push_back({"screenWindowWidth", static_cast<float>(2.0 / clip[0][0])});
 }
 
 }  // namespace
@@ -97,14 +103,13 @@ std::vector<candela::ExrAttribute> exrMetadata(const ExrMetadata& metadata) {
     const glm::dmat4 forward = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, -1.0));
     std::vector<candela::ExrAttribute> attributes{
         {"worldToCamera", glm::mat4(forward * camera)},
-        {"worldToNDC", glm::mat4(ndcFromCamera(metadata) * camera)},
-        {"screenWindowWidth", screenWindowWidth(metadata)},
         {"framesPerSecond", toRational(metadata.framesPerSecond)},
         {"imageCounter", metadata.frame},
         {"cameraLabel", metadata.camera},
         {"software", "candela " CANDELA_VERSION},
         {"workingSpace", metadata.workingSpace},
     };
+    if (metadata.aspect) addProjection(metadata, attributes);
     if (const auto id = interopId(metadata.chromaticities)) attributes.push_back({"colorInteropID", *id});
     return attributes;
 }

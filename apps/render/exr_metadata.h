@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@
 struct ExrMetadata {
     candela::CameraView view;  ///< Of the middle of the shutter interval.
     glm::dvec3 origin{0.0};    ///< `candela::Scene::origin`: the matrices are of the file's space.
-    float aspect = 1.0f;       ///< Width over height.
+    /// Width over height; none of a panorama, which no projection onto a plane shows.
+    std::optional<float> aspect = 1.0f;
     int frame = 0;
     double framesPerSecond = 24.0;
     std::string camera;
@@ -21,7 +23,8 @@ struct ExrMetadata {
 };
 
 /// The standard attributes worldToCamera, worldToNDC, screenWindowWidth, framesPerSecond, imageCounter and
-/// cameraLabel; software, workingSpace and, of spaces that have one, colorInteropID.
+/// cameraLabel; software, workingSpace and, of spaces that have one, colorInteropID. A panorama has no
+/// worldToNDC and no screenWindowWidth.
 ///
 /// Camera space is left-handed with +Z forward and NDC is 0 to 1 from the upper left corner, as of RenderMan.
 /// Source: OpenEXR, ImfStandardAttributes.h.

@@ -162,6 +162,7 @@ void Sequence::addMetadata(Work& work) const {
     metadata.view = source_.writer.view();
     metadata.origin = source_.scene.origin;
     metadata.aspect = static_cast<float>(options_.width) / static_cast<float>(options_.height);
+    if (options_.panorama) metadata.aspect.reset();
     metadata.frame = work.picture.frame;
     metadata.framesPerSecond = options_.sampling.framesPerSecond;
     metadata.camera = source_.plan.cameras()[work.picture.camera].name;

@@ -128,6 +128,13 @@ TEST_F(Output, ExrNamesTheCamera) {
     EXPECT_FALSE(texts.at("workingSpace").empty());
 }
 
+TEST_F(Output, APanoramaHasNoProjection) {
+    expectSuccess(render({"-o", "a.exr", "--panorama"}));
+    const std::string path = folder / "a.exr";
+    expectNear(mapped(path, "worldToCamera", {1, 2, -1}), {1, 2, 4});
+    EXPECT_FALSE(Imf::hasWorldToNDC(Imf::InputFile(path.c_str()).header()));
+}
+
 TEST_F(Output, ExrMatricesAgreeWithPositionAndDepth) {
     expectSuccess(render({"-o", "a.exr", "--aov", "P,Z", "--camera", "far"}));
     expectSuccess(render({"-o", "b.exr", "--aov", "P,Z", "--eye=1,2,4", "--target=0,0,0", "--ortho", "3"}));
