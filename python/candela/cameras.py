@@ -74,8 +74,6 @@ def view_from_intrinsics(
     values = np.array([fx, fy, cx, cy, width, height], dtype=np.float64)
     if not np.all(np.isfinite(values)) or fx <= 0.0 or fy <= 0.0 or width < 1 or height < 1:
         raise InputError("intrinsics: focal lengths have to be over 0, sides 1 pixel or more, and all finite")
-    if not math.isclose(fx, fy, rel_tol=1e-6):
-        raise InputError(f"intrinsics: pixels have to be squares, but fx is {fx} and fy is {fy}")
     # From the coordinates in which the picture's corner is (0, 0).
     corner = 0.5 - pixel_center
     matrix = np.eye(4) if pose is None else np.asarray(pose)
@@ -84,6 +82,7 @@ def view_from_intrinsics(
         vertical_fov=2.0 * math.atan(0.5 * height / fy),
         near_plane=near,
         far_plane=far,
+        aspect=None if math.isclose(fx, fy, rel_tol=1e-6) else (width / fx) / (height / fy),
         shift=((0.5 * width - (cx + corner)) / width, ((cy + corner) - 0.5 * height) / height),
     )
 
@@ -93,11 +92,12 @@ def intrinsics(view: CameraView, width: int, height: int, *, pixel_center: float
     `view_from_intrinsics`."""
     if view.orthographic_height is not None:
         raise InputError("intrinsics: the view is orthographic")
-    focal = 0.5 * height / math.tan(0.5 * view.vertical_fov)
+    half_height = math.tan(0.5 * view.vertical_fov)
+    half_width = half_height * (width / height if view.aspect is None else view.aspect)
     corner = 0.5 - pixel_center
     cx = (0.5 - float(view.shift[0])) * width - corner
     cy = (0.5 + float(view.shift[1])) * height - corner
-    return np.array([[focal, 0.0, cx], [0.0, focal, cy], [0.0, 0.0, 1.0]])
+    return np.array([[0.5 * width / half_width, 0.0, cx], [0.0, 0.5 * height / half_height, cy], [0.0, 0.0, 1.0]])
 
 
 def project(

@@ -144,6 +144,7 @@ def _plugin_lines(advice: list[str]) -> list[str]:
     for report in reports:
         takes = [f".{ending}" for ending in report.extensions] + [f"{scheme}:N" for scheme in report.schemes]
         takes += ["refines cages"] if report.subdivides else []
+        takes += ["decodes images"] if report.decodes_images else []
         state = f"{report.name} {report.version}: {', '.join(takes)}" if report.state == "loaded" else report.state
         lines.append(f"  {report.file}: {state}{': ' + report.detail if report.detail else ''}")
         if report.state not in ("loaded", "a duplicate", "duplicate"):

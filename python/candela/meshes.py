@@ -122,6 +122,7 @@ class _Conversion:
         visual, uvs, colors = mesh.visual, None, None
         vertices, faces = np.asarray(mesh.vertices), np.asarray(mesh.faces)
         normals = np.asarray(mesh.vertex_normals) if self.smooth else None
+        crease_angle = math.pi if self.smooth else 0.0
         material = None
         if visual.kind == "texture":
             material = self._material(visual.material, mesh)
@@ -141,7 +142,7 @@ class _Conversion:
             lengths = np.linalg.norm(normals, axis=1, keepdims=True)
             normals = np.where(lengths > 1e-6, normals / np.maximum(lengths, 1e-6), (0.0, 1.0, 0.0))
         holder.add_mesh(
-            vertices, faces, normals=normals, smooth=self.smooth, uvs=uvs, colors=colors, material=material, name=name
+            vertices, faces, normals=normals, crease_angle=crease_angle, uvs=uvs, colors=colors, material=material, name=name
         )
 
     def _default_material(self, colors: Any) -> int:

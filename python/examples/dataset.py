@@ -18,48 +18,20 @@ import numpy as np
 
 import candela
 
-SHAPES = ("box", "ball", "pyramid", "pillar")
-
-
-def ball(rings: int = 24, segments: int = 48) -> tuple[np.ndarray, np.ndarray]:
-    """A unit sphere: positions, which are its normals too, and triangles."""
-    theta = np.linspace(0.0, np.pi, rings + 1)
-    phi = np.linspace(0.0, 2.0 * np.pi, segments + 1)
-    t, p = np.meshgrid(theta, phi, indexing="ij")
-    positions = np.stack([np.sin(t) * np.cos(p), np.cos(t), -np.sin(t) * np.sin(p)], axis=-1).reshape(-1, 3)
-    row, column = np.meshgrid(np.arange(rings), np.arange(segments), indexing="ij")
-    a = (row * (segments + 1) + column).ravel()
-    b = a + segments + 1
-    triangles = np.concatenate([np.stack([a, b, b + 1], axis=1), np.stack([a, b + 1, a + 1], axis=1)])
-    return positions, triangles
-
-
-def prism(sides: int, top: float) -> tuple[np.ndarray, np.ndarray]:
-    """A prism along Y of height 2, whose upper side is scaled by `top`."""
-    angle = 2.0 * np.pi * (np.arange(sides) + 0.5) / sides
-    ring = np.stack([np.cos(angle), np.zeros(sides), -np.sin(angle)], axis=1)
-    lower, upper = ring - (0, 1, 0), ring * (top, 1, top) + (0, 1, 0)
-    positions = np.concatenate([lower, upper, [[0, -1, 0], [0, 1, 0]]])
-    triangles = []
-    for i in range(sides):
-        j = (i + 1) % sides
-        triangles += [[i, j, sides + j], [i, sides + j, sides + i], [2 * sides, j, i], [2 * sides + 1, sides + i, sides + j]]
-    return positions, np.array(triangles)
+SHAPES = ("box", "ball", "cone", "pillar")
 
 
 def objects_scene(count: int, rng: np.random.Generator) -> tuple[candela.Scene, dict[int, str]]:
     """Objects on a table, and the shape of each node that is one."""
     scene = candela.Scene()
     table = candela.Material(name="table", base_color=(0.35, 0.3, 0.26), roughness=0.6)
-    corners = np.array([[-6, 0, 6], [6, 0, 6], [6, 0, -6], [-6, 0, -6]], dtype=float)
-    scene.add_mesh(corners, [[0, 1, 2], [0, 2, 3]], material=table, name="table")
+    scene.add_mesh(candela.Mesh.plane(12.0, 12.0), material=table, name="table")
 
-    meshes = {"box": (*prism(4, 1.0), False), "ball": (*ball(), True), "pyramid": (*prism(4, 0.01), False),
-              "pillar": (*prism(24, 1.0), False)}
+    meshes = {"box": candela.Mesh.box((1.6, 2, 1.6)), "ball": candela.Mesh.sphere(), "cone": candela.Mesh.cone(),
+              "pillar": candela.Mesh.cylinder(0.6)}
     labels = {}
     for _ in range(count):
         shape = SHAPES[rng.integers(len(SHAPES))]
-        positions, triangles, smooth = meshes[shape]
         size = rng.uniform(0.25, 0.7)
         turn = rng.uniform(0.0, 2.0 * np.pi)
         matrix = np.eye(4)
@@ -67,7 +39,7 @@ def objects_scene(count: int, rng: np.random.Generator) -> tuple[candela.Scene, 
         matrix[:3, 3] = (rng.uniform(-3.5, 3.5), size, rng.uniform(-3.5, 3.5))
         material = candela.Material(base_color=rng.uniform(0.1, 0.9, 3), roughness=rng.uniform(0.1, 0.9),
                                     metallic=float(rng.random() < 0.25))
-        node = scene.add_mesh(positions, triangles, smooth=smooth, material=material, matrix=matrix, name=shape)
+        node = scene.add_mesh(meshes[shape], material=material, matrix=matrix, name=shape)
         labels[node.index] = shape
     scene.add_lights(rng.uniform((-5, 2.5, -5), (5, 5, 5), (64, 3)), intensity=rng.uniform(1.0, 5.0, 64), radius=0.1,
                      color=rng.uniform(0.5, 1.0, (64, 3)), range=9.0)

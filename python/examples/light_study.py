@@ -27,22 +27,17 @@ def street(rng: np.random.Generator) -> candela.Scene:
     scene = candela.Scene()
     ground = candela.Material(name="ground", base_color=(0.5, 0.5, 0.5), roughness=0.7)
     houses = candela.Material(name="houses", base_color=(0.7, 0.7, 0.7), roughness=0.5)
-    half = 0.5 * STREET
-    corners = np.array([[-half, 0, half], [half, 0, half], [half, 0, -half], [-half, 0, -half]])
-    scene.add_mesh(corners, [[0, 1, 2], [0, 2, 3]], material=ground, name="ground")
-
-    cube = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (0, 1) for z in (-0.5, 0.5)], dtype=float)
-    faces = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
-             [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]
-    first = scene.add_mesh(cube, faces, smooth=False, material=houses, name="house")
+    scene.add_mesh(candela.Mesh.plane(STREET, STREET), material=ground, name="ground")
+    first = scene.add_mesh(candela.Mesh.box(), material=houses, name="house")
     shared = first.mesh
     lots = [(x, z) for x in np.arange(-24, 25, 8.0) for z in np.arange(-24, 25, 8.0)]
     for index, (x, z) in enumerate(lots):
         size = np.array([rng.uniform(2.5, 4.5), rng.uniform(1.5, 7.0), rng.uniform(2.5, 4.5)])
+        place = (x, 0.5 * size[1], z)
         if index == 0:
-            first.scale, first.translation = size, (x, 0.0, z)
+            first.scale, first.translation = size, place
         else:
-            scene.nodes.append(candela.Node(name=f"house {index}", mesh=shared, scale=size, translation=(x, 0, z)))
+            scene.nodes.append(candela.Node(name=f"house {index}", mesh=shared, scale=size, translation=place))
     return scene
 
 

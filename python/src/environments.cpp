@@ -15,8 +15,7 @@ const Record<Environment>& recordOf<Environment>() {
             .custom(
                 "picture", floatArray,
                 "Radiance, linear Rec.709: (H, W, 4) or (H, W, 3) floats, equirectangular, rows from the top "
-                "(+Y), "
-                "the middle column at -Z.",
+                "(+Y), the middle column at -Z.",
                 [](Environment& environment, nb::handle value, const std::string& where) {
                     Element<Image> image{nullptr, 0, std::make_shared<Image>()};
                     const nb::object floats =
@@ -73,8 +72,7 @@ void bindEnvironments(nb::module_& module) {
                 "def sky(sun_elevation: float = 0.7, sun_azimuth: float = -2.4, turbidity: float = 3.0) -> "
                 "tuple[Environment, Light]"),
             "A clear sky, and its sun as a directional light. Angles in radians: elevation pi / 60 to pi / "
-            "2, azimuth "
-            "from -Z towards +X, -pi to pi; turbidity 2 (very clear) to 8.")
+            "2, azimuth from -Z towards +X, -pi to pi; turbidity 2 (very clear) to 8.")
         .def_static(
             "from_file", &fromFile, nb::arg("path"),
             nb::sig("def from_file(path: str | os.PathLike[str]) -> Environment"),
@@ -96,8 +94,7 @@ void bindEnvironments(nb::module_& module) {
             },
             nb::sig("def without_sun(self) -> tuple[Environment, Light | None]"),
             "The same without the sun in its picture, and the sun as a directional light, which casts sharp "
-            "shadows; "
-            "None where there is no sun.");
+            "shadows; None where there is no sun.");
 }
 
 }  // namespace candela::python

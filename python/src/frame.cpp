@@ -33,6 +33,17 @@ const Record<PixelProbe>& recordOf<PixelProbe>() {
     return record;
 }
 
+template <>
+const Record<PickedSurface>& recordOf<PickedSurface>() {
+    static const Record<PickedSurface> record =
+        Record<PickedSurface>("PickedSurface")
+            .field("node", &PickedSurface::node, "The node whose mesh or cage it is.")
+            .field("material", &PickedSurface::material, "Index into `Scene.materials`.")
+            .field("pixels", &PickedSurface::pixels, "How many of the rectangle show it.")
+            .field("depth", &PickedSurface::z, "The least distance along the view axis of these, metres.");
+    return record;
+}
+
 std::string channelName(const std::string& name) {
     constexpr std::array others{std::pair{"depth", "Z"}, std::pair{"position", "P"},
                                 std::pair{"normal", "N"}};
@@ -177,16 +188,14 @@ void bindReading(nb::class_<FrameHandle>& cls) {
            "radiance", [](const FrameHandle& self) { return imageArray(reading(self, radianceOf)); },
            nb::sig("def radiance(self) -> numpy.typing.NDArray[numpy.float32]"),
            "Scene-linear radiance in the working space, (height, width, 4) of float32, rows from the top. A "
-           "is the "
-           "share of the pixel that surfaces cover; RGB is associated with it.")
+           "is the share of the pixel that surfaces cover; RGB is associated with it.")
         .def("rgba", &rgba, nb::arg("shown"),
              nb::sig(kept(std::string("def rgba(self, *, ") + shownKeywords +
                           ") -> numpy.typing.NDArray[numpy.uint8]")),
              "The picture as a display shows it, (height, width, 4) of uint8, rows from the top. exposure: "
-             "stops, or "
-             "'auto', which brings the median of what is lit to mid-grey. display, view, look: names of the "
-             "OpenColorIO "
-             "config; '' is its default.")
+             "stops, or 'auto', which brings the median of what is lit to mid-grey. display, view, look: "
+             "names of the "
+             "OpenColorIO config; '' is its default.")
         .def("rgb", &rgb, nb::arg("shown"),
              nb::sig(kept(std::string("def rgb(self, *, ") + shownKeywords +
                           ") -> numpy.typing.NDArray[numpy.uint8]")),
@@ -194,8 +203,8 @@ void bindReading(nb::class_<FrameHandle>& cls) {
         .def("aov", &aov, nb::arg("name"),
              nb::sig("def aov(self, name: str) -> numpy.typing.NDArray[numpy.float32]"),
              "A channel of `candela.aov_names()`, or 'depth', 'position' or 'normal': (height, width) or "
-             "(height, width, "
-             "3) of float32, rows from the top. A frame of many samples has those that `render` was asked "
+             "(height, width, 3) of float32, rows from the top. A frame of many samples has those that "
+             "`render` was asked "
              "for.")
         .def("__getitem__", &aov, nb::arg("name"),
              nb::sig("def __getitem__(self, name: str, /) -> numpy.typing.NDArray[numpy.float32]"),
@@ -211,6 +220,21 @@ void bindReading(nb::class_<FrameHandle>& cls) {
             },
             nb::arg("x"), nb::arg("y"), nb::sig("def probe(self, x: int, y: int) -> PixelProbe | None"),
             "What the pixel of column x and row y (from the top) shows; None on the background.")
+        .def(
+            "pick",
+            [](const FrameHandle& self, int x, int y, int width, int height) {
+                const std::vector<PickedSurface> picked = reading(self, [&](FrameData& frame) {
+                    return frame.frame->pick({x, y, width, height});
+                });
+                nb::list list;
+                for (const PickedSurface& surface : picked) list.append(nb::cast(surface));
+                return list;
+            },
+            nb::arg("x"), nb::arg("y"), nb::arg("width") = 1, nb::arg("height") = 1,
+            nb::sig("def pick(self, x: int, y: int, width: int = 1, height: int = 1) -> list[PickedSurface]"),
+            "The surfaces that a rectangle of pixels shows, by node and material: those of more pixels "
+            "first. "
+            "x, y: its upper left pixel.")
         .def("auto_exposure", &autoExposureOf,
              "The exposure of exposure='auto', stops; 0 where nothing is lit.")
         .def("notes", &notesOf, nb::arg("exposure") = 0.0,
@@ -226,6 +250,7 @@ void bindReading(nb::class_<FrameHandle>& cls) {
 
 void bindFrames(nb::module_& module) {
     bindValue<PixelProbe>(module, "What a pixel of a frame shows.");
+    bindValue<PickedSurface>(module, "A surface that a rectangle of a frame shows.");
     nb::class_<FrameHandle> cls(
         module, "Frame",
         "A picture that was drawn. Arrays that were read stay; what is read later needs its "
@@ -235,15 +260,14 @@ void bindFrames(nb::module_& module) {
             nb::sig(kept(std::string("def save(self, path: str | os.PathLike[str], *, ") + shownKeywords +
                          ") -> None")),
             "Writes a .png as a display shows it, or an .exr of scene-linear radiance with the AOVs that "
-            "were read. The "
-            "file is whole or absent. A PNG that shows next to nothing is a CandelaWarning (`notes`).")
+            "were read. The file is whole or absent. A PNG that shows next to nothing is a CandelaWarning "
+            "(`notes`).")
         .def("add_samples", &addSamples, nb::arg("count"), nb::arg("progress") = nb::none(),
              nb::rv_policy::none,
              nb::sig("def add_samples(self, count: int, progress: typing.Callable[[float], object] | None = "
                      "None) -> Frame"),
              "Draws further samples and adds them to the mean: a picture that can be shown at once and gets "
-             "finer. "
-             "Returns the frame.")
+             "finer. Returns the frame.")
         .def(
             "display",
             [](const FrameHandle& self, std::uint32_t framebuffer, int x, int y, const nb::kwargs& shown) {

@@ -4,7 +4,6 @@
 #include <candela/image_file.h>
 
 #include <algorithm>
-#include <array>
 
 namespace candela::python {
 
@@ -131,17 +130,7 @@ void saveExr(const FrameHandle& self, const std::filesystem::path& path) {
     });
     const Chromaticities chromaticities = self.data->renderer->color.chromaticities();
     const nb::gil_scoped_release release;
-    std::array<std::vector<float>, 4> planes;
-    for (std::size_t channel = 0; channel < planes.size(); ++channel)
-        for (std::size_t i = channel; i < image.rgba.size(); i += 4) planes[channel].push_back(image.rgba[i]);
-    constexpr std::array names{"R", "G", "B", "A"};
-    std::vector<ExrChannel> channels;
-    for (std::size_t i = 0; i < planes.size(); ++i) channels.push_back({names[i], planes[i]});
-    for (const Aov& aov : *self.data->aovs)
-        for (std::size_t i = 0; i < aov.channels.size(); ++i)
-            channels.push_back({aov.channels[i], aov.values[i]});
-    writeExr(path, static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height),
-             channels, chromaticities, attributes);
+    writeExr(path, image, *self.data->aovs, chromaticities, attributes);
 }
 
 void savePng(const FrameHandle& self, const std::filesystem::path& path, const nb::kwargs& keywords) {

@@ -151,8 +151,8 @@ nb::object contextObject(const ContextPtr& data) {
 void bindContexts(nb::module_& module) {
     nb::class_<ContextHandle>(module, "Context",
                               "An OpenGL 4.5 context without a window: on a GPU where there is one, else on "
-                              "the processor. Any thread may "
-                              "use what is created for it; calls run one after the other. It is a context "
+                              "the processor. Any thread may use what is created for it; calls run one after "
+                              "the other. It is a context "
                               "manager, and closed at its end.")
         .def(
             "__init__",
@@ -161,8 +161,7 @@ void bindContexts(nb::module_& module) {
             },
             nb::kw_only(), nb::arg("device") = nb::none(), nb::arg("software") = false,
             "device: the EGL device of this number and no other (`candela.devices()`). software: devices "
-            "that run on "
-            "the processor only. Raises MachineError that lists every attempt and its reason.")
+            "that run on the processor only. Raises MachineError that lists every attempt and its reason.")
         .def_static(
             "adopt_current", [] { return ContextHandle{std::make_shared<ContextData>()}; },
             "Takes the context of a host, such as GLFW or moderngl, that is current on this thread. It stays "

@@ -16,10 +16,10 @@ namespace candela::python {
 const char* const uploadKeywords =
     ", *, environment: Environment | typing.Literal['auto'] | None = 'auto', range_loss: float = 0.01, "
     "subdivision_level: int | None = None, subdivision_edge_pixels: float = 8.0, subdivision_max_level: int "
-    "= 5, "
-    "subdivision_max_vertices: int = 2000000, vertex_evaluator: typing.Literal['auto', 'cpu', 'compute'] = "
-    "'auto', "
-    "plugins: PluginRegistry | None = None";
+    "= 5, subdivision_max_vertices: int = 2000000, vertex_evaluator: typing.Literal['auto', 'cpu', "
+    "'compute'] = 'auto', "
+    "vertex_detail: typing.Literal['as_needed', 'always'] = 'as_needed', plugins: PluginRegistry | None = "
+    "None";
 
 namespace {
 
@@ -53,6 +53,8 @@ void readOption(UploadOptions& options, const std::string& name, nb::handle valu
         subdivision.maxVertices = Convert<std::uint64_t>::from(value, name);
     } else if (name == "vertex_evaluator") {
         options.scene.vertexEvaluator = Convert<VertexEvaluator>::from(value, name);
+    } else if (name == "vertex_detail") {
+        options.scene.vertexDetail = Convert<VertexDetail>::from(value, name);
     } else if (name == "plugins") {
         if (value.is_none()) return;
         if (!nb::isinstance<PluginRegistry>(value)) failConversion(name, "a PluginRegistry", value);
@@ -103,20 +105,23 @@ GpuScenePtr upload(const ContextPtr& context, const ColorConfig& color, const Sc
 }
 
 CameraView viewOf(GpuSceneData& data, nb::handle camera, double time, float aspect) {
-    return resolveView(data.source->scene, camera, time, aspect, [&] {
-        if (!data.box) data.box = framedBox(data.source->scene);
+    if (nb::isinstance<CameraView>(camera)) return nb::cast<CameraView>(camera);
+    const Scene& scene = data.source->scene;
+    const std::optional<std::uint32_t> index = cameraFrom(scene, camera);
+    // World matrices of all nodes take longer than a small picture.
+    const std::optional<CachedView>& last = data.lastView;
+    if (last && last->camera == index && last->time == time && last->aspect == aspect &&
+        last->version == data.source->version)
+        return last->view;
+    const CameraView view = viewOf(scene, index, time, aspect, [&] {
+        if (!data.box) data.box = framedBox(scene);
         return *data.box;
     });
+    data.lastView = {index, time, aspect, data.source->version, view};
+    return view;
 }
 
 namespace {
-
-/// Calls `edit(GpuScene&)` without the GIL.
-template <typename Edit>
-void edited(const GpuSceneHandle& self, const Edit& edit) {
-    const Session session(self.data->context, "GpuScene");
-    edit(*self.data->scene);
-}
 
 void setLights(const GpuSceneHandle& self, nb::object positions, const nb::kwargs& options) {
     const LightArrays arrays(positions, options);
@@ -155,47 +160,15 @@ nb::dict reportOf(const GpuSceneHandle& self) {
     return report;
 }
 
-void bindNodeEdits(nb::class_<GpuSceneHandle>& cls) {
+void bindAnimationEdits(nb::class_<GpuSceneHandle>& cls) {
     using Self = const GpuSceneHandle&;
     cls.def(
-           "set_transform",
-           [](Self self, std::uint32_t node, nb::object matrix) {
-               const glm::mat4 local = Convert<glm::mat4>::from(matrix, "matrix");
-               edited(self, [&](GpuScene& scene) { scene.setTransform(node, local); });
+           "set_time",
+           [](Self self, double seconds) {
+               edited(self, [&](GpuScene& scene) { scene.setTime(seconds); });
+               self.data->time = seconds;
            },
-           nb::arg("node"), nb::arg("matrix"),
-           nb::sig("def set_transform(self, node: int, matrix: numpy.typing.ArrayLike) -> None"),
-           "Sets a node's local matrix, (4, 4), which moves the node and all below it.")
-        .def(
-            "set_visible",
-            [](Self self, std::uint32_t node, bool visible) {
-                const auto visibility = visible ? GpuScene::Visibility::shown : GpuScene::Visibility::hidden;
-                edited(self, [&](GpuScene& scene) { scene.setVisibility(node, visibility); });
-            },
-            nb::arg("node"), nb::arg("visible"), "Shows or hides what the node itself shows.")
-        .def(
-            "set_casts_shadow",
-            [](Self self, std::uint32_t node, bool casts) {
-                const auto casting = casts ? GpuScene::ShadowCasting::on : GpuScene::ShadowCasting::off;
-                edited(self, [&](GpuScene& scene) { scene.setCastsShadow(node, casting); });
-            },
-            nb::arg("node"), nb::arg("casts_shadow"), "Whether what the node itself shows casts shadows.")
-        .def(
-            "set_cage_points",
-            [](Self self, std::uint32_t node, nb::object points) {
-                const std::vector<glm::vec3> positions = vectorsFrom<3>(points, "points");
-                edited(self, [&](GpuScene& scene) { scene.setCagePoints(node, positions); });
-            },
-            nb::arg("node"), nb::arg("points"),
-            nb::sig("def set_cage_points(self, node: int, points: numpy.typing.ArrayLike) -> None"),
-            "Replaces the points of the cage of a node, (N, 3), metres, in the node's frame.")
-        .def(
-            "set_time",
-            [](Self self, double seconds) {
-                edited(self, [&](GpuScene& scene) { scene.setTime(seconds); });
-                self.data->time = seconds;
-            },
-            nb::arg("seconds"), "Poses all that is animated.")
+           nb::arg("seconds"), "Poses all that is animated.")
         .def(
             "play_animations",
             [](Self self, const std::vector<std::uint32_t>& animations) {
@@ -208,23 +181,15 @@ void bindNodeEdits(nb::class_<GpuSceneHandle>& cls) {
 
 void bindGpuScenes(nb::module_& module) {
     using Self = const GpuSceneHandle&;
-    nb::class_<GpuSceneHandle> cls(module, "GpuScene",
-                                   "A scene on a device, from `Renderer.upload`. Edits cost in proportion to "
-                                   "what they change, and the next "
-                                   "picture shows them. The Scene that it was made from stays as it is.");
+    nb::class_<GpuSceneHandle> cls(
+        module, "GpuScene",
+        "A scene on a device, from `Renderer.upload`. Edits cost in proportion to "
+        "what they change, and the next picture shows them. The Scene that it was made from stays as it is.");
     cls.def("set_lights", &setLights, nb::arg("positions").none(), nb::arg("options"),
             nb::sig(kept(std::string("def set_lights(self, positions: numpy.typing.ArrayLike | None") +
                          LightArrays::keywords() + ") -> None")),
             "Replaces all lights: positions (N, 3) in world space, metres, and what `Scene.add_lights` "
-            "takes. 100,000 of "
-            "them make one upload. Nodes and animations move lights no longer.")
-        .def(
-            "set_material",
-            [](Self self, std::uint32_t index, const Element<Material>& material) {
-                const Material copy = material.read();
-                edited(self, [&](GpuScene& scene) { scene.setMaterial(index, copy); });
-            },
-            nb::arg("index"), nb::arg("material"), "Replaces a material, textures included.")
+            "takes. 100,000 of them make one upload. Nodes and animations move lights no longer.")
         .def(
             "set_environment",
             [](Self self, nb::object environment) {
@@ -244,10 +209,9 @@ void bindGpuScenes(nb::module_& module) {
             },
             nb::kw_only(), nb::arg("rotation") = nb::make_tuple(0, 0, 0, 1), nb::arg("intensity") = 1.0f,
             nb::arg("is_background") = true, nb::arg("occlusion_distance") = nb::none(),
-            nb::sig(
-                "def set_environment_settings(self, *, rotation: numpy.typing.ArrayLike = (0, 0, 0, 1), "
-                "intensity: "
-                "float = 1.0, is_background: bool = True, occlusion_distance: float | None = None) -> None"),
+            nb::sig("def set_environment_settings(self, *, rotation: numpy.typing.ArrayLike = (0, 0, 0, 1), "
+                    "intensity: float = 1.0, is_background: bool = True, occlusion_distance: float | None = "
+                    "None) -> None"),
             "Turns, dims or shows the environment, at no cost.")
         .def(
             "set_subdivision",
@@ -266,7 +230,8 @@ void bindGpuScenes(nb::module_& module) {
         .def_prop_ro(
             "source", [](Self self) { return SceneHandle{self.data->source}; },
             "The scene that it was made from.");
-    bindNodeEdits(cls);
+    bindAnimationEdits(cls);
+    bindGpuSceneEdits(module, cls);
 }
 
 }  // namespace candela::python

@@ -4,11 +4,21 @@
 #include "scene_types.h"
 
 #include <candela/gpu_scene.h>
+#include <candela/handle.h>
 
 #include <memory>
 #include <optional>
 
 namespace candela::python {
+
+/// The view of a camera of a scene, or of all of it, as it was asked for last.
+struct CachedView {
+    std::optional<std::uint32_t> camera;
+    double time = 0.0;
+    float aspect = 0.0f;
+    std::uint64_t version = 0;  ///< Of the scene.
+    CameraView view;
+};
 
 /// A scene on a device, with what views of it need of the scene.
 struct GpuSceneData {
@@ -17,6 +27,7 @@ struct GpuSceneData {
     std::uint64_t version = 0;  ///< Of the source, when it was uploaded.
     ContextObject<GpuScene> scene;
     std::optional<Bounds> box;  ///< Of the automatic view, once it was asked for.
+    std::optional<CachedView> lastView;
     bool isAnimated = false;
     double time = 0.0;  ///< Seconds, at which it is posed.
 
@@ -33,6 +44,16 @@ using GpuScenePtr = std::shared_ptr<GpuSceneData>;
 struct GpuSceneHandle {
     GpuScenePtr data;
 };
+
+/// Calls `edit(GpuScene&)` without the GIL.
+template <typename Edit>
+void edited(const GpuSceneHandle& self, const Edit& edit) {
+    const Session session(self.data->context, "GpuScene");
+    edit(*self.data->scene);
+}
+
+/// Binds what changes elements of a `GpuScene`.
+void bindGpuSceneEdits(nb::module_& module, nb::class_<GpuSceneHandle>& cls);
 
 /// Uploads with the keywords of `options` (`uploadKeywords`).
 GpuScenePtr upload(const ContextPtr& context, const ColorConfig& color, const SceneHandle& scene,

@@ -92,16 +92,14 @@ void bindImageFiles(nb::module_& module) {
         nb::sig(
             "def write_png(path: str | os.PathLike[str], pixels: numpy.typing.NDArray[numpy.uint8]) -> None"),
         "Writes sRGB pixels, (height, width), (height, width, 3) or (height, width, 4) of uint8, rows from "
-        "the "
-        "top, alpha straight. The file is whole or absent.");
+        "the top, alpha straight. The file is whole or absent.");
     module.def(
         "write_exr", &saveExr, nb::arg("path"), nb::arg("channels"), nb::arg("attributes") = nb::dict(),
         nb::sig("def write_exr(path: str | os.PathLike[str], channels: dict[str, numpy.typing.ArrayLike], "
                 "attributes: dict[str, str] = {}) -> None"),
         "Writes 32-bit float channels, rows from the top. An array of (height, width) is the channel of its "
         "name; one of (height, width, 3) is NAME.R, NAME.G and NAME.B, or R, G and B where the name is ''. "
-        "The "
-        "file is whole or absent.");
+        "The file is whole or absent.");
     module.def(
         "read_hdr", &readHdr, nb::arg("path"),
         nb::sig("def read_hdr(path: str | os.PathLike[str]) -> numpy.typing.NDArray[numpy.float32]"),

@@ -37,7 +37,18 @@ const Record<PluginReport>& recordOf<PluginReport>() {
             .field("description", &PluginReport::description, "What it reads.")
             .field("extensions", &PluginReport::extensions, "Endings of file names that it takes.")
             .field("schemes", &PluginReport::schemes, "Schemes of URIs that it takes, as of 'plaza:4096'.")
-            .field("subdivides", &PluginReport::subdivides, "Whether it refines subdivision cages.");
+            .field("subdivides", &PluginReport::subdivides, "Whether it refines subdivision cages.")
+            .field("decodes_images", &PluginReport::decodesImages, "Whether it decodes images for importers.")
+            .custom(
+                "options", "tuple[str, ...]",
+                "What the query behind a file's name takes, such as 'level=1..8'.",
+                [](PluginReport&, nb::handle, const std::string&) {},
+                [](const PluginReport& report) {
+                    std::vector<std::string> texts;
+                    for (const PluginOption& option : report.options)
+                        texts.push_back(usageOf(option) + ": " + option.help);
+                    return Convert<std::vector<std::string>>::to(texts);
+                });
     return record;
 }
 

@@ -4,7 +4,8 @@
 
 #include <nanobind/ndarray.h>
 
-#include <glm/common.hpp>
+#include <candela/geometry.h>
+#include <candela/shapes.h>
 
 namespace candela::python {
 
@@ -101,8 +102,7 @@ const Record<Image>& recordOf<Image>() {
             .custom(
                 "pixels", "numpy.typing.NDArray[numpy.generic]",
                 "(height, width, 4) of uint8, uint16 or float32, rows from the top. Also takes (height, "
-                "width) "
-                "and (height, width, 3). Whether colour is sRGB-encoded follows from the use.",
+                "width) and (height, width, 3). Whether colour is sRGB-encoded follows from the use.",
                 [](Image& image, nb::handle value, const std::string& where) {
                     setPixels(image, value, where);
                 },
@@ -215,14 +215,80 @@ const Record<Skin>& recordOf<Skin>() {
     return record;
 }
 
+namespace {
+
+Element<Mesh> ownMesh(Mesh mesh) {
+    return {nullptr, 0, std::make_shared<Mesh>(std::move(mesh))};
+}
+
+void bindShapes(nb::class_<Element<Mesh>>& cls) {
+    cls.def_static(
+           "sphere",
+           [](float radius, std::uint32_t segments, std::uint32_t rings) {
+               return ownMesh(sphereMesh(radius, segments, rings));
+           },
+           nb::arg("radius") = 1.0f, nb::arg("segments") = 64, nb::arg("rings") = 32,
+           "A sphere around the origin, whose poles lie on Y; metres.")
+        .def_static(
+            "box", [](nb::object size) { return ownMesh(boxMesh(Convert<glm::vec3>::from(size, "size"))); },
+            nb::arg("size") = nb::make_tuple(1, 1, 1),
+            nb::sig("def box(size: numpy.typing.ArrayLike = (1, 1, 1)) -> Mesh"),
+            "A box around the origin, of these lengths along X, Y and Z, metres.")
+        .def_static(
+            "plane",
+            [](float width, float depth, std::uint32_t parts) {
+                return ownMesh(planeMesh(width, depth, parts));
+            },
+            nb::arg("width") = 1.0f, nb::arg("depth") = 1.0f, nb::arg("parts") = 1,
+            "A rectangle that faces +Y, `width` along X and `depth` along Z, metres.")
+        .def_static(
+            "disc", [](float radius, std::uint32_t segments) { return ownMesh(discMesh(radius, segments)); },
+            nb::arg("radius") = 1.0f, nb::arg("segments") = 64, "A disc that faces +Y; metres.")
+        .def_static(
+            "cylinder",
+            [](float radius, float height, std::uint32_t segments) {
+                return ownMesh(cylinderMesh(radius, height, segments));
+            },
+            nb::arg("radius") = 1.0f, nb::arg("height") = 2.0f, nb::arg("segments") = 64,
+            "A closed cylinder along Y around the origin; metres.")
+        .def_static(
+            "cone",
+            [](float radius, float height, std::uint32_t segments) {
+                return ownMesh(coneMesh(radius, height, segments));
+            },
+            nb::arg("radius") = 1.0f, nb::arg("height") = 2.0f, nb::arg("segments") = 64,
+            "A closed cone along Y around the origin, whose tip is above; metres.")
+        .def_static(
+            "torus",
+            [](float radius, float tube, std::uint32_t segments, std::uint32_t tubeSegments) {
+                return ownMesh(torusMesh(radius, tube, segments, tubeSegments));
+            },
+            nb::arg("radius") = 1.0f, nb::arg("tube_radius") = 0.25f, nb::arg("segments") = 64,
+            nb::arg("tube_segments") = 32, "A ring about Y; metres.")
+        .def(
+            "compute_normals",
+            [](const Element<Mesh>& self, float creaseAngle) { computeNormals(self.edit(), creaseAngle); },
+            nb::arg("crease_angle") = 0.698f,
+            "Replaces the normals: triangles that meet at less than `crease_angle`, radians, get smooth "
+            "ones. 0 is flat, pi smooth everywhere. Vertices whose corners differ are split.")
+        .def(
+            "compute_tangents",
+            [](const Element<Mesh>& self, std::uint32_t uvSet) { computeTangents(self.edit(), uvSet); },
+            nb::arg("uv_set") = 0,
+            "Replaces the tangents by those of MikkTSpace, as normal textures need them.");
+}
+
+}  // namespace
+
 void bindMeshes(nb::module_& module) {
     bindElement<Image>(module, "A picture that materials refer to.");
     bindValue<Submesh>(module, "A range of a mesh's indices that is drawn with one material.");
     bindValue<MorphTarget>(module, "Moves every vertex of a mesh or a cage by its weight times the offsets.");
-    bindElement<Mesh>(
+    auto mesh = bindElement<Mesh>(
         module,
         "Indexed triangles, lines and points. Arrays that are read are copies and do not change: assign a "
         "whole array to change one.");
+    bindShapes(mesh);
     bindValue<Crease>(module, "A sharp edge of a cage.");
     bindValue<Corner>(module, "A sharp vertex of a cage.");
     bindElement<Cage>(module, "The control polyhedron of a subdivision surface.");

@@ -45,6 +45,8 @@ Request requestOf(const nb::kwargs& options) {
                 request.aovs.push_back(channelName(aov));
         } else if (name == "time") {
             request.time = Convert<std::optional<double>>::from(value, "time");
+        } else if (name == "previous_camera") {
+            request.settings.frame.previousView = Convert<std::optional<CameraView>>::from(value, name);
         } else if (name == "progress") {
             request.progress = nb::borrow(value);
         } else if (isUploadOption(name)) {
@@ -84,8 +86,9 @@ GpuScenePtr uploadedScene(RendererData& renderer, nb::handle scene, const Reques
 /// The views of all samples where the shutter sees motion; otherwise one.
 std::vector<CameraView> viewsOf(FrameData& frame, nb::handle camera, double time) {
     const SamplingSettings sampling = frame.settings.sampling();
-    const float aspect =
-        static_cast<float>(frame.settings.frame.width) / static_cast<float>(frame.settings.frame.height);
+    const FrameSettings& settings = frame.settings.frame;
+    const auto whole = settings.region.value_or(PictureRegion{settings.width, settings.height});
+    const float aspect = static_cast<float>(whole.width) / static_cast<float>(whole.height);
     const bool moves = sampling.shutter > 0.0 && frame.scene->isAnimated;
     std::vector<CameraView> views;
     for (std::uint32_t sample = 0; sample < (moves ? sampling.count : 1); ++sample)
@@ -157,7 +160,8 @@ void close(RendererData& renderer) {
 const char* renderSignature() {
     return kept(
         "def render(self, scene: Scene | GpuScene, camera: CameraView | int | str | None = None, *, aovs: "
-        "typing.Sequence[str] = (), time: float | None = None, settings: RenderSettings | None = None, "
+        "typing.Sequence[str] = (), time: float | None = None, previous_camera: CameraView | None = None, "
+        "settings: RenderSettings | None = None, "
         "progress: typing.Callable[[float], object] | None = None" +
         recordOf<RenderSettings>().keywords() + std::string(uploadKeywords).substr(3) + ") -> Frame");
 }
@@ -173,10 +177,10 @@ void passProgress(nb::handle progress, std::uint32_t done, std::uint32_t count) 
 }
 
 void bindRenderers(nb::module_& module) {
-    nb::class_<RendererHandle>(module, "Renderer",
-                               "Draws pictures of scenes. Any thread may call; calls of one context run one "
-                               "after the other, without the "
-                               "GIL. It is a context manager, at whose end its context is closed.")
+    nb::class_<RendererHandle>(
+        module, "Renderer",
+        "Draws pictures of scenes. Any thread may call; calls of one context run one "
+        "after the other, without the GIL. It is a context manager, at whose end its context is closed.")
         .def(
             "__init__",
             [](RendererHandle* self, nb::object context, std::optional<ColorConfig> color) {
@@ -187,8 +191,7 @@ void bindRenderers(nb::module_& module) {
             nb::sig("def __init__(self, context: Context | None = None, *, color: ColorConfig | None = None) "
                     "-> None"),
             "context: None makes one, on a GPU where there is one. color: the OpenColorIO config; None: the "
-            "one that "
-            "$OCIO names, or the built-in one.")
+            "one that $OCIO names, or the built-in one.")
         .def_prop_ro(
             "context", [](const RendererHandle& self) { return contextObject(self.data->context); },
             nb::sig("def context(self) -> Context"), "What it draws with.")
@@ -203,25 +206,23 @@ void bindRenderers(nb::module_& module) {
             nb::sig(kept("def upload(self, scene: Scene" + std::string(uploadKeywords) + ") -> GpuScene")),
             "Copies a scene to the device. The result can be edited and drawn often.\n\n"
             "environment: 'auto' is the scene's own, or a studio where the scene has no light at all; an "
-            "Environment "
-            "replaces it, None removes it. range_loss: what lights without a range may lose of their light "
-            "at any "
-            "point, as a share. subdivision_...: how far cages are refined, to a level or by their size on "
+            "Environment replaces it, None removes it. range_loss: what lights without a range may lose of "
+            "their light "
+            "at any point, as a share. subdivision_...: how far cages are refined, to a level or by their "
+            "size on "
             "the screen.")
         .def("render", &render, nb::arg("scene"), nb::arg("camera") = nb::none(), nb::arg("options"),
              nb::sig(renderSignature()),
              "Draws a picture and returns it as a Frame, which can be read until the next one is drawn.\n\n"
              "scene: a Scene is uploaded when it is drawn first and when it has changed; a GpuScene, from "
-             "`upload`, is "
-             "there already. camera: a CameraView, the index or name of a camera of the scene, or None: its "
-             "first "
-             "camera, or a view of all of it. aovs: further channels, of `candela.aov_names()`. time: "
-             "seconds, poses "
-             "what is animated; None: as it stands. settings: values for what the further keywords leave "
-             "out; these are "
-             "the attributes of RenderSettings and the options of `upload` (of a Scene). progress: called "
-             "with the share "
-             "done; returning False cancels.")
+             "`upload`, is there already. camera: a CameraView, the index or name of a camera of the scene, "
+             "or None: its "
+             "first camera, or a view of all of it. aovs: further channels, of `candela.aov_names()`. time: "
+             "seconds, poses what is animated; None: as it stands. previous_camera: the view of the frame "
+             "before, for the AOV motion. settings: values for what the further keywords leave "
+             "out; these are the attributes of RenderSettings and the options of `upload` (of a Scene). "
+             "progress: called "
+             "with the share done; returning False cancels.")
         .def(
             "close", [](const RendererHandle& self) { close(*self.data); },
             "Ends its context, and frees what it holds on the device.")

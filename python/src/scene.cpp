@@ -3,6 +3,7 @@
 #include "words.h"
 
 #include <candela/default_lights.h>
+#include <candela/geometry.h>
 
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
@@ -10,7 +11,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <glm/geometric.hpp>
+#include <numeric>
 
 namespace candela::python {
 
@@ -25,6 +26,17 @@ const Record<ImportNote>& recordOf<ImportNote>() {
     return record;
 }
 
+template <>
+const Record<SceneInfo>& recordOf<SceneInfo>() {
+    static const Record<SceneInfo> record =
+        Record<SceneInfo>("SceneInfo")
+            .field("up_axis", &SceneInfo::upAxis, "The axis of the file that points up.")
+            .field("metres_per_unit", &SceneInfo::metresPerUnit, "Of the file, over 0.")
+            .field("generator", &SceneInfo::generator, "The program that wrote it; empty: unknown.")
+            .field("copyright", &SceneInfo::copyright, "To whom it belongs; empty: unknown.");
+    return record;
+}
+
 Scene& SceneData::edit() {
     if (readers > 0)
         throw Error(ErrorKind::badInput, "",
@@ -35,35 +47,8 @@ Scene& SceneData::edit() {
 
 namespace {
 
-/// Normals for a mesh of triangles that has none: of a face each, or smooth ones.
-void addNormals(Mesh& mesh, bool smooth) {
-    if (!smooth) {
-        Mesh flat;
-        for (const std::uint32_t index : mesh.indices) {
-            if (index >= mesh.positions.size()) return;
-            flat.positions.push_back(mesh.positions[index]);
-            if (index < mesh.uv0.size()) flat.uv0.push_back(mesh.uv0[index]);
-            if (index < mesh.colors.size()) flat.colors.push_back(mesh.colors[index]);
-            flat.indices.push_back(static_cast<std::uint32_t>(flat.indices.size()));
-        }
-        mesh.positions = std::move(flat.positions);
-        mesh.uv0 = std::move(flat.uv0);
-        mesh.colors = std::move(flat.colors);
-        mesh.indices = std::move(flat.indices);
-    }
-    mesh.normals.assign(mesh.positions.size(), glm::vec3(0.0f));
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const std::uint32_t* corner = &mesh.indices[i];
-        if (std::max({corner[0], corner[1], corner[2]}) >= mesh.positions.size()) return;
-        const glm::vec3 a = mesh.positions[corner[0]];
-        const glm::vec3 area = glm::cross(mesh.positions[corner[1]] - a, mesh.positions[corner[2]] - a);
-        for (int k = 0; k < 3; ++k) mesh.normals[corner[k]] += area;
-    }
-    for (glm::vec3& normal : mesh.normals) {
-        const float length = glm::length(normal);
-        normal = length > 0.0f ? normal / length : glm::vec3(0.0f, 1.0f, 0.0f);
-    }
-}
+// Edges of 40 degrees and more stay sharp.
+constexpr float defaultCreaseAngle = 0.698f;
 
 /// Index of the material that `add_mesh` was given.
 std::optional<std::uint32_t> materialIndex(SceneHandle& self, nb::handle material) {
@@ -75,43 +60,73 @@ std::optional<std::uint32_t> materialIndex(SceneHandle& self, nb::handle materia
     return static_cast<std::uint32_t>(ElementList<Material>(self.data).append(element));
 }
 
-Element<Node> addMesh(SceneHandle& self, nb::handle positions, nb::handle indices,
-                      const nb::kwargs& options) {
+/// What `add_mesh` is given.
+struct MeshArguments {
     Element<Mesh> mesh{nullptr, 0, std::make_shared<Mesh>()};
     Node node;
-    Submesh submesh;
     nb::object material = nb::none();
-    bool smooth = true;
-    const Record<Mesh>& record = recordOf<Mesh>();
-    record.set(*mesh.own, "positions", positions);
-    for (const auto& [key, value] : options) {
-        const std::string name = nb::str(key).c_str();
-        if (value.is_none()) continue;
-        if (name == "material")
-            material = nb::borrow(value);
-        else if (name == "topology")
-            submesh.topology = Convert<Topology>::from(value, "topology");
-        else if (name == "smooth")
-            smooth = Convert<bool>::from(value, "smooth");
-        else if (name == "uvs")
-            record.set(*mesh.own, "uv0", value);
-        else if (name == "matrix" || name == "parent" || name == "casts_shadow")
-            recordOf<Node>().set(node, name, value);
-        else
-            record.set(*mesh.own, name, value);
+    Topology topology = Topology::triangles;
+    std::optional<float> creaseAngle;
+};
+
+void readArgument(MeshArguments& arguments, const std::string& name, nb::handle value) {
+    if (value.is_none()) return;
+    if (name == "material")
+        arguments.material = nb::borrow(value);
+    else if (name == "topology")
+        arguments.topology = Convert<Topology>::from(value, name);
+    else if (name == "crease_angle")
+        arguments.creaseAngle = Convert<float>::from(value, name);
+    else if (name == "matrix" || name == "parent" || name == "casts_shadow")
+        recordOf<Node>().set(arguments.node, name, value);
+    else
+        recordOf<Mesh>().set(*arguments.mesh.own, name == "uvs" ? "uv0" : name, value);
+}
+
+// The positions of the first argument with the indices of the second, or a whole mesh.
+void readGeometry(MeshArguments& arguments, nb::handle positions, nb::handle indices) {
+    Mesh& mesh = *arguments.mesh.own;
+    if (nb::isinstance<Element<Mesh>>(positions)) {
+        mesh = nb::cast<Element<Mesh>&>(positions).read();
+        if (!indices.is_none())
+            failConversion("add_mesh", "no indices beside a Mesh, which has its own", indices);
+        return;
     }
-    if (!indices.is_none()) {
-        record.set(*mesh.own, "indices", indices);
-    } else {
-        for (std::uint32_t i = 0; i < mesh.own->positions.size(); ++i) mesh.own->indices.push_back(i);
+    recordOf<Mesh>().set(mesh, "positions", positions);
+    if (!indices.is_none()) return recordOf<Mesh>().set(mesh, "indices", indices);
+    mesh.indices.resize(mesh.positions.size());
+    std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
+}
+
+void completeMesh(MeshArguments& arguments, bool isWhole) {
+    Mesh& mesh = *arguments.mesh.own;
+    if (!isWhole || mesh.submeshes.empty()) {
+        Submesh submesh;
+        submesh.topology = arguments.topology;
+        submesh.indexCount = static_cast<std::uint32_t>(mesh.indices.size());
+        mesh.submeshes = {submesh};
     }
-    if (mesh.own->normals.empty() && submesh.topology == Topology::triangles) addNormals(*mesh.own, smooth);
-    if (mesh.own->normals.empty()) mesh.own->normals.resize(mesh.own->positions.size(), glm::vec3(0.0f));
-    submesh.indexCount = static_cast<std::uint32_t>(mesh.own->indices.size());
-    submesh.material = materialIndex(self, material);
-    mesh.own->submeshes = {submesh};
-    node.name = mesh.own->name;
-    node.mesh = static_cast<std::uint32_t>(ElementList<Mesh>(self.data).append(mesh));
+    const bool areTriangles = mesh.submeshes.front().topology == Topology::triangles;
+    if (areTriangles && (mesh.normals.empty() || (isWhole && arguments.creaseAngle)))
+        computeNormals(mesh, arguments.creaseAngle.value_or(defaultCreaseAngle));
+    else if (mesh.normals.empty())
+        mesh.normals.resize(mesh.positions.size(), glm::vec3(0.0f));
+}
+
+Element<Node> addMesh(SceneHandle& self, nb::handle positions, nb::handle indices,
+                      const nb::kwargs& options) {
+    MeshArguments arguments;
+    readGeometry(arguments, positions, indices);
+    for (const auto& [name, value] : options) readArgument(arguments, nb::str(name).c_str(), value);
+    completeMesh(arguments, nb::isinstance<Element<Mesh>>(positions));
+    Mesh& mesh = *arguments.mesh.own;
+    if (!arguments.material.is_none()) {
+        const std::optional<std::uint32_t> material = materialIndex(self, arguments.material);
+        for (Submesh& submesh : mesh.submeshes) submesh.material = material;
+    }
+    Node& node = arguments.node;
+    node.name = mesh.name;
+    node.mesh = static_cast<std::uint32_t>(ElementList<Mesh>(self.data).append(arguments.mesh));
     self.data->edit().nodes.push_back(std::move(node));
     return {self.data, self.data->scene.nodes.size() - 1, nullptr};
 }
@@ -135,6 +150,7 @@ SceneHandle importNamed(const std::string& uri, const std::optional<PluginRegist
     handle.data->scene = std::move(imported.scene);
     handle.data->notes = std::move(imported.report.notes);
     handle.data->plugin = std::move(imported.report.plugin);
+    handle.data->info = std::move(imported.report.info);
     handle.data->source = uri;
     return handle;
 }
@@ -187,8 +203,7 @@ void bindQuestions(nb::class_<SceneHandle>& cls) {
             nb::arg("time") = 0.0,
             nb::sig("def bounds(self, time: float = 0.0) -> numpy.typing.NDArray[numpy.float32] | None"),
             "The least and the largest corner of the box around everything, world space, metres, (2, 3); "
-            "None of an "
-            "empty scene.")
+            "None of an empty scene.")
         .def(
             "node_bounds",
             [](const SceneHandle& self, std::uint32_t node, double time) {
@@ -202,16 +217,15 @@ void bindQuestions(nb::class_<SceneHandle>& cls) {
         .def(
             "view",
             [](const SceneHandle& self, nb::object camera, double time, float aspect) {
-                return resolveView(self.data->scene, camera, time, aspect,
-                                   [&] { return framedBox(self.data->scene); });
+                const Scene& scene = self.data->scene;
+                return viewOf(scene, cameraFrom(scene, camera), time, aspect,
+                              [&] { return framedBox(scene); });
             },
             nb::arg("camera") = nb::none(), nb::arg("time") = 0.0, nb::arg("aspect") = 16.0f / 9.0f,
-            nb::sig("def view(self, camera: CameraView | int | str | None = None, time: float = 0.0, aspect: "
-                    "float = "
+            nb::sig("def view(self, camera: int | str | None = None, time: float = 0.0, aspect: float = "
                     "16 / 9) -> CameraView"),
             "The view of a camera of the scene, by index or name. None: the first camera, or a view that "
-            "shows the "
-            "whole scene where it has none; `aspect` is width over height.")
+            "shows the whole scene where it has none; `aspect` is width over height.")
         .def(
             "has_light", [](const SceneHandle& self) { return hasLight(self.data->scene); },
             "Whether the scene brings light: lights, an environment, or materials that emit.")
@@ -222,23 +236,19 @@ void bindQuestions(nb::class_<SceneHandle>& cls) {
 
 void bindChanges(nb::class_<SceneHandle>& cls) {
     cls.def("add_mesh", &addMesh, nb::arg("positions"), nb::arg("indices") = nb::none(), nb::arg("options"),
-            nb::sig("def add_mesh(self, positions: numpy.typing.ArrayLike, indices: numpy.typing.ArrayLike | "
-                    "None = "
-                    "None, *, normals: numpy.typing.ArrayLike | None = None, smooth: bool = True, uvs: "
-                    "numpy.typing.ArrayLike | None = None, colors: numpy.typing.ArrayLike | None = None, "
-                    "tangents: "
-                    "numpy.typing.ArrayLike | None = None, material: Material | int | None = None, matrix: "
-                    "numpy.typing.ArrayLike = ..., parent: int | None = None, casts_shadow: bool = True, "
-                    "topology: "
-                    "typing.Literal['triangles', 'lines', 'points'] = 'triangles', name: str = '') -> Node"),
-            "Adds a mesh from arrays and a node that shows it, which is returned.\n\n"
-            "positions: (N, 3), metres. indices: (M, 3) of triangles, (M, 2) of lines, (M,) of points; None: "
-            "vertices "
-            "in their order. normals: (N, 3); without them triangles get smooth ones, or with `smooth=False` "
-            "flat "
-            "ones. uvs: (N, 2). colors: (N, 3) or (N, 4), linear. material: a Material, which is appended to "
-            "the "
-            "scene, or the index of one. matrix: (4, 4), the node's local transform.")
+            nb::sig("def add_mesh(self, positions: numpy.typing.ArrayLike | Mesh, indices: "
+                    "numpy.typing.ArrayLike | None = None, *, normals: numpy.typing.ArrayLike | None = None, "
+                    "crease_angle: float | None = None, uvs: numpy.typing.ArrayLike | None = None, colors: "
+                    "numpy.typing.ArrayLike | None = None, tangents: numpy.typing.ArrayLike | None = None, "
+                    "material: Material | int | None = None, matrix: numpy.typing.ArrayLike = ..., parent: "
+                    "int | None = None, casts_shadow: bool = True, topology: typing.Literal['triangles', "
+                    "'lines', 'points'] = 'triangles', name: str = '') -> Node"),
+            "Adds a mesh from arrays, or a Mesh, and a node that shows it, which is returned.\n\n"
+            "positions: (N, 3), metres, or a Mesh, such as `Mesh.sphere()`. indices: (M, 3) of triangles, "
+            "(M, 2) of lines, (M,) of points; None: vertices in their order. normals: (N, 3); without them "
+            "triangles get those of `compute_normals` with crease_angle, radians: 0 is flat, pi smooth, None "
+            "0.698 (40 degrees). uvs: (N, 2). colors: (N, 3) or (N, 4), linear. material: a Material, which "
+            "is appended to the scene, or the index of one. matrix: (4, 4), the node's local transform.")
         .def(
             "add_lights",
             [](SceneHandle& self, nb::object positions, const nb::kwargs& options) {
@@ -252,10 +262,10 @@ void bindChanges(nb::class_<SceneHandle>& cls) {
                          LightArrays::keywords() + ") -> None")),
             "Adds many lights in the world's frame.\n\n"
             "positions: (N, 3), metres; None for directional lights. color: linear Rec.709, (3,) or (N, 3). "
-            "intensity: "
-            "candela (directional: lux), a number or (N,). range: metres, a number, (N,) or None: as far as "
-            "it matters. "
-            "radius: metres, of the sphere that emits. direction: (3,) or (N, 3). Cone angles in radians.")
+            "intensity: candela (directional: lux), a number or (N,). range: metres, a number, (N,) or None: "
+            "as far as "
+            "it matters. radius: metres, of the sphere that emits. direction: (3,) or (N, 3). Cone angles in "
+            "radians.")
         .def(
             "scatter_lights",
             [](SceneHandle& self, std::uint32_t count, std::optional<float> range,
@@ -265,8 +275,7 @@ void bindChanges(nb::class_<SceneHandle>& cls) {
             nb::arg("count"), nb::arg("range") = nb::none(), nb::arg("intensity") = nb::none(),
             nb::arg("seed") = 1,
             "Adds point lights of saturated colours over the surfaces. range: metres, None: twice their mean "
-            "spacing; "
-            "intensity: candela each, None: range squared / 10.")
+            "spacing; intensity: candela each, None: range squared / 10.")
         .def(
             "select_variant",
             [](SceneHandle& self, nb::object variant) {
@@ -293,6 +302,9 @@ void bindChanges(nb::class_<SceneHandle>& cls) {
 void bindScenes(nb::module_& module) {
     bindValue<ImportNote>(module, "What an import did with one or more elements of a file.")
         .def("__str__", [](const ImportNote& note) { return note.line(); });
+
+    bindValue<SceneInfo>(
+        module, "What a file says of its scene as a whole. The Scene itself is in metres with +Y up.");
 
     nb::class_<SceneHandle> cls(
         module, "Scene",
@@ -340,6 +352,9 @@ void bindScenes(nb::module_& module) {
             [](const SceneHandle& self) { return Convert<std::vector<ImportNote>>::to(self.data->notes); },
             nb::sig("def notes(self) -> tuple[ImportNote, ...]"), "What the import noted, losses first.")
         .def_prop_ro(
+            "info", [](const SceneHandle& self) { return nb::cast(self.data->info); },
+            nb::sig("def info(self) -> SceneInfo"), "What the file says of the scene as a whole.")
+        .def_prop_ro(
             "source", [](const SceneHandle& self) { return self.data->source; },
             "The URI that it was imported from; empty for a scene that was built.")
         .def_prop_ro(
@@ -347,8 +362,9 @@ void bindScenes(nb::module_& module) {
         .def(
             "copy",
             [](const SceneHandle& self) {
-                return SceneHandle{std::make_shared<SceneData>(
-                    SceneData{self.data->scene, self.data->notes, self.data->plugin, self.data->source})};
+                return SceneHandle{std::make_shared<SceneData>(SceneData{self.data->scene, self.data->notes,
+                                                                         self.data->plugin, self.data->source,
+                                                                         self.data->info})};
             },
             "An independent copy.")
         .def("__repr__", [](const SceneHandle& self) {

@@ -18,6 +18,7 @@ struct SceneData {
     Scene scene;
     std::vector<ImportNote> notes;
     std::string plugin, source;
+    SceneInfo info;
     int readers = 0;            ///< Threads that read it without the GIL.
     std::uint64_t version = 1;  ///< Grows with every change.
 

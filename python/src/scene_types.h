@@ -50,10 +50,13 @@ class LightArrays {
 /// The plugins that the process uses where none are given. Searched when they are needed first.
 const PluginRegistry& defaultPlugins();
 
-/// What a picture shows where nobody says: an index or a name of a camera, a view, or None for the first
-/// camera of the scene or a view of all of it. `framed` is asked for the latter.
-CameraView resolveView(const Scene& scene, nb::handle camera, double time, float aspect,
-                       const std::function<Bounds()>& framed);
+/// The camera that an argument names: an index or a name, or None for the first one; none where the scene has
+/// no camera. Throws `Error` (badInput) that lists the cameras.
+std::optional<std::uint32_t> cameraFrom(const Scene& scene, nb::handle camera);
+
+/// The view of a camera of the scene; without one, of all of it. `framed` is asked for the box then.
+CameraView viewOf(const Scene& scene, std::optional<std::uint32_t> camera, double time, float aspect,
+                  const std::function<Bounds()>& framed);
 
 /// The box that the automatic view frames.
 Bounds framedBox(const Scene& scene);

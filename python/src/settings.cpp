@@ -17,6 +17,26 @@ SamplingSettings RenderSettings::sampling() const {
     return settings;
 }
 
+namespace {
+
+void setRegion(RenderSettings& settings, nb::handle value, const std::string& where) {
+    settings.frame.region.reset();
+    if (value.is_none()) return;
+    std::array<double, 4> numbers;
+    numbersFrom(value, numbers, where);
+    const auto pixels = [&](std::size_t i) { return static_cast<int>(numbers[i]); };
+    settings.frame.region =
+        PictureRegion{.width = pixels(2), .height = pixels(3), .x = pixels(0), .y = pixels(1)};
+}
+
+nb::object getRegion(const RenderSettings& settings) {
+    const std::optional<PictureRegion>& region = settings.frame.region;
+    if (!region) return nb::none();
+    return nb::make_tuple(region->x, region->y, region->width, region->height);
+}
+
+}  // namespace
+
 template <>
 const Record<RenderSettings>& recordOf<RenderSettings>() {
     using S = RenderSettings;
@@ -65,6 +85,13 @@ const Record<RenderSettings>& recordOf<RenderSettings>() {
                 "point_size", [](S& s) -> float& { return s.frame.pointSize; }, "Side of a point, pixels.")
             .field(
                 "line_width", [](S& s) -> float& { return s.frame.lineWidth; }, "Pixels.")
+            .custom(
+                "region", "tuple[int, int, int, int] | None",
+                "Draws this part of a larger picture: x and y of its upper left pixel, and the width and "
+                "height "
+                "of the whole, pixels. Parts fit without a seam where x and the way from the lower edge are "
+                "multiples of 16.",
+                setRegion, getRegion)
             .field("f_number", &S::fNumber, "A thin lens of this f-number, over 0; None: a pinhole.")
             .field(
                 "focus_distance", [](S& s) -> float& { return s.lens.focusDistance; },

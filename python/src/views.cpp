@@ -24,8 +24,11 @@ const Record<CameraView>& recordOf<CameraView>() {
             .field("orthographic_height", &CameraView::orthographicHeight, "Metres: an orthographic view.")
             .field("shift", &CameraView::shift,
                    "How far right of and above the view axis the middle of the picture lies, in units of its "
-                   "width "
-                   "and height, (2,).");
+                   "width and height, (2,).")
+            .field(
+                "aspect", &CameraView::aspect,
+                "Width over height of what the picture shows on a plane across the axis; None: that of its "
+                "pixels, which are squares then.");
     return record;
 }
 
@@ -77,22 +80,21 @@ Bounds framedBox(const Scene& scene) {
     return box;
 }
 
-CameraView resolveView(const Scene& scene, nb::handle camera, double time, float aspect,
-                       const std::function<Bounds()>& framed) {
-    if (nb::isinstance<CameraView>(camera)) return nb::cast<CameraView>(camera);
-    std::optional<std::uint32_t> index;
+std::optional<std::uint32_t> cameraFrom(const Scene& scene, nb::handle camera) {
+    if (camera.is_none()) return scene.cameras.empty() ? std::nullopt : std::optional<std::uint32_t>(0);
     if (nb::isinstance<nb::str>(camera)) {
         const std::string name = nb::str(camera).c_str();
-        index = findCamera(scene, name);
-        if (!index) throw Error(ErrorKind::badInput, "", "no camera '" + name + "'; " + cameraNames(scene));
-    } else if (!camera.is_none()) {
-        if (!PyIndex_Check(camera.ptr()))
-            failConversion("camera", "a CameraView, a name, a number or None", camera);
-        index = static_cast<std::uint32_t>(integerFrom(camera, 0, UINT32_MAX, "camera"));
-    } else if (!scene.cameras.empty()) {
-        index = 0;
+        if (const auto found = findCamera(scene, name)) return found;
+        throw Error(ErrorKind::badInput, "", "no camera '" + name + "'; " + cameraNames(scene));
     }
-    if (index) return cameraView(scene, *index, worldTransforms(scene, time), time);
+    if (!PyIndex_Check(camera.ptr()))
+        failConversion("camera", "a CameraView, a name, a number or None", camera);
+    return static_cast<std::uint32_t>(integerFrom(camera, 0, UINT32_MAX, "camera"));
+}
+
+CameraView viewOf(const Scene& scene, std::optional<std::uint32_t> camera, double time, float aspect,
+                  const std::function<Bounds()>& framed) {
+    if (camera) return cameraView(scene, *camera, worldTransforms(scene, time), time);
     const Bounds box = framed();
     CameraView view = frameBounds(box, aspect, defaultFov);
     view.nearPlane = defaultNearPlane(box);
@@ -115,8 +117,7 @@ void bindCameraViews(nb::module_& module) {
             nb::arg("aspect"),
             nb::sig("def projection(self, aspect: float) -> numpy.typing.NDArray[numpy.float32]"),
             "Clip space from camera space, (4, 4), with reversed depth: 1 at the near plane. `aspect` is "
-            "width "
-            "over height.");
+            "width over height.");
     module.def(
         "look_at", &lookAtView, nb::arg("eye"), nb::arg("target"), nb::arg("vertical_fov") = defaultFov,
         nb::arg("near_plane") = nb::none(),
@@ -124,8 +125,7 @@ void bindCameraViews(nb::module_& module) {
             "def look_at(eye: numpy.typing.ArrayLike, target: numpy.typing.ArrayLike, vertical_fov: float = "
             "0.785398, near_plane: float | None = None) -> CameraView"),
         "A view from `eye` towards `target`, world space, metres, +Y up. `vertical_fov` is in radians; the "
-        "near "
-        "plane is 1 cm or a hundredth of the distance, the nearer one, unless it is given.");
+        "near plane is 1 cm or a hundredth of the distance, the nearer one, unless it is given.");
 }
 
 }  // namespace candela::python

@@ -144,6 +144,17 @@ struct Words<VertexEvaluator> {
 };
 
 template <>
+struct Words<VertexDetail> {
+    static constexpr WordTable<VertexDetail, 2> words{
+        {{"as_needed", VertexDetail::asNeeded}, {"always", VertexDetail::always}}};
+};
+
+template <>
+struct Words<UpAxis> {
+    static constexpr WordTable<UpAxis, 3> words{{{"y", UpAxis::y}, {"z", UpAxis::z}, {"x", UpAxis::x}}};
+};
+
+template <>
 struct Words<NoteKind> {
     static constexpr WordTable<NoteKind, 3> words{{{"missing", NoteKind::missing},
                                                    {"repaired", NoteKind::repaired},

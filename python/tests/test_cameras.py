@@ -20,13 +20,14 @@ def dots(points):
     return scene
 
 
-@pytest.mark.parametrize("center", [(80.0, 60.0), (50.0, 75.0), (120.5, 20.25)])
-def test_points_are_drawn_where_they_are_projected(renderer, center):
+@pytest.mark.parametrize("focal", [(150.0, 150.0), (130.0, 170.0)])
+@pytest.mark.parametrize("center", [(80.0, 60.0), (50.0, 75.0), (110.5, 40.25)])
+def test_points_are_drawn_where_they_are_projected(renderer, center, focal):
     points = np.array([[0.313, 0.207, 0.0], [-0.521, -0.333, -1.0], [0.117, -0.419, 0.5]])
-    view = candela.view_from_intrinsics(150.0, 150.0, *center, WIDTH, HEIGHT, POSE, convention="opengl")
+    view = candela.view_from_intrinsics(*focal, *center, WIDTH, HEIGHT, POSE, convention="opengl")
     # The pinhole equation by itself.
     camera = points - POSE[:3, 3]
-    expected = np.stack([150.0 * camera[:, 0] / -camera[:, 2] + center[0], -150.0 * camera[:, 1] / -camera[:, 2] + center[1]], axis=1)
+    expected = np.array(center) + np.array([focal[0], -focal[1]]) * camera[:, :2] / -camera[:, 2:]
     pixels, depth = candela.project(view, points, WIDTH, HEIGHT)
     np.testing.assert_allclose(pixels, expected, atol=1e-4)
     np.testing.assert_allclose(depth, -camera[:, 2], rtol=1e-6)
@@ -50,9 +51,9 @@ def test_opencv_and_opengl_poses_are_one_view():
 
 def test_intrinsics_are_the_reverse():
     for pixel_center in (0.5, 0.0):
-        view = candela.view_from_intrinsics(150, 150, 70, 65, WIDTH, HEIGHT, pixel_center=pixel_center)
+        view = candela.view_from_intrinsics(150, 140, 70, 65, WIDTH, HEIGHT, pixel_center=pixel_center)
         matrix = candela.intrinsics(view, WIDTH, HEIGHT, pixel_center=pixel_center)
-        np.testing.assert_allclose(matrix, [[150, 0, 70], [0, 150, 65], [0, 0, 1]], rtol=1e-5)
+        np.testing.assert_allclose(matrix, [[150, 0, 70], [0, 140, 65], [0, 0, 1]], rtol=1e-5)
     shifted = candela.view_from_intrinsics(150, 150, 69.5, 64.5, WIDTH, HEIGHT, pixel_center=0.0)
     straight = candela.view_from_intrinsics(150, 150, 70, 65, WIDTH, HEIGHT)
     np.testing.assert_allclose(shifted.shift, straight.shift, atol=1e-7)

@@ -13,26 +13,29 @@ TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 
 
 def read_png(path):
-    """The pixels of an 8-bit RGBA PNG, by the format's own description (no interlace)."""
+    """The pixels of an 8-bit PNG with or without alpha, by the format's own description (no interlace)."""
     data = path.read_bytes()
-    width, height = struct.unpack(">II", data[16:24])
+    width, height, depth, kind = struct.unpack(">IIBB", data[16:26])
+    channels = {2: 3, 6: 4}[kind]
+    assert depth == 8
     at, packed = 8, b""
     while at < len(data):
-        size, kind = struct.unpack(">I4s", data[at:at + 8])
-        packed += data[at + 8:at + 8 + size] if kind == b"IDAT" else b""
+        size, name = struct.unpack(">I4s", data[at:at + 8])
+        packed += data[at + 8:at + 8 + size] if name == b"IDAT" else b""
         at += size + 12
-    rows = np.frombuffer(zlib.decompress(packed), np.uint8).reshape(height, 1 + 4 * width)
-    result = np.zeros((height, 4 * width), np.uint8)
-    for y, (kind, row) in enumerate(zip(rows[:, 0], rows[:, 1:].astype(int))):
-        above = result[y - 1].astype(int) if y else np.zeros(4 * width, int)
-        line = np.zeros(4 * width, int)
-        for x in range(4 * width):
-            left, corner = (line[x - 4], above[x - 4]) if x >= 4 else (0, 0)
+    stride = channels * width
+    rows = np.frombuffer(zlib.decompress(packed), np.uint8).reshape(height, 1 + stride)
+    result = np.zeros((height, stride), np.uint8)
+    for y, (filtered, row) in enumerate(zip(rows[:, 0], rows[:, 1:].astype(int))):
+        above = result[y - 1].astype(int) if y else np.zeros(stride, int)
+        line = np.zeros(stride, int)
+        for x in range(stride):
+            left, corner = (line[x - channels], above[x - channels]) if x >= channels else (0, 0)
             distances = [abs(above[x] - corner), abs(left - corner), abs(left + above[x] - 2 * corner)]
             paeth = (left, above[x], corner)[int(np.argmin(distances))]
-            line[x] = (row[x] + (0, left, above[x], (left + above[x]) // 2, paeth)[kind]) & 255
+            line[x] = (row[x] + (0, left, above[x], (left + above[x]) // 2, paeth)[filtered]) & 255
         result[y] = line
-    return result.reshape(height, width, 4)
+    return result.reshape(height, width, channels)
 
 
 def test_png_has_the_pixels_that_were_given(tmp_path):
@@ -40,7 +43,7 @@ def test_png_has_the_pixels_that_were_given(tmp_path):
     candela.write_png(tmp_path / "a.png", pixels)
     read = read_png(tmp_path / "a.png")
     np.testing.assert_array_equal(read[..., :3], pixels)
-    assert (read[..., 3] == 255).all()
+    assert (read[..., 3:] == 255).all()
     candela.write_png(tmp_path / "grey.png", pixels[..., 0])
     np.testing.assert_array_equal(read_png(tmp_path / "grey.png")[..., 2], pixels[..., 0])
     with pytest.raises(candela.InputError, match="write_png: expected pixels"):

@@ -102,6 +102,75 @@ def test_edits_of_an_uploaded_scene(renderer, wall, ahead):
     assert uploaded.report()["triangles"] == 2
 
 
+def test_elements_are_added_replaced_and_removed(renderer, wall, ahead):
+    wall.materials[0].unlit = True
+    uploaded = renderer.upload(wall, environment=None)
+    size = {"width": 64, "height": 48, "samples": 1}
+    paint = uploaded.add_material(candela.Material(base_color=(0, 1, 0), unlit=True))
+    corners, triangles = square(4.0, z=0.5)
+    mesh = candela.Mesh(positions=corners, normals=np.tile((0.0, 0, 1), (4, 1)), indices=triangles,
+                        submeshes=[candela.Submesh(index_count=6, material=paint.index)])
+    shape = uploaded.add_mesh(mesh)
+    node = uploaded.add_node(candela.Node(mesh=shape.index))
+    frame = renderer.render(uploaded, ahead, **size)
+    np.testing.assert_allclose(frame["depth"][24, 32], 1.5, rtol=1e-5)
+    np.testing.assert_allclose(frame.radiance()[24, 32, :3], (0, 1, 0), atol=4e-3)
+    uploaded.set_positions(shape, corners + (0, 0, 0.5))
+    np.testing.assert_allclose(renderer.render(uploaded, ahead, **size)["depth"][24, 32], 1.0, rtol=1e-5)
+    away = np.eye(4)
+    away[2, 3] = -1.0
+    uploaded.set_transforms([wall.nodes[0], node], [away, away])
+    np.testing.assert_allclose(renderer.render(uploaded, ahead, **size)["depth"][24, 32], 2.0, rtol=1e-5)
+    uploaded.set_visibilities([0, node], [True, False])
+    np.testing.assert_allclose(renderer.render(uploaded, ahead, **size)["depth"][24, 32], 3.0, rtol=1e-5)
+    uploaded.remove_node(node)
+    uploaded.remove_mesh(shape)
+    with pytest.raises(candela.InputError):
+        uploaded.set_visible(node, True)
+    with pytest.raises(candela.InputError, match=r"\(2, 4, 4\), one for each node"):
+        uploaded.set_transforms([0, 0], np.eye(4))
+    with pytest.raises(candela.InputError, match="an index or a NodeHandle, or a Node of the scene, not an object of type MeshHandle"):
+        uploaded.set_visible(shape, True)
+
+
+def test_lights_of_an_uploaded_scene(renderer, wall, ahead):
+    wall.add_lights([[0, 0, 1]], intensity=10.0, range=100.0)
+    uploaded = renderer.upload(wall, environment=None)
+    size = {"width": 63, "height": 47, "samples": 1}
+    one = renderer.render(uploaded, ahead, **size).radiance()[23, 31, 0]
+    added = uploaded.add_light(candela.Light(position=(0, 0, 1), intensity=10.0, range=100.0))
+    two = renderer.render(uploaded, ahead, **size).radiance()[23, 31, 0]
+    uploaded.set_light(0, candela.Light(position=(0, 0, 1), intensity=20.0, range=100.0))
+    uploaded.remove_light(added)
+    brighter = renderer.render(uploaded, ahead, **size).radiance()[23, 31, 0]
+    np.testing.assert_allclose([two, brighter], 2.0 * one, rtol=1e-5)
+
+
+def test_node_ids_and_picks(renderer, wall, ahead):
+    wall.add_mesh(*square(0.5, z=0.5), material=candela.Material(), name="card")
+    frame = renderer.render(wall, ahead, aovs=["node_id", "material_id"], **dark)
+    # 0 is the background: ids are indices and 1.
+    assert frame["node_id"][24, 32] == 2 and frame["node_id"][1, 1] == 1 and frame["material_id"][24, 32] == 2
+    card, whole = frame.pick(32, 24), frame.pick(0, 0, 64, 48)
+    assert [each.node for each in card] == [1] and abs(card[0].depth - 1.5) < 1e-4
+    assert [each.node for each in whole] == [0, 1] and whole[1].pixels == (frame["node_id"] == 2).sum()
+
+
+def test_motion_is_that_of_the_camera(renderer, wall, ahead):
+    before = candela.look_at((0.1, 0, 2), (0.1, 0, 0))
+    motion = renderer.render(wall, ahead, aovs=["motion"], previous_camera=before, **dark)["motion"]
+    # The wall moves to the right: 0.1 m at 2 m with a focal length of 24 / tan(22.5 degrees) pixels.
+    np.testing.assert_allclose(motion[24, 32], (0.1 / 2.0 * 24 / np.tan(np.pi / 8), 0), atol=1e-3)
+
+
+def test_a_picture_is_drawn_in_parts(renderer, wall, ahead):
+    wall.add_lights([[0.4, 0.2, 0.7]], intensity=3.0)
+    whole = renderer.render(wall, ahead, **{**dark, "width": 64, "height": 64}).radiance()
+    part = renderer.render(wall, ahead, region=(32, 16, 64, 64), **{**dark, "width": 32, "height": 48}).radiance()
+    # The same to the rounding of the projection, which moves a pixel by some millionths.
+    np.testing.assert_allclose(part, whole[16:, 32:], rtol=1e-3, atol=1e-5)
+
+
 def test_samples_are_added_to_a_frame(renderer, wall, ahead):
     wall.add_lights([[0.5, 0.3, 1.0]], intensity=5.0, radius=0.2)
     wall.add_mesh(*square(0.3, z=0.3), name="blocker")

@@ -142,14 +142,42 @@ def test_normals_are_made_where_none_are_given():
     # Two triangles that meet at a right angle along the y axis.
     positions = [[0, 0, 0], [0, 1, 0], [1, 0, 0], [0, 0, -1]]
     triangles = [[0, 2, 1], [0, 1, 3]]
-    scene.add_mesh(positions, triangles, smooth=False)
+    scene.add_mesh(positions, triangles, crease_angle=0.0)
     flat = scene.meshes[0]
     assert flat.normals.shape == (6, 3)
     np.testing.assert_allclose(flat.normals[:3], np.tile((0, 0, 1), (3, 1)), atol=1e-6)
-    scene.add_mesh(positions, triangles)
+    scene.add_mesh(positions, triangles, crease_angle=np.pi)
     shared = scene.meshes[1].normals[0]
     assert abs(np.linalg.norm(shared) - 1.0) < 1e-6, "float32 rounds at 1e-7"
-    assert 0.1 < abs(shared[2]) < 0.99, "the edge has a normal between those of the faces"
+    # Both faces have a right angle at this corner, and count alike.
+    np.testing.assert_allclose(np.abs(shared), (np.sqrt(0.5), 0, np.sqrt(0.5)), atol=1e-6)
+    scene.add_mesh(positions, triangles)
+    assert scene.meshes[2].normals.shape == (6, 3), "an edge of 90 degrees stays sharp"
+
+
+def test_shapes_and_whole_meshes():
+    scene = candela.Scene()
+    for mesh in (candela.Mesh.sphere(2.0), candela.Mesh.box((2, 4, 6)), candela.Mesh.plane(3, 5), candela.Mesh.disc(2.0),
+                 candela.Mesh.cylinder(1.0, 4.0), candela.Mesh.cone(1.0, 4.0), candela.Mesh.torus(2.0, 0.5)):
+        scene.add_mesh(mesh, material=candela.Material(), name="shape")
+        np.testing.assert_allclose(np.linalg.norm(scene.meshes[-1].normals, axis=1), 1.0, atol=1e-5)
+    np.testing.assert_array_equal(scene.node_bounds(1), [[-1, -2, -3], [1, 2, 3]])
+    np.testing.assert_allclose(scene.node_bounds(0), [[-2] * 3, [2] * 3], atol=0.02)
+    scene.validate()
+    with pytest.raises(candela.InputError, match="radius"):
+        candela.Mesh.sphere(-1.0)
+    with pytest.raises(candela.InputError, match="no indices beside a Mesh"):
+        scene.add_mesh(candela.Mesh.box(), [[0, 1, 2]])
+
+
+def test_normals_and_tangents_are_computed():
+    box = candela.Mesh.box()
+    box.compute_normals(np.pi)
+    # At each corner of a cube three right angles meet.
+    np.testing.assert_allclose(np.abs(box.normals), np.sqrt(1 / 3), atol=1e-6)
+    box.compute_normals(0.0)
+    box.compute_tangents()
+    np.testing.assert_allclose(np.sum(box.tangents[:, :3] * box.normals, axis=1), 0.0, atol=1e-6)
 
 
 def test_images_have_the_type_of_their_pixels():
