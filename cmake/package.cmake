@@ -56,6 +56,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${candela_library_package} (= ${PR
 
 if(CANDELA_BUILD_RENDER)
   set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${candela_library_package} (= ${PROJECT_VERSION})")
+  set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "fonts-dejavu-core")
   list(APPEND CPACK_COMPONENTS_ALL tools)
   candela_package(tools candela-tools graphics "${candela_summary} - programs"
     "candela-render draws pictures and sequences without a window,

@@ -3,6 +3,7 @@
 #include "close_signals.h"
 #include "common/output_file.h"
 #include "common/program.h"
+#include "common/scene_lights.h"
 #include "common/scene_selection.h"
 #include "panels/panels.h"
 #include "refinement.h"
@@ -13,6 +14,9 @@
 
 #include <candela/error.h>
 
+#include <imgui.h>
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <exception>
 #include <iostream>
@@ -22,7 +26,10 @@
 namespace {
 
 constexpr std::size_t keptFrames = 240;
+/// ImGui reacts to an event in the next frame, a window of a new size in the one after it.
 constexpr int settlingFrames = 3;
+/// Thickness of the line around what is picked, in units of ImGui.
+constexpr float outlinePoints = 2.0f;
 constexpr double longestStep = 0.25;  ///< The maximum advance of time between two frames, seconds.
 
 /// Everything that the picture depends on, as text: equal texts, equal pictures.
@@ -67,9 +74,19 @@ Application::Application(const ViewOptions& options)
       viewport_(context_),
       shaders_(&Window::wake) {
     model_.renderer = context_.renderer();
+    listPlugins();
     checkOutputs(options);
     chooseFirstColor();
     if (!model_.options.scene.empty()) open(model_.options.scene);
+}
+
+void Application::listPlugins() {
+    std::vector<std::string> schemes;
+    for (const candela::PluginReport& report : plugins_.reports()) {
+        for (const std::string& ending : report.extensions) model_.sceneEndings.push_back("." + ending);
+        schemes.insert(schemes.end(), report.schemes.begin(), report.schemes.end());
+    }
+    model_.examples = exampleScenes(schemes);
 }
 
 /// Objects on the device are destroyed before its context.
@@ -87,15 +104,6 @@ void Application::chooseFirstColor() {
             {Message::Kind::note,
              std::string("the colours of the last session are not used: ") + error.what()});
         changeConfig(std::nullopt, {});
-    }
-}
-
-template <typename Work>
-void Application::guarded(Work&& work) {
-    try {
-        work();
-    } catch (const std::exception& error) {
-        reportFailure(error.what());
     }
 }
 
@@ -124,7 +132,11 @@ void Application::run() {
 void Application::finishScript() {
     if (!ended())
         throw candela::Error(candela::ErrorKind::environment, "", "the window was closed too early");
-    if (options_.screenshot) writePicture(*options_.screenshot);
+    if (!options_.screenshot) return;
+    // That of the window is as small as the panels leave it.
+    model_.options.width = options_.width;
+    model_.options.height = options_.height;
+    writePicture(*options_.screenshot);
 }
 
 bool Application::timeAdvances() const {
@@ -134,7 +146,8 @@ bool Application::timeAdvances() const {
 /// Panels settle before the loop waits for events; full resolution returns after a short delay.
 Window::Sleep Application::sleep() const {
     if (options_.scripted()) return model_.loading ? Window::Sleep::briefly : Window::Sleep::none;
-    if (timeAdvances() || motion_ == Motion::moves || settling_ > 0 || isRefining())
+    if (timeAdvances() || motion_ == Motion::moves || settling_ > 0 || isRefining() ||
+        window_.hasPendingInput())
         return Window::Sleep::none;
     return resolutionScale_.isReduced() ? Window::Sleep::briefly : Window::Sleep::untilEvent;
 }
@@ -149,115 +162,67 @@ bool Application::ended() const {
 }
 
 void Application::step() {
-    settling_ = settling_ > 0 ? settling_ - 1 : settlingFrames;
+    const bool active = window_.takeActivity() || window_.hasPendingInput();
+    settling_ = active ? settlingFrames : std::max(settling_ - 1, 0);
     const glm::ivec2 size = window_.framebufferSize();
     if (size.x < 1 || size.y < 1) return;  // minimised
-    // A script gets the size that it asks for, even where the desktop gives its window another one.
-    if (!options_.scripted()) {
-        model_.options.width = size.x;
-        model_.options.height = size.y;
-    }
+    model_.windowSize = size;
     for (const std::string& file : window_.takeDropped())
         if (!takeAsEnvironment(model_, file)) model_.requests.open = file;
     takeLoaded();
     guarded([this] { takeEnvironment(model_, environments_); });
     if (shaders_.takeChange()) reloadShaders();
     advanceTime();
-    window_.beginPanels();
+    window_.beginPanels(model_.textScale);
+    placePicture();
     drawPanels(model_);
+    recordEdits();
     motion_ = interact(model_, window_.pixelRatio());
     serveRequests();
     drawPicture(timeAdvances() ? Motion::moves : motion_);
     serveReadings();
-    viewport_.show(size);
+    viewport_.show(size, model_.pictureCorner, model_.document ? pictureSize_ : glm::ivec2(0));
+    outlinePicked();
     window_.endPanels();
     if (options_.windowScreenshot && ended()) writeWindowPicture(*options_.windowScreenshot, size);
     window_.swap();
 }
 
-void Application::open(const std::string& scene) {
-    SceneOptions wanted = model_.options;
-    // Another scene has other cameras and lights of its own.
-    if (scene != options_.scene || model_.document) takeOptionsOfScene({}, wanted);
-    wanted.scene = scene;
-    loader_.start(plugins_, wanted, &Window::wake);
+/// The picture takes what the panels leave free. That of a script has the size that it asks for, even where
+/// the desktop gives its window another one.
+void Application::placePicture() {
+    layPanels(model_);
+    const bool wholeWindow = options_.scripted() && !options_.windowScreenshot;
+    const float ratio = window_.pixelRatio();
+    const PanelPlace& place = model_.layout.picture;
+    const glm::ivec2 corner(glm::round(place.position * ratio)),
+        end(glm::round((place.position + place.size) * ratio));
+    model_.pictureCorner = wholeWindow ? glm::ivec2(0) : corner;
+    pictureSize_ = wholeWindow ? model_.windowSize : glm::max(end - corner, 1);
+    if (wholeWindow) return;
+    model_.options.width = pictureSize_.x;
+    model_.options.height = pictureSize_.y;
 }
 
-void Application::takeLoaded() {
-    std::optional<SceneLoader::Result> loaded = loader_.take();
-    model_.loading = loader_.status();
-    if (!loaded) return;
-    if (!loaded->error.empty()) return reportFailure(loaded->error);
-    if (loaded->scene) guarded([&] { install(std::move(*loaded)); });
+/// What is done from the press of a button to its release, or while a field is edited, is one step.
+void Application::recordEdits() {
+    if (!model_.document) return;
+    EditHistory& history = model_.document->history();
+    history.watch(model_.options);
+    if (!ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) history.endStep();
 }
 
-candela::GpuSceneOptions Application::uploadOptions(const candela::ColorConfig& color) const {
-    candela::GpuSceneOptions upload;
-    upload.workingFromRec709 = color.workingFromRec709();
-    upload.rangeLoss = model_.options.rangeLoss;
-    upload.subdivider = plugins_.subdivider();
-    upload.subdivision = model_.options.subdivision;
-    upload.vertexEvaluator = model_.options.vertexEvaluator;
-    return upload;
-}
-
-/// The old scene stays until the new one is on the device.
-void Application::install(SceneLoader::Result loaded) {
-    const std::size_t scattered = loaded.options.scatter ? loaded.options.scatter->count : 0;
-    auto document = uploading(loaded.options.scene, [&] {
-        return std::make_unique<Document>(std::move(*loaded.scene), context_, uploadOptions(model_.color),
-                                          scattered);
-    });
-    document->setTime(poseTime(document->scene(), loaded.options, loaded.options.time));
-    SceneOptions options = model_.options;
-    takeOptionsOfScene(loaded.options, options);
-    std::swap(model_.document, document);
-    std::swap(model_.options, options);
-    try {
-        loadCamera(model_);  // an unknown --camera shows here
-    } catch (...) {
-        std::swap(model_.document, document);
-        std::swap(model_.options, options);
-        throw;
-    }
-    model_.pickedNode.reset();
-    model_.pickedLight.reset();
-    model_.pickedMaterial.reset();
-    model_.pairs.reset();
-    drawnPicture_.clear();
-    newDocument_ = true;
-    rememberScene(model_.recent, model_.options.scene);
-    window_.setTitle(model_.options.scene + " - candela");
-}
-
-/// Of the open scene; empty: none.
-void Application::showVariant(const std::string& variant) {
-    const std::optional<std::string> wanted = variant.empty() ? std::nullopt : std::optional(variant);
+void Application::outlinePicked() {
+    if (!model_.document || !model_.pickedNode || !model_.guides.outline || viewport_.frame() == nullptr)
+        return;
     Document& document = *model_.document;
-    document.setVariant(wanted, context_, uploadOptions(model_.color));
-    model_.options.variant = wanted;
-    drawnPicture_.clear();
-}
-
-void Application::reloadShaders() {
-    drawnPicture_.clear();
-    try {
-        if (!model_.document) {
-            viewport_.reloadShaders(std::nullopt);
-        } else {
-            Document& document = *model_.document;
-            // Cages hold a program of their own.
-            std::optional<candela::GpuScene> fresh;
-            if (!document.scene().cages.empty())
-                fresh = document.upload(context_, uploadOptions(model_.color));
-            viewport_.reloadShaders(Viewport::Inputs{fresh ? *fresh : document.gpuScene(), model_.options,
-                                                     selectedView(model_), *display_, model_.divisor});
-            if (fresh) document.adopt(std::move(*fresh));
-        }
-        model_.shaderError.clear();
-    } catch (const candela::Error& error) {
-        model_.shaderError = error.what();
-    }
+    if (document.visibility(*model_.pickedNode) == candela::GpuScene::Visibility::hidden) return;
+    const glm::ivec2 corner(model_.pictureCorner.x,
+                            model_.windowSize.y - model_.pictureCorner.y - pictureSize_.y);
+    guarded([&] {
+        outline_.draw({document.scene(), *model_.pickedNode, document.time(), document.revision()},
+                      selectedView(model_), {corner, pictureSize_}, outlinePoints * window_.pixelRatio());
+    });
 }
 
 void Application::advanceTime() {
@@ -278,6 +243,7 @@ void Application::serveRequests() {
     const auto environment = std::exchange(model_.requests.openEnvironment, std::nullopt);
     if (environment) environments_.start(*environment, model_.options.strictness, &Window::wake);
     if (std::exchange(model_.requests.cancelLoading, false)) loader_.cancel();
+    if (model_.requests.quit) window_.close();
     const auto variant = std::exchange(model_.requests.variant, std::nullopt);
     if (variant && model_.document) guarded([&] { showVariant(*variant); });
     const auto config = std::exchange(model_.requests.ocioConfig, std::nullopt);
@@ -321,12 +287,17 @@ void Application::changeConfig(const std::optional<std::string>& config,
     display_ = display;
     appliedDisplayOptions_ = displayOptions;
     drawnPicture_.clear();
+    if (!model_.document) return;
+    // Steps name displays and views of the old config.
+    model_.document->history().clear();
+    model_.document->history().rebase(model_.options);
 }
 
 void Application::pick(const glm::ivec2& pixel) {
     const glm::ivec2 place = viewport_.pixelAt(pixel);
     const auto probe = viewport_.frame()->probe(place.x, place.y);
     model_.pickedNode = probe ? std::optional(probe->node) : std::nullopt;
+    model_.pickedLight.reset();
 }
 
 void Application::copyCommand() {
@@ -344,19 +315,29 @@ void Application::changeDisplay() {
     appliedDisplayOptions_ = model_.options.display;
 }
 
+void Application::drawExamplePictures() {
+    const bool drawn = examples_.advance(
+        {plugins_, viewport_, model_.color, *display_, uploadOptions(model_.color), &Window::wake},
+        model_.examples);
+    if (drawn) settling_ = settlingFrames;
+}
+
 void Application::drawPicture(Motion motion) {
     if (!model_.document) {
         // Where no scene comes, the frames of a script show none.
         if (options_.scripted() && options_.scene.empty()) ++drawnFrames_;
+        if (!model_.loading && !window_.hasPendingInput()) drawExamplePictures();
         return;
     }
     changeDisplay();
     if (!options_.scripted()) model_.divisor = resolutionScale_.divisor(motion, Clock::now());
     const std::string key = pictureKey(model_);
     if (key == drawnPicture_ && !options_.scripted()) {
-        if (motion == Motion::rests && isRefining()) refinePicture();
+        // Input does not wait for a sample.
+        if (motion == Motion::rests && isRefining() && !window_.hasPendingInput()) refinePicture();
         return;
     }
+    settling_ = std::max(settling_, 1);  // panels show the numbers of this picture in the next frame
     drawnPicture_ = key;
     guarded([&] {
         const candela::CameraView view = selectedView(model_);
@@ -374,7 +355,8 @@ void Application::drawPicture(Motion motion) {
         model_.pairs.reset();
         ++drawnFrames_;
         if (!std::exchange(newDocument_, false)) return;
-        if (model_.options.autoExposure) measureExposure();
+        if (model_.options.autoExposure || exposesScenes()) measureExposure();
+        model_.document->history().rebase(model_.options);
         noteFirstPicture(model_, *viewport_.frame());
     });
 }
@@ -385,6 +367,7 @@ bool Application::isRefining() const {
 }
 
 void Application::refinePicture() {
+    settling_ = std::max(settling_, 1);
     try {
         drawSample(model_, viewport_, *display_);
         model_.samples = viewport_.samples();
@@ -398,6 +381,12 @@ void Application::measureExposure() {
     ::measureExposure(model_, *viewport_.frame());
     changeDisplay();
     drawnPicture_.clear();
+}
+
+/// A scene is shown at its own exposure, unless the command line says another. Default lights suit any.
+bool Application::exposesScenes() const {
+    return !options_.scripted() && !options_.exposureGiven &&
+           !usesDefaultLights(model_.document->scene(), model_.options.defaultLights);
 }
 
 void Application::probePointer() {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "environment_loader.h"
+#include "examples.h"
 #include "interaction.h"
+#include "outline.h"
 #include "scene_loader.h"
 #include "shader_watch.h"
 #include "view_model.h"
@@ -12,6 +14,7 @@
 #include <candela/plugin_registry.h>
 
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -33,12 +36,21 @@ class Application {
     /// asked for, and draws the window.
     void step();
 
+    /// Whether the window sleeps until an event: a `step` before it shows nothing new.
+    bool isIdle() const { return sleep() == Window::Sleep::untilEvent; }
+    /// Whether events wait for the next steps.
+    bool hasPendingInput() const { return window_.hasPendingInput(); }
+
     /// All that the window shows, as its panels read and change it.
     ViewModel& model() { return model_; }
 
   private:
     using Clock = std::chrono::steady_clock;
 
+    void listPlugins();
+    void placePicture();
+    void recordEdits();
+    void outlinePicked();
     void open(const std::string& scene);
     void takeLoaded();
     void install(SceneLoader::Result loaded);
@@ -56,11 +68,13 @@ class Application {
     void copyCommand();
     void pick(const glm::ivec2& pixel);
     void advanceTime();
+    void drawExamplePictures();
     void drawPicture(Motion motion);
     /// Draws another sample of a picture that rests, until it has as many as it should.
     void refinePicture();
     bool isRefining() const;
     void measureExposure();
+    bool exposesScenes() const;
     void probePointer();
     candela::GpuSceneOptions uploadOptions(const candela::ColorConfig& color) const;
     std::uint32_t wantedFrames() const;
@@ -70,7 +84,13 @@ class Application {
 
     /// Runs `work`; what it throws becomes a message in the window.
     template <typename Work>
-    void guarded(Work&& work);
+    void guarded(Work&& work) {
+        try {
+            work();
+        } catch (const std::exception& error) {
+            reportFailure(error.what());
+        }
+    }
 
     ViewOptions options_;
     std::filesystem::path settingsFolder_;
@@ -81,13 +101,16 @@ class Application {
     Viewport viewport_;
     SceneLoader loader_;
     EnvironmentLoader environments_;
+    ExamplePictures examples_;
+    Outline outline_;
     ShaderWatch shaders_;
     std::optional<candela::DisplayTransform> display_;
     candela::DisplayOptions appliedDisplayOptions_;
-    std::string drawnPicture_;  ///< What the picture shows: see `pictureKey`.
+    glm::ivec2 pictureSize_{1};  ///< That it has in the window, in pixels.
+    std::string drawnPicture_;   ///< What the picture shows: see `pictureKey`.
     ResolutionScale resolutionScale_;
     Motion motion_ = Motion::rests;  ///< In the last step.
-    int settling_ = 0;               ///< Frames left in which panels settle after an event.
+    int settling_ = 0;               ///< Frames left in which panels settle after something has happened.
     bool newDocument_ = false;       ///< No frame of it has been drawn yet.
     std::uint32_t drawnFrames_ = 0;
     Clock::time_point lastStep_ = Clock::now();

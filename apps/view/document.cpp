@@ -27,7 +27,8 @@ Document::Document(candela::ImportedScene imported, const candela::Context& cont
       shownLights_(restingLights_),
       ownLights_(scene_.lights.size() - scatteredLights),
       firstScattered_(ownLights_),
-      changedMaterials_(scene_.materials.size(), false) {}
+      changedMaterials_(scene_.materials.size(), false),
+      movedNodes_(scene_.nodes.size(), false) {}
 
 candela::GpuScene Document::upload(const candela::Context& context,
                                    const candela::GpuSceneOptions& options) const {
@@ -84,67 +85,6 @@ void Document::poseLights() {
 
 void Document::worldLights() {
     restingLights_ = candela::worldLights(scene_, candela::worldTransforms(scene_, time_), time_);
-}
-
-void Document::setMaterial(std::uint32_t index, const candela::Material& material) {
-    gpuScene_.setMaterial(index, material);
-    scene_.materials[index] = material;
-    for (candela::Animation& animation : scene_.animations) {
-        std::erase_if(animation.properties, [&](const candela::PropertyChannel& channel) {
-            return channel.element == index &&
-                   candela::elementOf(channel.property) == candela::AnimatedElement::material;
-        });
-    }
-    changedMaterials_[index] = true;
-    ++revision_;
-}
-
-void Document::setVisibility(std::uint32_t node, candela::GpuScene::Visibility visibility) {
-    gpuScene_.setVisibility(node, visibility);
-    visibility_[node] = visibility;
-    ++revision_;
-}
-
-void Document::setLight(std::uint32_t index, const candela::WorldLight& light) {
-    const candela::WorldLight before = std::exchange(restingLights_[index], light);
-    try {
-        showLights();
-    } catch (...) {
-        restingLights_[index] = before;
-        showLights();
-        throw;
-    }
-    lightsChanged_ = true;
-}
-
-void Document::addLight(const candela::WorldLight& light) {
-    restingLights_.insert(restingLights_.begin() + static_cast<std::ptrdiff_t>(firstScattered_), light);
-    ++firstScattered_;
-    lightsChanged_ = true;
-    showLights();
-}
-
-void Document::removeLight(std::uint32_t index) {
-    restingLights_.erase(restingLights_.begin() + index);
-    if (index < firstScattered_) --firstScattered_;
-    lightsChanged_ = true;
-    showLights();
-}
-
-void Document::scatterLights(const candela::LightScatter& options) {
-    scene_.lights.resize(ownLights_);
-    addScatteredLights(scene_, options, "the scene");
-    const std::vector<candela::WorldLight> placed =
-        candela::worldLights(scene_, candela::worldTransforms(scene_, time_), time_);
-    restingLights_.resize(firstScattered_);
-    restingLights_.insert(restingLights_.end(), placed.begin() + static_cast<std::ptrdiff_t>(ownLights_),
-                          placed.end());
-    showLights();
-}
-
-void Document::setLightMotion(const LightMotion& motion) {
-    motion_ = motion;
-    showLights();
 }
 
 void Document::showLights() {
@@ -248,6 +188,8 @@ std::vector<std::string> Document::changes() const {
     for (std::size_t i = 0; i < visibility_.size(); ++i)
         if (visibility_[i] == candela::GpuScene::Visibility::hidden)
             texts.push_back("hidden " + label("node", i, scene_.nodes[i].name));
+    for (std::size_t i = 0; i < movedNodes_.size(); ++i)
+        if (movedNodes_[i]) texts.push_back("moved " + label("node", i, scene_.nodes[i].name));
     if (lightsChanged_) texts.emplace_back("edited, added or removed lights");
     if (motion_.moving) texts.emplace_back("lights in motion");
     return texts;

@@ -2,6 +2,7 @@
 
 #include "common/scene_environment.h"
 #include "common/scene_options.h"
+#include "edit_history.h"
 #include "light_values.h"
 
 #include <candela/gpu_scene.h>
@@ -52,6 +53,10 @@ class Document {
     void setVisibility(std::uint32_t node, candela::GpuScene::Visibility visibility);
     candela::GpuScene::Visibility visibility(std::uint32_t node) const { return visibility_[node]; }
 
+    /// Replaces a node's local matrix, which moves the node and all below it; lights only while none was
+    /// edited. Animations of its translation, rotation and scale end.
+    void setTransform(std::uint32_t node, const glm::mat4& local);
+
     /// The lights in world space as they are shown now.
     const std::vector<candela::WorldLight>& lights() const { return shownLights_; }
     /// Replaces light `index` at its rest position. Throws `candela::Error` and leaves it when it is no
@@ -81,6 +86,13 @@ class Document {
     void setLightMotion(const LightMotion& motion);
     const LightMotion& lightMotion() const { return motion_; }
 
+    /// All edits above, but the environment and default lights, which follow the options.
+    EditHistory& history() { return history_; }
+    /// Takes the last step back, or does it again; its changes of options go to `options`. Nothing without
+    /// such a step. An animation that the edit of a material has ended stays ended.
+    void undo(SceneOptions& options);
+    void redo(SceneOptions& options);
+
     /// The edits that no option of candela-render can express, a line each, such as "material 3 'brass'".
     std::vector<std::string> changes() const;
 
@@ -91,8 +103,15 @@ class Document {
     const candela::Bounds& framedBox();
 
   private:
+    struct Shown;
+
     void poseLights();
     void showLights();
+    void showMaterial(std::uint32_t index, const candela::Material& material);
+    void showNode(std::uint32_t node, candela::GpuScene::Visibility visibility);
+    void placeNode(std::uint32_t node, const candela::Node& placed);
+    void changeLights(LightsEdit edit);
+    void replaceLights(std::size_t first, std::size_t count, const std::vector<candela::WorldLight>& lights);
     void uploadLights(candela::GpuScene& scene) const;
     void worldLights();
     EnvironmentLight environmentOf(const SceneOptions& options);
@@ -118,8 +137,9 @@ class Document {
     std::size_t ownLights_;       ///< Of the scene's lights, those that were not scattered.
     std::size_t firstScattered_;  ///< Of the resting lights.
     LightMotion motion_;
+    EditHistory history_;
     std::optional<candela::Bounds> framedBox_;  ///< Once it is asked for.
-    std::vector<bool> changedMaterials_;
+    std::vector<bool> changedMaterials_, movedNodes_;
     bool lightsTaken_ = false;    ///< The device has the lights that the window places, not the scene's own.
     bool lightsChanged_ = false;  ///< By the user: nodes no longer move them.
 };

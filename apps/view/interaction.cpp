@@ -1,6 +1,7 @@
 #include "interaction.h"
 
 #include "common/scene_selection.h"
+#include "gizmo.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -34,8 +35,9 @@ constexpr float longestStep = 0.1f;
 
 enum Button : int { left = 0, right = 1, middle = 2 };
 
-glm::vec2 dragged(const ImGuiIO& io) {
-    return glm::vec2(io.MouseDelta.x, io.MouseDelta.y) / std::max(io.DisplaySize.y, 1.0f);
+/// In heights of the picture.
+glm::vec2 dragged(const ViewModel& model, const ImGuiIO& io) {
+    return glm::vec2(io.MouseDelta.x, io.MouseDelta.y) / std::max(model.layout.picture.size.y, 1.0f);
 }
 
 glm::vec3 flyingDirection() {
@@ -55,40 +57,57 @@ Motion fly(CameraControl& camera, const ImGuiIO& io) {
     return Motion::moves;
 }
 
+/// Whether a button was pressed over the picture and is still down.
+bool holds(const ImGuiIO& io, Button button) {
+    return io.MouseDown[button] && !io.MouseDownOwned[button];
+}
+
+/// Whether the left button moves the camera, or something else.
+enum class LeftButton { free, taken };
+
 /// Moves the camera by the pressed buttons.
-Motion moveCamera(CameraControl& camera, const ImGuiIO& io) {
-    const glm::vec2 drag = dragged(io);
+Motion moveCamera(ViewModel& model, const ImGuiIO& io, LeftButton leftButton) {
+    CameraControl& camera = model.camera;
+    const glm::vec2 drag = dragged(model, io);
     const bool dragging = drag != glm::vec2(0.0f);
-    if (ImGui::IsMouseDown(right)) {
+    if (holds(io, right)) {
         if (dragging) camera.lookAround(drag);
         return fly(camera, io) == Motion::moves || dragging ? Motion::moves : Motion::rests;
     }
     if (!dragging) return Motion::rests;
-    if (ImGui::IsMouseDown(middle) || (ImGui::IsMouseDown(left) && io.KeyShift)) {
+    if (holds(io, middle) || (holds(io, left) && io.KeyShift)) {
         camera.pan(drag);
         return Motion::moves;
     }
-    if (!ImGui::IsMouseDragging(left, clickDistance)) return Motion::rests;
+    if (leftButton == LeftButton::taken || !holds(io, left) || !ImGui::IsMouseDragging(left, clickDistance))
+        return Motion::rests;
     camera.orbit(drag);
     return Motion::moves;
 }
 
-void readKeys(ViewModel& model, const ImGuiIO& io) {
-    if (ImGui::IsKeyPressed(GLFW_KEY_F, false)) {
-        model.requests.framePicked = io.KeyShift;
-        model.requests.frameAll = !io.KeyShift;
-    }
-    if (ImGui::IsKeyPressed(GLFW_KEY_SPACE, false)) model.playing = !model.playing;
-}
-
-std::optional<glm::ivec2> pixelUnder(const ImGuiIO& io, float pixelRatio, const SceneOptions& options) {
-    const glm::ivec2 pixel(std::floor(io.MousePos.x * pixelRatio), std::floor(io.MousePos.y * pixelRatio));
-    const bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < options.width && pixel.y < options.height;
+std::optional<glm::ivec2> pixelUnder(const ViewModel& model, const ImGuiIO& io, float pixelRatio) {
+    const glm::ivec2 inWindow(std::floor(io.MousePos.x * pixelRatio), std::floor(io.MousePos.y * pixelRatio));
+    const glm::ivec2 pixel = inWindow - model.pictureCorner;
+    const bool inside =
+        pixel.x >= 0 && pixel.y >= 0 && pixel.x < model.options.width && pixel.y < model.options.height;
     return inside ? std::optional(pixel) : std::nullopt;
 }
 
 bool clicked(const ImGuiIO& io) {
-    return ImGui::IsMouseReleased(left) && io.MouseDragMaxDistanceSqr[left] < clickDistance * clickDistance;
+    // A press that closes a menu belongs to the menu, with its release.
+    return ImGui::IsMouseReleased(left) && !io.MouseDownOwned[left] &&
+           io.MouseDragMaxDistanceSqr[left] < clickDistance * clickDistance;
+}
+
+/// Picks a light by its icon, or what the pixel shows.
+void click(ViewModel& model) {
+    const std::optional<std::uint32_t> light = lightUnderPointer(model);
+    if (!light) {
+        model.requests.pick = model.pointer;
+        return;
+    }
+    model.pickedLight = light;
+    model.pickedNode.reset();
 }
 
 /// The numbers of the shortest decimals that are read as these floats: 0.1 and not 0.10000000149.
@@ -167,11 +186,12 @@ Motion interact(ViewModel& model, float pixelRatio) {
     const ImGuiIO& io = ImGui::GetIO();
     model.pointer.reset();
     if (!model.document) return Motion::rests;
-    if (!io.WantCaptureKeyboard) readKeys(model, io);
+    const LeftButton leftButton = driveGizmo(model) ? LeftButton::taken : LeftButton::free;
+    drawGuides(model);
     if (io.WantCaptureMouse) return Motion::rests;
-    model.pointer = pixelUnder(io, pixelRatio, model.options);
-    if (clicked(io)) model.requests.pick = model.pointer;
-    Motion motion = moveCamera(model.camera, io);
+    model.pointer = pixelUnder(model, io, pixelRatio);
+    if (clicked(io) && !model.gizmo.tookPress) click(model);
+    Motion motion = moveCamera(model, io, leftButton);
     if (io.MouseWheel != 0.0f) {
         model.camera.dolly(io.MouseWheel);
         motion = Motion::moves;

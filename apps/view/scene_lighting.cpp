@@ -50,7 +50,6 @@ void measureExposure(ViewModel& model, const candela::Frame& frame) {
     const std::array<candela::HdrImage, 1> frames{frame.radiance()};
     model.options.display.exposure =
         candela::autoExposure(frames, model.color.luminanceWeights()).value_or(0.0);
-    model.options.autoExposure = true;
 }
 
 void noteFirstPicture(ViewModel& model, const candela::Frame& frame) {

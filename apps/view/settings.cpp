@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <system_error>
@@ -34,14 +35,19 @@ void visitPanels(Panels& panels, Visit&& visit) {
     visit("drawing", panels.drawing);
     visit("statistics", panels.statistics);
     visit("probe", panels.probe);
+    visit("timeline", panels.timeline);
 }
 
 Json toJson(const ViewModel& model) {
     const SceneOptions& options = model.options;
     Json panels = Json::object();
     visitPanels(model.panels, [&](const char* name, bool open) { panels[name] = open; });
-    return {{"size", {options.width, options.height}},
+    const DockSizes& docks = model.dockSizes;
+    return {{"size", {model.windowSize.x, model.windowSize.y}},
             {"panels", panels},
+            {"docks", {docks.left, docks.right, docks.bottom}},
+            {"panel_weights", docks.weights},
+            {"text_scale", model.textScale},
             {"recent", model.recent},
             {"brdf", candela::toString(options.brdf)},
             {"technique", candela::toString(options.technique)},
@@ -52,9 +58,22 @@ Json toJson(const ViewModel& model) {
             {"display", options.display.display},
             {"view", options.display.view},
             {"look", options.display.look},
-            {"exposure", options.display.exposure},
             {"subdivision_edge", options.subdivision.edgePixels},
             {"subdivision_max_level", options.subdivision.maxLevel}};
+}
+
+/// Sizes that no window has become some that one can have.
+void readDocks(const Json& json, ViewModel& model) {
+    DockSizes sizes;
+    const auto letters = json.at("docks").get<std::array<float, 3>>();
+    constexpr float most = 1000.0f, least = 1.0e-3f;
+    sizes.left = std::clamp(letters[0], 1.0f, most);
+    sizes.right = std::clamp(letters[1], 1.0f, most);
+    sizes.bottom = std::clamp(letters[2], 1.0f, most);
+    sizes.weights = json.at("panel_weights").get<std::array<float, panelCount>>();
+    for (float& weight : sizes.weights) weight = std::clamp(weight, least, most);
+    model.textScale = std::clamp(json.at("text_scale").get<float>(), 0.5f, 3.0f);
+    model.dockSizes = sizes;
 }
 
 void readSize(const Json& json, SceneOptions& options) {
@@ -69,7 +88,6 @@ void readColor(const Json& json, SceneOptions& options) {
     options.display.display = json.at("display").get<std::string>();
     options.display.view = json.at("view").get<std::string>();
     options.display.look = json.at("look").get<std::string>();
-    options.display.exposure = std::clamp(json.at("exposure").get<double>(), -63.0, 63.0);
 }
 
 void readSamples(const Json& json, SamplingOptions& sampling) {
@@ -98,6 +116,7 @@ void takeSettings(const Json& json, const ViewOptions& given, ViewModel& model) 
         options.shadows = parseShadows(json.at("shadows").get<std::string>());
         options.specularAntialiasing = json.at("specular_antialiasing").get<bool>();
     }
+    readDocks(json, model);
     model.options = options;
     model.panels = panels;
     model.recent = std::move(recent);

@@ -3,6 +3,8 @@
 #include "camera_control.h"
 #include "common/scene_options.h"
 #include "document.h"
+#include "gizmo_math.h"
+#include "panels/layout.h"
 #include "scene_loader.h"
 
 #include <candela/color.h>
@@ -24,16 +26,50 @@ struct Message {
     std::string text;
 };
 
+/// What is dragged to move, turn or scale what is picked; see gizmo.h.
+struct GizmoState {
+    GizmoMode mode = GizmoMode::move;
+    std::optional<GizmoHandle> hovered, dragged;
+    bool tookPress = false;  ///< The last press was on an axis or a circle, and picks nothing.
+
+    // Of the drag: what was there at its start.
+    glm::vec2 from{0.0f};
+    GizmoShape shape;
+    candela::WorldLight light;
+    glm::mat4 world{1.0f}, worldOfParent{1.0f};  ///< Of the node.
+
+    /// The middle of the picked node, as of a revision of the document.
+    struct Middle {
+        std::uint32_t node = 0;
+        std::uint64_t revision = 0;
+        std::optional<glm::vec3> point;
+    } middle;
+};
+
+/// What is shown over the picture and is no part of it.
+struct Guides {
+    bool outline = true;  ///< Around what is picked.
+    bool lights = false;  ///< Icons of them; the picked one has its icon always.
+    bool grid = false;    ///< With the axes.
+};
+
+/// A procedural scene that is offered while none is open.
+struct Example {
+    std::string scene;     ///< That is opened.
+    std::string small;     ///< The same, or less of it, of which the picture is.
+    unsigned texture = 0;  ///< The picture, 16:9; 0 until it is drawn.
+};
+
 /// What the last frames took, for the running graph.
 struct FrameRecord {
     std::vector<candela::PassTime> passes;
     double milliseconds = 0.0;
 };
 
-/// Which panels are open; kept in the settings.
+/// Which panels are open; kept in the settings. The timeline shows where time changes something.
 struct OpenPanels {
     bool scene = true, material = false, lights = true, camera = true, color = true, drawing = true,
-         statistics = true, probe = false;
+         statistics = false, probe = false, timeline = true;
 };
 
 /// What the panels ask the application to do once they are drawn: it touches files, threads or the device.
@@ -49,6 +85,8 @@ struct Requests {
     std::optional<std::string> ocioConfig;        ///< Read this OpenColorIO config.
     std::optional<std::string> savePng, saveExr;  ///< Write the picture here.
     bool copyCommand = false;
+    bool quit = false;
+    bool browse = false;  ///< Show the file browser.
 };
 
 /// All that the window shows. The panels read and change it; the application draws it.
@@ -78,7 +116,20 @@ struct ViewModel {
     std::string renderer;  ///< GL_RENDERER.
     candela::Technique technique = candela::Technique::automatic;  ///< That the last frame used.
 
+    std::vector<std::string> sceneEndings;  ///< Of the files that plugins read, such as ".gltf".
+
+    std::vector<Example> examples;
+
+    Guides guides;
+    GizmoState gizmo;
     OpenPanels panels;
+    bool helpShown = false, aboutShown = false;
+    bool panelsHidden = false;  ///< With the menu bar.
+    float textScale = 1.0f;     ///< Of all panels, 0.5 to 3.
+    DockSizes dockSizes;
+    Layout layout;                ///< Of this frame.
+    glm::ivec2 windowSize{0};     ///< Of its framebuffer, in pixels.
+    glm::ivec2 pictureCorner{0};  ///< The picture's upper left pixel in it; its size is that of the options.
     std::vector<std::string> recent;  ///< Scenes opened, the latest first; at most 10.
     std::deque<Message> messages;
     std::string shaderError;  ///< Of the last reload; empty when it went well.

@@ -2,6 +2,7 @@
 
 #include "common/command_line.h"
 #include "common/parse.h"
+#include "shortcuts.h"
 
 #include <algorithm>
 #include <cctype>
@@ -13,17 +14,15 @@ constexpr const char* description =
     "Shows a scene lit by any number of point lights in a window. SCENE may be left out: drop a file on the\n"
     "window. Takes the options of candela-render and draws the same picture.\n";
 
-constexpr const char* footer =
-    "In the window:\n"
-    "  left button      orbit the target; a click picks what is under the pointer\n"
-    "  middle button    (or shift and left) move sideways;  wheel: come nearer\n"
-    "  right button     look around, and fly with W A S D Q E\n"
-    "  F, shift F       frame all, frame what is picked;  space: play or pause time\n"
-    "\n"
-    "Exit codes:\n"
-    "  0  done\n"
-    "  1  this machine is at fault, or the scene of a run with --frames or --screenshot; one line says why\n"
-    "  2  wrong usage";
+std::string footer() {
+    return "In the window:\n" + controlsText() +
+           "\n"
+           "Exit codes:\n"
+           "  0  done\n"
+           "  1  this machine is at fault, or the scene of a run with --frames or --screenshot; one line "
+           "says why\n"
+           "  2  wrong usage";
+}
 
 void declareWindow(CLI::App& app, ViewOptions& options) {
     app.add_option_function<std::string>(
@@ -53,8 +52,8 @@ void declareWindow(CLI::App& app, ViewOptions& options) {
 void noteGiven(const CLI::App& app, ViewOptions& options) {
     const auto given = [&app](const char* name) { return app.count(name) > 0; };
     options.sizeGiven = given("--size");
-    options.displayGiven =
-        given("--ocio") || given("--display") || given("--view") || given("--look") || given("--exposure");
+    options.displayGiven = given("--ocio") || given("--display") || given("--view") || given("--look");
+    options.exposureGiven = given("--exposure");
     options.drawingGiven = given("--brdf") || given("--technique") || given("--tiles") ||
                            given("--shadows") || given("--show") || given("--specular-aa");
     options.subdivisionGiven =
@@ -86,7 +85,7 @@ std::optional<ViewOptions> parseViewOptions(int argc, const char* const* argv) {
     ViewOptions options;
     CLI::App app(description, "candela-view");
     prepareCommandLine(app);
-    app.footer(footer);
+    app.footer(footer());
     SceneOptionReader sceneOptions(app, options, defaultViewSamples);
     declareWindow(app, options);
     if (!parseCommandLine(app, argc, argv)) return std::nullopt;

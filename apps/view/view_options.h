@@ -15,7 +15,8 @@ constexpr std::uint32_t defaultViewSamples = 64;
 /// The command line of candela-view.
 struct ViewOptions : SceneOptions {
     /// Were these given? What was not comes from the stored settings.
-    bool sizeGiven = false, displayGiven = false, drawingGiven = false, subdivisionGiven = false;
+    bool sizeGiven = false, displayGiven = false, exposureGiven = false, drawingGiven = false,
+         subdivisionGiven = false;
     std::optional<std::uint32_t> frames;              ///< End after so many.
     std::optional<std::filesystem::path> screenshot;  ///< Write the picture here at the end: PNG or EXR.
     std::optional<std::filesystem::path> windowScreenshot;  ///< And the whole window, as PNG.

@@ -102,13 +102,14 @@ candela::Frame Viewport::draw(candela::Renderer& renderer, const Inputs& inputs)
     return frame;
 }
 
-void Viewport::show(const glm::ivec2& size) const {
+void Viewport::show(const glm::ivec2& windowSize, const glm::ivec2& corner, const glm::ivec2& size) const {
     constexpr std::array<float, 4> black{0.0f, 0.0f, 0.0f, 1.0f};
     glClearNamedFramebufferfv(0, GL_COLOR, 0, black.data());
-    if (size_ == glm::ivec2(0)) return;
+    if (size_ == glm::ivec2(0) || size == glm::ivec2(0)) return;
     const GLenum filter = size == size_ ? GL_NEAREST : GL_LINEAR;
-    glBlitNamedFramebuffer(framebuffer_, 0, 0, 0, size_.x, size_.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT,
-                           filter);
+    const int top = windowSize.y - corner.y;
+    glBlitNamedFramebuffer(framebuffer_, 0, 0, 0, size_.x, size_.y, corner.x, top - size.y, corner.x + size.x,
+                           top, GL_COLOR_BUFFER_BIT, filter);
 }
 
 glm::ivec2 Viewport::pixelAt(const glm::ivec2& pixel) const {

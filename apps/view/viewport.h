@@ -45,8 +45,9 @@ class Viewport {
     const candela::Accumulator* mean() const { return samples_ > 1 ? &*accumulator_ : nullptr; }
     /// The last frame, of one sample; null before the first one.
     const candela::Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
-    /// Copies the image to the window, whose framebuffer has `size`; black before the first frame.
-    void show(const glm::ivec2& size) const;
+    /// Copies the image to a rectangle of the window, whose framebuffer has `windowSize`. `corner` is its
+    /// upper left pixel. Black around it; all black without a size, and before the first frame.
+    void show(const glm::ivec2& windowSize, const glm::ivec2& corner, const glm::ivec2& size) const;
 
     /// The pixel of the frame that covers a pixel of the full size. Both count from the top.
     glm::ivec2 pixelAt(const glm::ivec2& pixel) const;

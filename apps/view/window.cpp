@@ -1,5 +1,7 @@
 #include "window.h"
 
+#include "style.h"
+
 #include <candela/error.h>
 #include <candela/image_file.h>
 
@@ -12,6 +14,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <utility>
 
@@ -27,15 +30,6 @@ std::string glfwReason() {
 
 [[noreturn]] void fail(const std::string& text) {
     throw candela::Error(candela::ErrorKind::environment, "", text);
-}
-
-void chooseStyle(float scale) {
-    ImGui::StyleColorsDark();
-    ImGui::GetStyle().ScaleAllSizes(scale);
-    ImGui::GetStyle().WindowRounding = 4.0f;
-    ImFontConfig font;
-    font.SizePixels = 13.0f * scale;
-    ImGui::GetIO().Fonts->AddFontDefault(&font);
 }
 
 }  // namespace
@@ -59,22 +53,75 @@ Window::Window(const glm::ivec2& size, const std::filesystem::path& layoutFile)
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(window_, this);
-    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** files) {
-        auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
-        self.dropped_.assign(files, files + count);
-    });
-    // ImGui calls it after its own.
-    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int modifiers) {
-        auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
-        if (action == GLFW_PRESS && key >= 0) self.pressed_.push_back({key, modifiers});
-    });
+    listen();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = layoutFile_.empty() ? nullptr : layoutFile_.c_str();
-    float scale = 1.0f;
-    glfwGetWindowContentScale(window_, &scale, nullptr);
-    chooseStyle(scale);
-    ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    // Without its callbacks, which overwrite the state of a key before ImGui has seen it.
+    ImGui_ImplGlfw_InitForOpenGL(window_, false);
     ImGui_ImplOpenGL3_Init("#version 450 core");
+}
+
+namespace {
+
+/// The window that a callback of GLFW is for.
+Window& windowOf(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+}
+
+InputQueue::Press pressOf(int action) {
+    return action == GLFW_RELEASE ? InputQueue::Press::up : InputQueue::Press::down;
+}
+
+/// Set by `Window::wake`, from any thread.
+std::atomic<bool> woken{false};
+
+}  // namespace
+
+/// GLFW lets go of all keys and buttons itself when the window loses the focus.
+void Window::listen() {
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+        windowOf(window).active_ = true;
+        windowOf(window).input_.movePointer({x, y});
+    });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int entered) {
+        windowOf(window).active_ = true;
+        if (!entered) return windowOf(window).input_.leave();
+        // GLFW reports no move where the pointer comes back to the place at which it left.
+        double x = 0.0, y = 0.0;
+        glfwGetCursorPos(window, &x, &y);
+        windowOf(window).input_.movePointer({x, y});
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+        windowOf(window).active_ = true;
+        windowOf(window).input_.pressButton(button, pressOf(action));
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
+        windowOf(window).active_ = true;
+        windowOf(window).input_.turnWheel({x, y});
+    });
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
+        windowOf(window).active_ = true;
+        // ImGui repeats keys itself.
+        if (action != GLFW_REPEAT) windowOf(window).input_.pressKey(key, pressOf(action));
+    });
+    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned character) {
+        windowOf(window).active_ = true;
+        windowOf(window).input_.type(character);
+    });
+    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** files) {
+        windowOf(window).active_ = true;
+        windowOf(window).dropped_.assign(files, files + count);
+    });
+    glfwSetFramebufferSizeCallback(window_,
+                                   [](GLFWwindow* window, int, int) { windowOf(window).active_ = true; });
+    glfwSetWindowContentScaleCallback(
+        window_, [](GLFWwindow* window, float, float) { windowOf(window).active_ = true; });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { windowOf(window).active_ = true; });
+}
+
+bool Window::takeActivity() {
+    const bool wasWoken = woken.exchange(false);
+    return std::exchange(active_, false) || wasWoken;
 }
 
 Window::~Window() {
@@ -87,6 +134,10 @@ Window::~Window() {
 
 bool Window::shouldClose() const {
     return glfwWindowShouldClose(window_);
+}
+
+void Window::close() {
+    glfwSetWindowShouldClose(window_, GLFW_TRUE);
 }
 
 void Window::setTitle(const std::string& title) {
@@ -124,28 +175,28 @@ std::vector<std::string> Window::takeDropped() {
     return std::exchange(dropped_, {});
 }
 
-void Window::beginPanels() {
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
-    holdShortKeys();
-    ImGui::NewFrame();
+/// The density of pixels changes when the window is moved to another screen.
+void Window::adaptStyle(float textScale) {
+    float desktop = 1.0f;
+    glfwGetWindowContentScale(window_, &desktop, nullptr);
+    const float ratio = pixelRatio(), scale = textScale * desktop / ratio;
+    if (scale == styleScale_ && ratio == styleRatio_) return;
+    chooseStyle(scale, ratio);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+    styleScale_ = scale;
+    styleRatio_ = ratio;
 }
 
-/// ImGui asks which keys are down in each frame. Where frames take long, a key is pressed and let go between
-/// two of them: it is down in one frame then.
-void Window::holdShortKeys() {
+void Window::beginPanels(float textScale) {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    adaptStyle(textScale);
+    // While no text is typed, the key is a shortcut: see shortcuts.h.
     ImGuiIO& io = ImGui::GetIO();
-    const auto isDown = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; };
-    for (const int key : std::exchange(held_, {})) io.KeysDown[key] = isDown(key);
-    io.KeyShift = isDown(GLFW_KEY_LEFT_SHIFT) || isDown(GLFW_KEY_RIGHT_SHIFT);
-    io.KeyCtrl = isDown(GLFW_KEY_LEFT_CONTROL) || isDown(GLFW_KEY_RIGHT_CONTROL);
-    for (const Press& press : std::exchange(pressed_, {})) {
-        if (io.KeysDown[press.key]) continue;
-        io.KeysDown[press.key] = true;
-        held_.push_back(press.key);
-        io.KeyShift = io.KeyShift || (press.modifiers & GLFW_MOD_SHIFT) != 0;
-        io.KeyCtrl = io.KeyCtrl || (press.modifiers & GLFW_MOD_CONTROL) != 0;
-    }
+    io.KeyMap[ImGuiKey_Tab] = io.WantTextInput ? GLFW_KEY_TAB : -1;
+    input_.beginFrame(io);
+    ImGui::NewFrame();
 }
 
 void Window::endPanels() {
@@ -158,6 +209,7 @@ void Window::swap() {
 }
 
 void Window::wake() {
+    woken = true;
     glfwPostEmptyEvent();
 }
 

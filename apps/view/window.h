@@ -1,9 +1,10 @@
 #pragma once
 
+#include "input_queue.h"
+
 #include <glm/vec2.hpp>
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ class Window {
     ~Window();
 
     bool shouldClose() const;
+    /// `shouldClose` is true from now on.
+    void close();
     void setTitle(const std::string& title);
     glm::ivec2 framebufferSize() const;
     /// Pixels of the framebuffer for a unit of ImGui.
@@ -30,10 +33,16 @@ class Window {
     /// a second at most).
     enum class Sleep { none, briefly, untilEvent };
     void handleEvents(Sleep sleep);
+    /// Whether anything has happened since the last call: input, another size, `wake`, or a request of the
+    /// desktop to draw the window again.
+    bool takeActivity();
+    /// Whether there are events that the last frame could not take with those before them.
+    bool hasPendingInput() const { return !input_.empty(); }
     /// Files dropped since the last call.
     std::vector<std::string> takeDropped();
 
-    void beginPanels();
+    /// `textScale` enlarges the panels, 1 as the desktop has it.
+    void beginPanels(float textScale);
     /// Draws the panels over what the framebuffer holds.
     void endPanels();
     void swap();
@@ -42,15 +51,14 @@ class Window {
     static void wake();
 
   private:
-    struct Press {
-        int key, modifiers;  ///< As given by GLFW.
-    };
-    void holdShortKeys();
+    void listen();
+    void adaptStyle(float textScale);
 
     GLFWwindow* window_ = nullptr;
     std::vector<std::string> dropped_;
-    std::vector<Press> pressed_;  ///< Since the last frame.
-    std::vector<int> held_;       ///< Keys that are down for the last frame only.
+    InputQueue input_;
+    float styleScale_ = 0.0f, styleRatio_ = 0.0f;  ///< That the style and the font were made for.
+    bool active_ = true;                           ///< Something has happened; see `takeActivity`.
     std::string layoutFile_;
 };
 

@@ -11,17 +11,9 @@
 
 namespace {
 
-constexpr OpenPanels noPanels{.scene = false,
-                              .material = false,
-                              .lights = false,
-                              .camera = false,
-                              .color = false,
-                              .drawing = false,
-                              .statistics = false,
-                              .probe = false};
 constexpr int left = 1, middle = 2, right = 3, wheelUp = 4, wheelDown = 5;
 
-/// The sample scene in a window without panels, so that pointer events reach the viewport.
+/// The sample scene in a window without panels, which is the picture.
 class InputSession : public ViewTest {
   protected:
     void SetUp() override {
@@ -29,7 +21,6 @@ class InputSession : public ViewTest {
         if (IsSkipped()) return;
         session = std::make_unique<ViewSession>(
             std::vector<std::string>{"square.gltf", "--size", smallSize, "--brdf", "gltf"});
-        session->model().panels = noPanels;
         session->awaitScene();
     }
 
@@ -159,12 +150,22 @@ TEST_F(InputSession, AClickPicksAndShiftFFramesIt) {
 }
 
 TEST_F(InputSession, APanelCapturesThePointer) {
-    session->model().panels.camera = true;
+    session->model().panelsHidden = false;
     session->step(3);
-    // The panel lies in the right column from the menu bar down.
+    // The panel of the camera lies in the right column from the menu bar down.
     session->drag(left, 300, 60, 280, 70);
     EXPECT_FALSE(session->model().options.eye);
     EXPECT_FALSE(session->model().pickedNode);
+}
+
+TEST_F(InputSession, ADragThatBeginsOverThePictureGoesOnOverAPanel) {
+    session->model().panelsHidden = false;
+    session->step(3);
+    session->drag(left, 160, 120, 300, 120);
+    const glm::vec3 eye = camera().eye();
+    EXPECT_LT(eye.x, -0.5f);
+    session->drag(left, 300, 60, 160, 120);
+    EXPECT_EQ(camera().eye(), eye) << "one that begins over the panel does not";
 }
 
 TEST_F(InputSession, TheProbeReadsThePixelUnderThePointer) {

@@ -15,6 +15,9 @@ const std::string& takeOwnDisplay() {
 }
 
 void sendInput(const std::string& arguments) {
-    if (std::system(("xdotool " + arguments).c_str()) != 0)
+    // Its answer comes after the server has handled all before it. "type" takes the rest of its line as text.
+    const bool types = arguments.starts_with("type");
+    const std::string sync = types ? "" : " getmouselocation > /dev/null";
+    if (std::system(("xdotool " + arguments + sync).c_str()) != 0)
         throw std::runtime_error("xdotool is not installed, or fails with: " + arguments);
 }

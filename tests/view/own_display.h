@@ -7,5 +7,6 @@
 /// which ends with the process.
 const std::string& takeOwnDisplay();
 
-/// Sends pointer and key events: xdotool with these arguments. Throws when it fails.
+/// Sends pointer and key events: xdotool with these arguments. The display has handled them then. Throws when
+/// it fails.
 void sendInput(const std::string& arguments);

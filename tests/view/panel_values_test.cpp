@@ -1,51 +1,11 @@
 #include "panels/panel_values.h"
 #include "panels/color_values.h"
-#include "panels/layout.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
 namespace {
-
-constexpr std::array allPanels{Panel::scene, Panel::materials, Panel::lights,     Panel::camera,
-                               Panel::color, Panel::drawing,   Panel::statistics, Panel::probe};
-
-/// Rectangles that only touch do not overlap; positions are rounded.
-constexpr float touching = 0.01f;
-
-bool overlap(const PanelPlace& a, const PanelPlace& b) {
-    return a.position.x < b.position.x + b.size.x - touching &&
-           b.position.x < a.position.x + a.size.x - touching &&
-           a.position.y < b.position.y + b.size.y - touching &&
-           b.position.y < a.position.y + a.size.y - touching;
-}
-
-void expectDisjointPanels(const PanelSpace& space) {
-    for (std::size_t i = 0; i < allPanels.size(); ++i) {
-        const PanelPlace place = firstPlace(allPanels[i], space);
-        EXPECT_GE(place.position.x, 0.0f);
-        EXPECT_GE(place.position.y, space.menuHeight);
-        EXPECT_LE(place.position.x + place.size.x, space.display.x + touching);
-        EXPECT_LE(place.position.y + place.size.y, space.display.y + touching);
-        EXPECT_FALSE(overlap(place, freePicture(space))) << i;
-        for (std::size_t k = 0; k < i; ++k)
-            EXPECT_FALSE(overlap(place, firstPlace(allPanels[k], space))) << i << " and " << k;
-    }
-}
-
-TEST(Layout, PanelsOverlapNeitherEachOtherNorTheFreeArea) {
-    expectDisjointPanels({});
-    expectDisjointPanels({{1920.0f, 1080.0f}, 19.0f, 13.0f});
-    expectDisjointPanels({{3840.0f, 2160.0f}, 38.0f, 26.0f});
-    expectDisjointPanels({{640.0f, 480.0f}, 19.0f, 13.0f});
-}
-
-TEST(Layout, LeavesHalfOfTheWidthToThePicture) {
-    const PanelPlace picture = freePicture({});
-    EXPECT_GT(picture.size.x, 640.0f);
-    EXPECT_GT(picture.size.y, 480.0f);
-}
 
 FrameRecord frame(double milliseconds, std::vector<candela::PassTime> passes) {
     return {std::move(passes), milliseconds};
@@ -91,6 +51,13 @@ TEST(Texts, GroupDigits) {
     EXPECT_EQ(groupedText(999), "999");
     EXPECT_EQ(groupedText(1000), "1,000");
     EXPECT_EQ(groupedText(1234567), "1,234,567");
+}
+
+TEST(Texts, CountOneAndMany) {
+    EXPECT_EQ(countText(0, "light"), "0 lights");
+    EXPECT_EQ(countText(1, "light"), "1 light");
+    EXPECT_EQ(countText(4096, "light"), "4,096 lights");
+    EXPECT_EQ(countText(2, "mesh", "meshes"), "2 meshes");
 }
 
 TEST(Texts, FormatBytesWithAUnit) {

@@ -26,15 +26,17 @@ candela::Shadows changedShadows() {
 
 ViewModel changedModel() {
     ViewModel model;
-    model.options.width = 801;
-    model.options.height = 603;
+    model.windowSize = {801, 603};
+    model.dockSizes.left = 20.5f;
+    model.dockSizes.weights[2] = 3.0f;
+    model.textScale = 1.25f;
     model.options.brdf = candela::BrdfModel::gltf;
     model.options.technique = candela::Technique::volumes;
     model.options.shadows = changedShadows();
     model.options.specularAntialiasing = false;
     model.options.sampling.count = 256;
     model.options.ocio = "/some/where.ocio";
-    model.options.display = {"Display P3", "Raw", "a look", 1.0 / 3.0};
+    model.options.display = {"Display P3", "Raw", "a look", 0.0};
     model.options.subdivision.edgePixels = 3.5f;
     model.options.subdivision.maxLevel = 7;
     model.panels.scene = false;
@@ -87,7 +89,9 @@ TEST_F(SettingsTest, RoundTrip) {
     EXPECT_EQ(read.options.display.display, "Display P3");
     EXPECT_EQ(read.options.display.view, "Raw");
     EXPECT_EQ(read.options.display.look, "a look");
-    EXPECT_EQ(read.options.display.exposure, 1.0 / 3.0);
+    EXPECT_EQ(read.dockSizes.left, 20.5f);
+    EXPECT_EQ(read.dockSizes.weights, written.dockSizes.weights);
+    EXPECT_EQ(read.textScale, 1.25f);
     EXPECT_EQ(read.options.subdivision.edgePixels, 3.5f);
     EXPECT_EQ(read.options.subdivision.maxLevel, 7u);
     EXPECT_FALSE(read.panels.scene);
@@ -147,7 +151,8 @@ TEST_F(SettingsTest, AreClampedToTheRangesOfTheOptions) {
     writeSettings(folder.path(), changedModel());
     Json extreme = stored();
     extreme["size"] = {-5, 1000000};
-    extreme["exposure"] = 1.0e9;
+    extreme["docks"] = {-3.0, 1.0e9, 12.0};
+    extreme["text_scale"] = 1000.0;
     extreme["subdivision_edge"] = -1.0;
     extreme["subdivision_max_level"] = 99;
     store(extreme.dump());
@@ -155,7 +160,9 @@ TEST_F(SettingsTest, AreClampedToTheRangesOfTheOptions) {
     EXPECT_TRUE(model.messages.empty());
     EXPECT_EQ(model.options.width, 1);
     EXPECT_EQ(model.options.height, 16384);
-    EXPECT_LT(model.options.display.exposure, 64.0);
+    EXPECT_GT(model.dockSizes.left, 0.0f);
+    EXPECT_LE(model.dockSizes.right, 1000.0f);
+    EXPECT_EQ(model.textScale, 3.0f);
     EXPECT_GT(model.options.subdivision.edgePixels, 0.0f);
     EXPECT_EQ(model.options.subdivision.maxLevel, candela::maxSubdivisionLevel);
 }

@@ -8,12 +8,14 @@
 // After epoxy, which replaces the OpenGL headers that GLFW would include.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -21,10 +23,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// With one sample a pixel, where the arguments say nothing of it: most tests are of what is drawn at once.
-std::vector<std::string> withSamples(std::vector<std::string> arguments) {
+/// With one sample a pixel and without exposure, where the arguments say nothing of it: most tests are of
+/// what is drawn at once, and candela-render does not expose by itself.
+std::vector<std::string> completed(std::vector<std::string> arguments) {
     if (std::ranges::find(arguments, "--samples") == arguments.end())
         arguments.insert(arguments.end(), {"--samples", "1"});
+    if (std::ranges::find(arguments, "--exposure") == arguments.end())
+        arguments.insert(arguments.end(), {"--exposure", "0"});
     return arguments;
 }
 
@@ -46,8 +51,9 @@ void GLAPIENTRY report(GLenum source, GLenum type, GLuint, GLenum, GLsizei, cons
 }  // namespace
 
 ViewSession::ViewSession(const std::vector<std::string>& arguments)
-    : application_(std::make_unique<Application>(parsed(withSamples(arguments)))),
+    : application_(std::make_unique<Application>(parsed(completed(arguments)))),
       window_(glfwGetCurrentContext()) {
+    model().panelsHidden = true;
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(report, &glErrors_);
@@ -91,6 +97,31 @@ void ViewSession::settle() {
         std::this_thread::sleep_for(5ms);
         step();
     }
+    stepUntil([&] { return !application_->hasPendingInput(); });
+}
+
+void ViewSession::stepUntilIdle() {
+    ASSERT_TRUE(stepUntil([&] { return application_->isIdle(); }));
+}
+
+void ViewSession::sendFast(const std::string& arguments) {
+    sendInput(arguments);
+    // The display has sent the events, which this process is about to get.
+    std::this_thread::sleep_for(2ms);
+    step();
+    stepUntilIdle();
+}
+
+std::size_t ViewSession::panelsHash() const {
+    const ImDrawData& drawn = *ImGui::GetDrawData();
+    std::size_t hash = 0;
+    for (int i = 0; i < drawn.CmdListsCount; ++i) {
+        const ImVector<ImDrawVert>& vertices = drawn.CmdLists[i]->VtxBuffer;
+        const std::string_view bytes(reinterpret_cast<const char*>(vertices.Data),
+                                     static_cast<std::size_t>(vertices.size_in_bytes()));
+        hash = hash * 31 + std::hash<std::string_view>()(bytes);
+    }
+    return hash;
 }
 
 void ViewSession::drop(const std::string& file) {
@@ -104,8 +135,7 @@ void ViewSession::drop(const std::string& file) {
 
 void ViewSession::resize(int width, int height) {
     glfwSetWindowSize(window_, width, height);
-    ASSERT_TRUE(
-        stepUntil([&] { return model().options.width == width && model().options.height == height; }));
+    ASSERT_TRUE(stepUntil([&] { return model().windowSize == glm::ivec2(width, height); }));
     step();
 }
 
@@ -168,7 +198,7 @@ void ViewTest::SetUp() {
 }
 
 PngPicture ViewTest::rendered(std::vector<std::string> arguments) const {
-    arguments = withSamples(std::move(arguments));
+    arguments = completed(std::move(arguments));
     arguments.insert(arguments.end(), {"-o", "rendered.png", "--quiet"});
     expectSuccess(runCommand(arguments, {.folder = folder.path()}));
     return readPng(folder / "rendered.png");

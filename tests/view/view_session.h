@@ -14,11 +14,12 @@
 
 struct GLFWwindow;
 
-/// candela-view in this process, with its loop run by the test. A step fails the test when it causes a GL
-/// error.
+/// candela-view in this process, with its loop run by the test. Its panels are hidden, so that the picture
+/// fills the window. A step fails the test when it causes a GL error.
 class ViewSession {
   public:
-    /// `arguments` are those of the command line; without --samples a pixel has one.
+    /// `arguments` are those of the command line; without --samples a pixel has one,
+    /// without --exposure none is measured.
     explicit ViewSession(const std::vector<std::string>& arguments);
     ~ViewSession();
 
@@ -35,6 +36,12 @@ class ViewSession {
     void awaitScene();
     /// Waits until sent input has taken effect.
     void settle();
+    /// Iterates as the program does, until it would sleep.
+    void stepUntilIdle();
+    /// Sends input in one call of xdotool, without a pause, and iterates until the window has handled it.
+    void sendFast(const std::string& arguments);
+    /// A number that changes with anything that the panels show.
+    std::size_t panelsHash() const;
 
     void drop(const std::string& file);
     void resize(int width, int height);

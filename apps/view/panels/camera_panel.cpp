@@ -17,8 +17,6 @@ namespace {
 
 /// A drag over this many pixels crosses the distance to the target.
 constexpr float pixelsToTarget = 500.0f;
-/// The time slider's end where no animation gives one, in seconds.
-constexpr double standardEnd = 10.0;
 
 /// Where the picture is taken from, in words.
 std::string standpoint(const ViewModel& model) {
@@ -113,51 +111,10 @@ void editLens(ViewModel& model) {
     }
 }
 
-/// The animations that play, in words.
-std::string playing(const ViewModel& model) {
-    const candela::Scene& scene = model.document->scene();
-    if (scene.animations.empty()) return "no animation";
-    return model.options.animation.value_or(animationLabel(scene, 0));
-}
-
-void chooseAnimation(ViewModel& model) {
-    const candela::Scene& scene = model.document->scene();
-    std::optional<std::string> chosen;
-    ImGui::BeginDisabled(scene.animations.empty());
-    if (ImGui::BeginCombo("animation", playing(model).c_str())) {
-        for (const char* word : {"all", "none"})
-            if (ImGui::Selectable(word)) chosen = word;
-        for (std::uint32_t i = 0; i < scene.animations.size(); ++i)
-            if (listRow(i, Row::plain, animationLabel(scene, i))) chosen = std::to_string(i);
-        ImGui::EndCombo();
-    }
-    ImGui::EndDisabled();
-    if (!chosen) return;
-    tryTo(model, [&] {
-        SceneOptions options = model.options;
-        options.animation = chosen;
-        model.document->playAnimations(selectedAnimations(scene, options));
-        model.options.animation = chosen;
-    });
-}
-
-void editTime(ViewModel& model) {
-    chooseAnimation(model);
-    const double lastKey = lastKeyTime(model.document->scene());
-    slideNumber("time", model.options.time, 0.0, lastKey > 0.0 ? lastKey : standardEnd, "%.3f s");
-    ImGui::BeginDisabled(!model.document->animated() && !model.playing);
-    if (ImGui::Button(model.playing ? "Pause" : "Play")) model.playing = !model.playing;
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    if (ImGui::Button("To the start")) model.options.time = 0.0;
-    ImGui::SameLine();
-    ImGui::Checkbox("loop", &model.options.repeatAnimations);
-}
-
 }  // namespace
 
 void drawCameraPanel(ViewModel& model) {
-    const PanelWindow window(Panel::camera, "Camera", model.panels.camera);
+    const PanelWindow window(model, Panel::camera, "Camera");
     if (!window || !model.document) return;
     chooseCamera(model);
     editPlace(model);
@@ -167,6 +124,4 @@ void drawCameraPanel(ViewModel& model) {
     ImGui::BeginDisabled(!model.pickedNode);
     if (ImGui::Button("Frame picked")) model.requests.framePicked = true;
     ImGui::EndDisabled();
-    ImGui::Separator();
-    editTime(model);
 }

@@ -65,7 +65,7 @@ void editExposure(ViewModel& model) {
 }  // namespace
 
 void drawColorPanel(ViewModel& model) {
-    const PanelWindow window(Panel::color, "Colour", model.panels.color);
+    const PanelWindow window(model, Panel::color, "Colour");
     if (!window) return;
     chooseConfig(model);
     ImGui::Separator();

@@ -39,8 +39,8 @@ void chooseLighting(ViewModel& model) {
     ImGui::Checkbox("specular antialiasing", &model.options.specularAntialiasing);
     slideLevel("layers", model.options.layers, 0, candela::maxLayers);
     if (model.layerCounts.fragmentsBeyond > 0)
-        showWrappedText(groupedText(model.layerCounts.fragmentsBeyond) +
-                        " pixels of transparent surfaces lie beyond these layers");
+        showWrappedText("beyond these layers: " + countText(model.layerCounts.fragmentsBeyond, "pixel") +
+                        " of transparent surfaces");
 }
 
 void editSamples(SamplingOptions& sampling) {
@@ -99,12 +99,12 @@ std::string levelsText(const candela::CageReport& report) {
 
 void showReport(const candela::CageReport& report) {
     if (report.cages == 0) return showDimText("The scene has no cages.");
-    showText(groupedText(report.cages) + " cages, " + groupedText(report.triangles) + " triangles");
+    showText(countText(report.cages, "cage") + ", " + countText(report.triangles, "triangle"));
     if (!report.subdivided)
         return showWrappedText("No plugin that refines cages is loaded: their polygons are drawn.");
     showText(levelsText(report) + ", tables of " + bytesText(report.tableBytes));
     if (report.lodClamped > 0)
-        showWrappedText(groupedText(report.lodClamped) + " clamped below what the size asks for");
+        showWrappedText(countText(report.lodClamped, "node") + " clamped below what the size asks for");
     if (!report.evaluator.empty()) showText("points are moved by " + report.evaluator);
 }
 
@@ -122,7 +122,7 @@ void drawSubdivision(ViewModel& model) {
 }  // namespace
 
 void drawDrawingPanel(ViewModel& model) {
-    const PanelWindow window(Panel::drawing, "Drawing", model.panels.drawing);
+    const PanelWindow window(model, Panel::drawing, "Drawing");
     if (!window) return;
     chooseLighting(model);
     editSamples(model.options.sampling);

@@ -88,7 +88,7 @@ void drawHeatLegend(const ViewModel& model) {
     const bool showsCounts =
         show == candela::DebugView::lightCount || show == candela::DebugView::shadowedCount;
     if (!model.document || (!showsCounts && show != candela::DebugView::level)) return;
-    const PanelPlace picture = freePicture(panelSpace());
+    const PanelPlace& picture = model.layout.picture;
     ImGui::SetNextWindowPos({picture.position.x + 0.5f * picture.size.x,
                              picture.position.y + picture.size.y - ImGui::GetFontSize()},
                             ImGuiCond_Always, {0.5f, 1.0f});

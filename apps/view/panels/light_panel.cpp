@@ -248,7 +248,7 @@ void drawMotion(ViewModel& model) {
 }  // namespace
 
 void drawLightPanel(ViewModel& model) {
-    const PanelWindow window(Panel::lights, "Lights", model.panels.lights);
+    const PanelWindow window(model, Panel::lights, "Lights");
     if (!window || !model.document || !ImGui::BeginTabBar("tabs")) return;
     if (ImGui::BeginTabItem("List")) {
         drawLights(model);

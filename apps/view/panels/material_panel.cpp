@@ -138,7 +138,7 @@ void drawEditor(ViewModel& model, Kept& kept, std::uint32_t index) {
 }  // namespace
 
 void drawMaterialPanel(ViewModel& model) {
-    const PanelWindow window(Panel::materials, "Materials", model.panels.material);
+    const PanelWindow window(model, Panel::materials, "Materials");
     if (!window || !model.document) return;
     const std::size_t count = model.document->scene().materials.size();
     if (count == 0) return showDimText("The scene has no materials.");

@@ -1,11 +1,13 @@
 #include "common/scene_selection.h"
 #include "common/timing.h"
+#include "panels/file_browser.h"
 #include "panels/panel_values.h"
 #include "panels/panels.h"
+#include "panels/path_dialog.h"
 #include "panels/widgets.h"
+#include "shortcuts.h"
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -16,58 +18,104 @@
 
 namespace {
 
-constexpr float fieldLetters = 36.0f;
-
-/// A modal window that asks for a path.
-class PathDialog {
-  public:
-    /// `title` names the window, `action` its button, `hint` shows while nothing is typed.
-    PathDialog(const char* title, const char* action, const char* hint, std::string path);
-
-    /// Shows it from the next `draw` on.
-    void open() { opening_ = true; }
-    /// Returns whether the user has confirmed; `path` then is what was typed.
-    bool draw();
-    const std::string& path() const { return path_; }
-
-  private:
-    const char* title_;
-    const char* action_;
-    const char* hint_;
-    std::string path_;
-    bool opening_ = false;
-};
-
-PathDialog::PathDialog(const char* title, const char* action, const char* hint, std::string path)
-    : title_(title), action_(action), hint_(hint), path_(std::move(path)) {}
-
-bool PathDialog::draw() {
-    if (std::exchange(opening_, false)) ImGui::OpenPopup(title_);
-    const ImVec2 center = ImGui::GetMainViewport()->GetCenter();
-    ImGui::SetNextWindowPos(center, ImGuiCond_Appearing, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal(title_, nullptr,
-                                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings))
-        return false;
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(fieldLetters * ImGui::GetFontSize());
-    const bool entered =
-        ImGui::InputTextWithHint("##path", hint_, &path_, ImGuiInputTextFlags_EnterReturnsTrue);
-    const bool confirmed = (ImGui::Button(action_) || entered) && !path_.empty();
-    ImGui::SameLine();
-    const bool left = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (confirmed || left) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
-    return confirmed;
-}
-
 /// The status shows the median of so many frames.
 constexpr std::size_t statusFrames = 20;
+constexpr float textStep = 1.1f, minText = 0.5f, maxText = 3.0f;
 
 struct Dialogs {
-    PathDialog scene{"Open a scene", "Open", "a file (.gltf, .glb, .obj), or plaza:4096", ""};
+    FileBrowser scene;
     PathDialog png{"Save the picture as shown", "Save", "a .png file", "candela.png"};
     PathDialog exr{"Save radiance and channels", "Save", "an .exr file", "candela.exr"};
 };
+
+/// Whether an action can be done now.
+bool isPossible(Action action, const ViewModel& model) {
+    switch (action) {
+        case Action::savePng:
+        case Action::saveExr:
+        case Action::copyCommand:
+        case Action::frameAll:
+        case Action::expose:
+        case Action::play:
+            return model.document != nullptr;
+        case Action::framePicked:
+            return model.document && model.pickedNode;
+        case Action::undo:
+            return model.document && model.document->history().canUndo();
+        case Action::redo:
+            return model.document && model.document->history().canRedo();
+        default:
+            return true;
+    }
+}
+
+void scaleText(ViewModel& model, float factor) {
+    model.textScale = std::clamp(model.textScale * factor, minText, maxText);
+}
+
+void perform(Action action, ViewModel& model, Dialogs& dialogs) {
+    switch (action) {
+        case Action::help:
+            model.helpShown = !model.helpShown;
+            return;
+        case Action::hidePanels:
+            model.panelsHidden = !model.panelsHidden;
+            return;
+        case Action::open:
+            return dialogs.scene.open();
+        case Action::savePng:
+            return dialogs.png.open();
+        case Action::saveExr:
+            return dialogs.exr.open();
+        case Action::copyCommand:
+            model.requests.copyCommand = true;
+            return;
+        case Action::gizmoMove:
+            model.gizmo.mode = GizmoMode::move;
+            return;
+        case Action::gizmoTurn:
+            model.gizmo.mode = GizmoMode::turn;
+            return;
+        case Action::gizmoScale:
+            model.gizmo.mode = GizmoMode::scale;
+            return;
+        case Action::lightIcons:
+            model.guides.lights = !model.guides.lights;
+            return;
+        case Action::grid:
+            model.guides.grid = !model.guides.grid;
+            return;
+        case Action::undo:
+            return tryTo(model, [&] { model.document->undo(model.options); });
+        case Action::redo:
+            return tryTo(model, [&] { model.document->redo(model.options); });
+        case Action::quit:
+            model.requests.quit = true;
+            return;
+        case Action::frameAll:
+            model.requests.frameAll = true;
+            return;
+        case Action::framePicked:
+            model.requests.framePicked = true;
+            return;
+        case Action::expose:
+            model.requests.measureExposure = true;
+            return;
+        case Action::play:
+            model.playing = !model.playing;
+            return;
+        case Action::largerText:
+            return scaleText(model, textStep);
+        case Action::smallerText:
+            return scaleText(model, 1.0f / textStep);
+    }
+}
+
+/// A row of a menu, with the keys of its action.
+void actionItem(const char* text, Action action, ViewModel& model, Dialogs& dialogs) {
+    if (ImGui::MenuItem(text, keysOf(action), false, isPossible(action, model)))
+        perform(action, model, dialogs);
+}
 
 void drawRecent(ViewModel& model) {
     if (!ImGui::BeginMenu("Open recent", !model.recent.empty())) return;
@@ -78,18 +126,29 @@ void drawRecent(ViewModel& model) {
 
 void drawFileMenu(ViewModel& model, Dialogs& dialogs) {
     if (!ImGui::BeginMenu("File")) return;
-    const bool scene = model.document != nullptr;
-    if (ImGui::MenuItem("Open...", "Ctrl+O")) dialogs.scene.open();
+    actionItem("Open...", Action::open, model, dialogs);
     drawRecent(model);
     ImGui::Separator();
-    if (ImGui::MenuItem("Save PNG...", "Ctrl+S", false, scene)) dialogs.png.open();
-    if (ImGui::MenuItem("Save EXR...", nullptr, false, scene)) dialogs.exr.open();
-    if (ImGui::MenuItem("Copy candela-render command", nullptr, false, scene))
-        model.requests.copyCommand = true;
+    actionItem("Save PNG...", Action::savePng, model, dialogs);
+    actionItem("Save EXR...", Action::saveExr, model, dialogs);
+    actionItem("Copy candela-render command", Action::copyCommand, model, dialogs);
+    ImGui::Separator();
+    actionItem("Quit", Action::quit, model, dialogs);
     ImGui::EndMenu();
 }
 
-void drawViewMenu(ViewModel& model) {
+void drawEditMenu(ViewModel& model, Dialogs& dialogs) {
+    if (!ImGui::BeginMenu("Edit")) return;
+    actionItem("Undo", Action::undo, model, dialogs);
+    actionItem("Redo", Action::redo, model, dialogs);
+    ImGui::Separator();
+    actionItem("Move", Action::gizmoMove, model, dialogs);
+    actionItem("Turn", Action::gizmoTurn, model, dialogs);
+    actionItem("Scale", Action::gizmoScale, model, dialogs);
+    ImGui::EndMenu();
+}
+
+void drawViewMenu(ViewModel& model, Dialogs& dialogs) {
     if (!ImGui::BeginMenu("View")) return;
     OpenPanels& panels = model.panels;
     ImGui::MenuItem("Scene", nullptr, &panels.scene);
@@ -100,12 +159,27 @@ void drawViewMenu(ViewModel& model) {
     ImGui::MenuItem("Drawing", nullptr, &panels.drawing);
     ImGui::MenuItem("Statistics", nullptr, &panels.statistics);
     ImGui::MenuItem("Probe", nullptr, &panels.probe);
-    if (ImGui::MenuItem("Arrange the panels")) beginArrangement();
+    ImGui::MenuItem("Timeline", nullptr, &panels.timeline);
+    if (ImGui::MenuItem("Panels of their first size")) model.dockSizes = {};
+    actionItem("Hide all panels", Action::hidePanels, model, dialogs);
     ImGui::Separator();
-    const bool scene = model.document != nullptr;
-    if (ImGui::MenuItem("Frame all", "F", false, scene)) model.requests.frameAll = true;
-    if (ImGui::MenuItem("Frame picked", "Shift+F", false, scene && model.pickedNode))
-        model.requests.framePicked = true;
+    ImGui::MenuItem("Outline of what is picked", nullptr, &model.guides.outline);
+    ImGui::MenuItem("Lights as icons", keysOf(Action::lightIcons), &model.guides.lights);
+    ImGui::MenuItem("Grid and axes", keysOf(Action::grid), &model.guides.grid);
+    ImGui::Separator();
+    actionItem("Larger text", Action::largerText, model, dialogs);
+    actionItem("Smaller text", Action::smallerText, model, dialogs);
+    ImGui::Separator();
+    actionItem("Frame all", Action::frameAll, model, dialogs);
+    actionItem("Frame picked", Action::framePicked, model, dialogs);
+    actionItem("Expose", Action::expose, model, dialogs);
+    ImGui::EndMenu();
+}
+
+void drawHelpMenu(ViewModel& model, Dialogs& dialogs) {
+    if (!ImGui::BeginMenu("Help")) return;
+    actionItem("Keys", Action::help, model, dialogs);
+    if (ImGui::MenuItem("About")) model.aboutShown = true;
     ImGui::EndMenu();
 }
 
@@ -141,45 +215,38 @@ std::string speedText(const std::deque<FrameRecord>& frames) {
     return text.data();
 }
 
-std::string samplesText(std::uint32_t samples) {
-    return groupedText(samples) + (samples == 1 ? " sample" : " samples");
-}
-
 std::string statusText(const ViewModel& model) {
     std::string text = model.frames.empty() ? "" : speedText(model.frames);
     if (!model.document) return text;
     if (!text.empty()) text += " | ";
-    return text + samplesText(model.samples) + " | " + groupedText(model.document->lights().size()) +
-           " lights | " + candela::toString(model.technique);
+    return text + countText(model.samples, "sample") + " | " +
+           countText(model.document->lights().size(), "light") + " | " + candela::toString(model.technique);
 }
 
 void drawStatus(const ViewModel& model) {
     const std::string text = statusText(model);
     const float left = ImGui::GetWindowWidth() - ImGui::CalcTextSize(text.c_str()).x - ImGui::GetFontSize();
     ImGui::SameLine(std::max(left, ImGui::GetCursorPosX()));
-    showText(text);
-}
-
-/// Letters have the key numbers of GLFW, which are those of ASCII.
-void readShortcuts(const ViewModel& model, Dialogs& dialogs) {
-    if (!ImGui::GetIO().KeyCtrl || ImGui::GetIO().WantTextInput) return;
-    if (ImGui::IsKeyPressed('O', false)) dialogs.scene.open();
-    if (ImGui::IsKeyPressed('S', false) && model.document) dialogs.png.open();
+    showDimText(text);
 }
 
 }  // namespace
 
 void drawMenuBar(ViewModel& model) {
     static Dialogs dialogs;
-    readShortcuts(model, dialogs);
-    if (ImGui::BeginMainMenuBar()) {
+    const std::optional<Action> pressed = pressedAction();
+    if (pressed && isPossible(*pressed, model)) perform(*pressed, model, dialogs);
+    if (std::exchange(model.requests.browse, false)) dialogs.scene.open();
+    if (!model.panelsHidden && ImGui::BeginMainMenuBar()) {
         drawFileMenu(model, dialogs);
-        drawViewMenu(model);
+        drawEditMenu(model, dialogs);
+        drawViewMenu(model, dialogs);
         drawVariantMenu(model);
+        drawHelpMenu(model, dialogs);
         drawStatus(model);
         ImGui::EndMainMenuBar();
     }
-    if (dialogs.scene.draw()) model.requests.open = dialogs.scene.path();
+    if (const auto scene = dialogs.scene.draw(model.sceneEndings)) model.requests.open = *scene;
     if (dialogs.png.draw()) model.requests.savePng = withEnding(dialogs.png.path(), ".png");
     if (dialogs.exr.draw()) model.requests.saveExr = withEnding(dialogs.exr.path(), ".exr");
 }

@@ -19,8 +19,7 @@ ImVec4 colorOf(Message::Kind kind) {
                                         : ImGui::GetStyleColorVec4(ImGuiCol_Text);
 }
 
-float textWidth() {
-    const PanelPlace picture = freePicture(panelSpace());
+float textWidth(const PanelPlace& picture) {
     return std::min(0.9f * picture.size.x, widestLetters * ImGui::GetFontSize());
 }
 
@@ -70,11 +69,12 @@ constexpr float loadingHeight = 0.73f;
 
 void drawMessages(ViewModel& model) {
     if (model.messages.empty() && model.shaderError.empty()) return;
-    const PanelPlace picture = freePicture(panelSpace());
+    const PanelPlace& picture = model.layout.picture;
     const float margin = 0.5f * ImGui::GetFontSize();
     ImGui::SetNextWindowPos({picture.position.x + 0.5f * picture.size.x, picture.position.y + margin},
                             ImGuiCond_Always, {0.5f, 0.0f});
-    ImGui::SetNextWindowSizeConstraints({textWidth(), 0.0f}, {textWidth(), tallestShare * picture.size.y});
+    ImGui::SetNextWindowSizeConstraints({textWidth(picture), 0.0f},
+                                        {textWidth(picture), tallestShare * picture.size.y});
     ImGui::Begin("messages", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
@@ -86,7 +86,7 @@ void drawMessages(ViewModel& model) {
 
 void drawLoading(ViewModel& model) {
     if (!model.loading && model.loadingEnvironment.empty()) return;
-    const PanelPlace picture = freePicture(panelSpace());
+    const PanelPlace& picture = model.layout.picture;
     ImGui::SetNextWindowPos(
         {picture.position.x + 0.5f * picture.size.x, picture.position.y + loadingHeight * picture.size.y},
         ImGuiCond_Always, {0.5f, 0.5f});

@@ -9,11 +9,13 @@
 #include <exception>
 #include <optional>
 
-/// The ImGui window of one panel, open for the lifetime of the object. Its initial place is that of layout.h.
+/// Whether a panel is open.
+bool& openOf(OpenPanels& panels, Panel panel);
+
+/// The ImGui window of one panel at its place in `ViewModel::layout`, for the lifetime of the object.
 class PanelWindow {
   public:
-    /// `open` becomes false when the user closes the window.
-    PanelWindow(Panel panel, const char* title, bool& open);
+    PanelWindow(ViewModel& model, Panel panel, const char* title);
     PanelWindow(const PanelWindow&) = delete;
     PanelWindow& operator=(const PanelWindow&) = delete;
     ~PanelWindow();
@@ -25,12 +27,16 @@ class PanelWindow {
     bool visible_;
 };
 
-/// The space that the panels have in this frame.
-PanelSpace panelSpace();
+/// Whether time changes something in the open scene.
+bool hasTimeline(const ViewModel& model);
 
-/// Moves every panel to its initial place in this frame; `endArrangement` is called once all are drawn.
-void beginArrangement();
-void endArrangement();
+/// The space that the panels have in this frame.
+PanelSpace panelSpace(const ViewModel& model);
+
+/// Decides where panels and picture lie in this frame: to be called before all panels are drawn.
+void layPanels(ViewModel& model);
+/// Draws the bars between panels and picture, and moves what is dragged.
+void drawSplitters(ViewModel& model);
 
 /// Adds an error to the model's messages, unless the last one says the same.
 void addError(ViewModel& model, const char* text);

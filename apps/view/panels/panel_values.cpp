@@ -103,6 +103,12 @@ std::string groupedText(std::uint64_t number) {
     return text;
 }
 
+std::string countText(std::uint64_t number, const char* one, const char* many) {
+    const std::string text = groupedText(number) + " ";
+    if (number == 1) return text + one;
+    return many ? text + many : text + one + "s";
+}
+
 std::string bytesText(std::uint64_t bytes) {
     if (bytes < 1024) return std::to_string(bytes) + " B";
     constexpr std::array units{"KiB", "MiB", "GiB", "TiB"};

@@ -38,6 +38,9 @@ double roundedUp(double value);
 /// Such as "1,234,567".
 std::string groupedText(std::uint64_t number);
 
+/// Such as "1 light" and "1,234 lights"; "many" where the plural is not formed by an s.
+std::string countText(std::uint64_t number, const char* one, const char* many = nullptr);
+
 /// Such as "512 B", "1.5 KiB", "20.0 MiB", "3.2 GiB".
 std::string bytesText(std::uint64_t bytes);
 

@@ -1,8 +1,9 @@
 #include "panels/panels.h"
 
-void drawPanels(ViewModel& model) {
-    sceneNumber(model);  // a panel that is closed while a scene is opened learns of it here
-    drawMenuBar(model);
+namespace {
+
+void drawOpenPanels(ViewModel& model) {
+    if (model.panelsHidden) return;
     if (model.panels.scene) drawScenePanel(model);
     if (model.panels.material) drawMaterialPanel(model);
     if (model.panels.lights) drawLightPanel(model);
@@ -11,8 +12,20 @@ void drawPanels(ViewModel& model) {
     if (model.panels.drawing) drawDrawingPanel(model);
     if (model.panels.statistics) drawStatisticsPanel(model);
     if (model.panels.probe) drawProbePanel(model);
+    if (model.panels.timeline && hasTimeline(model)) drawTimelinePanel(model);
+    drawSplitters(model);
+}
+
+}  // namespace
+
+void drawPanels(ViewModel& model) {
+    sceneNumber(model);  // a panel that is closed while a scene is opened learns of it here
+    drawMenuBar(model);
+    drawOpenPanels(model);
+    drawStartPage(model);
     drawHeatLegend(model);
     drawLoading(model);
     drawMessages(model);
-    endArrangement();
+    drawHelp(model);
+    drawHiddenHint(model);
 }

@@ -68,7 +68,7 @@ void showSurface(const candela::PixelProbe& probe, const candela::Scene& scene) 
 }  // namespace
 
 void drawProbePanel(ViewModel& model) {
-    const PanelWindow window(Panel::probe, "Probe", model.panels.probe);
+    const PanelWindow window(model, Panel::probe, "Probe");
     if (!window || !model.document) return;
     if (!model.pointer) return showWrappedText("Point at the picture.");
     if (!ImGui::BeginTable("values", 2, ImGuiTableFlags_SizingFixedFit)) return;

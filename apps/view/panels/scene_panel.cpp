@@ -96,6 +96,7 @@ class TreeList {
         if (opened != open && kept_.tree.hasChildren(node)) toggled_ = node;
         if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) {
             model_.pickedNode = node;
+            model_.pickedLight.reset();
             kept_.shownPick = node;
         }
         drawMenu(node);
@@ -148,7 +149,7 @@ float notesHeight(const std::vector<candela::ImportNote>& notes) {
 }  // namespace
 
 void drawScenePanel(ViewModel& model) {
-    const PanelWindow window(Panel::scene, "Scene", model.panels.scene);
+    const PanelWindow window(model, Panel::scene, "Scene");
     if (!window || !model.document) return;
     const Document& document = *model.document;
     auto& kept = keptOfScene<Kept>(model);

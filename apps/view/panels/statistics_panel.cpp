@@ -154,7 +154,7 @@ void showCounters(ViewModel& model) {
 }  // namespace
 
 void drawStatisticsPanel(ViewModel& model) {
-    const PanelWindow window(Panel::statistics, "Statistics", model.panels.statistics);
+    const PanelWindow window(model, Panel::statistics, "Statistics");
     if (!window) return;
     const std::optional<FrameSummary> summary = summarise(model.frames);
     if (!summary) return showDimText("No frame is drawn yet.");

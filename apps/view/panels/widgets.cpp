@@ -66,7 +66,7 @@ bool countInput(const char* label, std::uint32_t& value, std::uint32_t max) {
 
 bool dragPoint(const char* label, glm::vec3& value, float speed) {
     glm::vec3 edited = value;
-    if (!ImGui::DragFloat3(label, &edited.x, speed, -farthestCoordinate, farthestCoordinate, "%.3f",
+    if (!ImGui::DragFloat3(label, &edited.x, speed, -farthestCoordinate, farthestCoordinate, "%.4g",
                            ImGuiSliderFlags_AlwaysClamp))
         return false;
     const NumberRange range{.min = -farthestCoordinate, .max = farthestCoordinate};

@@ -1,0 +1,69 @@
+#include "common/scene_selection.h"
+#include "panels/panels.h"
+#include "panels/widgets.h"
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace {
+
+/// The end of the slider where no animation gives one, in seconds.
+constexpr double standardEnd = 10.0;
+constexpr float clipLetters = 10.0f;
+
+/// The animations that play, in words.
+std::string playing(const ViewModel& model) {
+    const candela::Scene& scene = model.document->scene();
+    if (scene.animations.empty()) return "no animation";
+    return model.options.animation.value_or(animationLabel(scene, 0));
+}
+
+void chooseAnimation(ViewModel& model) {
+    const candela::Scene& scene = model.document->scene();
+    std::optional<std::string> chosen;
+    ImGui::SetNextItemWidth(clipLetters * ImGui::GetFontSize());
+    ImGui::BeginDisabled(scene.animations.empty());
+    if (ImGui::BeginCombo("##clip", playing(model).c_str())) {
+        for (const char* word : {"all", "none"})
+            if (ImGui::Selectable(word)) chosen = word;
+        for (std::uint32_t i = 0; i < scene.animations.size(); ++i)
+            if (listRow(i, Row::plain, animationLabel(scene, i))) chosen = std::to_string(i);
+        ImGui::EndCombo();
+    }
+    ImGui::EndDisabled();
+    if (!chosen) return;
+    tryTo(model, [&] {
+        SceneOptions options = model.options;
+        options.animation = chosen;
+        model.document->playAnimations(selectedAnimations(scene, options));
+        model.options.animation = chosen;
+    });
+}
+
+/// What the controls at the right of the slider take.
+float endWidth() {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return clipLetters * ImGui::GetFontSize() + ImGui::GetFrameHeight() + ImGui::CalcTextSize("loop").x +
+           2.0f * style.ItemSpacing.x + style.ItemInnerSpacing.x;
+}
+
+}  // namespace
+
+void drawTimelinePanel(ViewModel& model) {
+    const PanelWindow window(model, Panel::timeline, "Timeline");
+    if (!window || !model.document) return;
+    if (ImGui::Button(model.playing ? "Pause" : "Play")) model.playing = !model.playing;
+    ImGui::SameLine();
+    if (ImGui::Button("To the start")) model.options.time = 0.0;
+    ImGui::SameLine();
+    const double lastKey = lastKeyTime(model.document->scene());
+    ImGui::SetNextItemWidth(-endWidth());
+    slideNumber("##time", model.options.time, 0.0, lastKey > 0.0 ? lastKey : standardEnd, "%.3f s");
+    ImGui::SameLine();
+    chooseAnimation(model);
+    ImGui::SameLine();
+    ImGui::Checkbox("loop", &model.options.repeatAnimations);
+}
