@@ -107,8 +107,9 @@ class Record {
         for (const char* array : {floatArray, doubleArray, indexArray})
             for (std::size_t at = type.find(array); at != std::string::npos; at = type.find(array))
                 type.replace(at, std::string(array).size(), anyArray);
-        return type.starts_with("tuple[") ? "typing.Iterable[" + type.substr(6, type.rfind(',') - 6) + "]"
-                                          : type;
+        return type.starts_with("tuple[") && type.ends_with(", ...]")
+                   ? "typing.Iterable[" + type.substr(6, type.rfind(',') - 6) + "]"
+                   : type;
     }
 
   private:
