@@ -98,7 +98,7 @@ SHARED_FUNCTION Mask holdsCenter(CenterSpan columns, CenterSpan rows) {
     return both(columns.first <= columns.last, rows.first <= rows.last);
 }
 
-// All that the least and the greatest of the corners tell.
+// All that the minima and maxima of the corners tell.
 SHARED_FUNCTION ScreenBox boxOf(FilterView view, ScreenCorner a, ScreenCorner b, ScreenCorner c) {
     Real left = min3(a.x, b.x, c.x), right = max3(a.x, b.x, c.x);
     Real bottom = min3(a.y, b.y, c.y), top = max3(a.y, b.y, c.y);
@@ -181,7 +181,7 @@ SHARED_FUNCTION Real edgeReach(FilterView view, ClusterReach x, ClusterReach y, 
 }
 
 // Do all triangles surely face away, with areas on the screen that the device cannot round to another sign? `edges` is `edgeReach`,
-// `margin` that of a point, `farthest` the greatest w.
+// `margin` that of a point, `farthest` the largest w.
 SHARED_FUNCTION Mask facesAway(FilterView view, ClusterBounds cluster, Real edges, Real margin, Real farthest) {
     Real toX = view.eye[3] * cluster.x - view.eye[0], toY = view.eye[3] * cluster.y - view.eye[1],
          toZ = view.eye[3] * cluster.z - view.eye[2];
