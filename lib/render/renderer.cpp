@@ -131,7 +131,7 @@ void Renderer::State::bindFrame() {
 void Renderer::State::drawGeometry(const GpuScene::State& scene, const GBufferTargets& into, SurfaceSet set,
                                    LoadOp radianceLoad) {
     scene.cull(frame->frustum, draws);
-    if (scene.triangleFilter) scene.triangleFilter->filter(draws, frame->uniforms);
+    scene.triangleFilter->filter(draws, frame->uniforms);
     geometry.render({scene, draws, into, radianceLoad, set, scene.triangleFilter.get(), nullptr,
                      hasHostSurfaces() ? &hostDraws : nullptr});
 }

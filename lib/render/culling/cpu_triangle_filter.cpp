@@ -37,7 +37,7 @@ std::vector<const TriangleFilterKernel*> triangleFilterKernels() {
 }
 
 CpuTriangleFilter::CpuTriangleFilter(const GpuScene::State& scene, const TriangleFilterKernel& kernel)
-    : TriangleFilter(scene), kernel_(kernel), subpixelBits_(subpixelBits()) {}
+    : TriangleFilter(scene), kernel_(kernel) {}
 
 void CpuTriangleFilter::planShares() {
     constexpr std::uint32_t clusterIndices = 3 * layout::CLUSTER_TRIANGLES;
@@ -56,9 +56,7 @@ void CpuTriangleFilter::planShares() {
 }
 
 void CpuTriangleFilter::filterShare(Share& share, unsigned worker, const FilterCamera& camera) {
-    const Draw& draw = draws_[share.draw];
-    const BoundingSphere& sphere = scene_.meshes.places()[*scene_.instances[draw.instance].mesh].sphere;
-    const layout::FilterView view = camera.view(scene_.instances.record(draw.instance), sphere, draw.facing);
+    const layout::FilterView view = viewOf(draws_[share.draw], camera);
     Kept& kept = kept_[worker];
     share.worker = worker;
     share.place = kept.count;
@@ -124,7 +122,7 @@ void CpuTriangleFilter::writeCommands() {
 void CpuTriangleFilter::filter(const DrawSelection& selection, const layout::FrameUniforms& frame) {
     plan(selection, {MeshClusters::minIndices, maxIndices, SurfaceSet::all});
     planShares();
-    const FilterCamera camera(frame, subpixelBits_);
+    const FilterCamera camera(frame);
     const std::shared_ptr<ThreadPool> pool = ThreadPool::shared();
     kept_.resize(pool->size());
     for (Kept& kept : kept_) kept.count = 0;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "render/culling/filter_view.h"
 #include "render/culling/triangle_filter.h"
 
 #include <cstddef>
@@ -44,7 +43,6 @@ class CpuTriangleFilter final : public TriangleFilter {
     void writeCommands();
 
     const TriangleFilterKernel& kernel_;
-    int subpixelBits_;
     std::vector<Share> shares_;
     std::vector<Kept> kept_;  ///< One a thread.
 };

@@ -1,5 +1,6 @@
 #include "render/culling/filter_view.h"
 
+#include <epoxy/gl.h>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -32,14 +33,21 @@ glm::dvec4 eyeOf(const glm::dvec4 (&rows)[3]) {
     return eye;
 }
 
+/// Of window coordinates.
+int subpixelBits() {
+    GLint bits = 0;
+    glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
+    return bits;
+}
+
 }  // namespace
 
-FilterCamera::FilterCamera(const layout::FrameUniforms& frame, int subpixelBits)
+FilterCamera::FilterCamera(const layout::FrameUniforms& frame)
     : width_(static_cast<float>(frame.size.x)),
       height_(static_cast<float>(frame.size.y)),
       // A rasteriser rounds to the nearest: by half of this. The rest is for what the viewport transform
       // rounds.
-      snapping_(std::ldexp(1.0f, -subpixelBits)) {
+      snapping_(std::ldexp(1.0f, -subpixelBits())) {
     const glm::dmat4 clip = glm::transpose(glm::dmat4(frame.clipFromWorld));
     toScreen_[0] = 0.5 * frame.size.x * (clip[0] + clip[3]);
     toScreen_[1] = 0.5 * frame.size.y * (clip[1] + clip[3]);

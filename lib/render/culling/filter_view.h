@@ -13,8 +13,8 @@ namespace candela {
 /// What the filter sees instances with in one frame.
 class FilterCamera {
   public:
-    /// `subpixelBits` are those of the rasteriser's window coordinates (GL_SUBPIXEL_BITS).
-    FilterCamera(const layout::FrameUniforms& frame, int subpixelBits);
+    /// For the rasteriser of the current context.
+    explicit FilterCamera(const layout::FrameUniforms& frame);
 
     /// `worldRows` are the rows of an instance's matrix, `sphere` holds its mesh; `facing` as in
     /// `FilterView`.

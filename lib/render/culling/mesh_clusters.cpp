@@ -103,6 +103,8 @@ MeshClusters::MeshClusters(std::span<const Mesh> meshes) : parts_(meshes.size())
     std::vector<Task> tasks;
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
+        // What joints or morph targets move is drawn from other vertices.
+        if (meshes[i].influenceCount != 0 || !meshes[i].morphTargets.empty()) continue;
         parts_[i] = partsOf(meshes[i].submeshes, meshes[i].indices.size(), count);
         addTasks(parts_[i], {meshes[i].positions, meshes[i].indices}, tasks);
     }
@@ -159,6 +161,16 @@ void MeshClusters::move(std::uint32_t mesh, const MeshTriangles& moved) {
     std::vector<Task> tasks;
     addTasks(parts_[mesh], moved, tasks);
     compute(tasks);
+}
+
+void MeshClusters::forget(std::uint32_t mesh) {
+    for (const Part& part : parts_[mesh]) {
+        for (std::uint32_t i = 0; i < clustersOf(part.indexCount); ++i) {
+            clusters_[part.firstCluster + i] = {};
+            clusters_[part.firstCluster + i].radius = 1.0e30f;
+        }
+    }
+    ++version_;
 }
 
 void MeshClusters::replace(std::uint32_t mesh, const Mesh& content) {

@@ -46,6 +46,9 @@ class MeshClusters {
     void move(std::uint32_t mesh, const MeshTriangles& moved);
     /// The same of a mesh that is another one now, an empty one for instance, or a new one behind the others.
     void replace(std::uint32_t mesh, const Mesh& content);
+    /// Those of a mesh whose vertices are only known to the device from now on: nothing is dropped with its
+    /// clusters.
+    void forget(std::uint32_t mesh);
 
   private:
     /// Triangles of one draw.

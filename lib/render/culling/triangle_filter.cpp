@@ -55,10 +55,9 @@ void TriangleFilter::plan(const DrawSelection& selection, const Scope& scope) {
     }
 }
 
-int TriangleFilter::subpixelBits() {
-    GLint bits = 0;
-    glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
-    return bits;
+layout::FilterView TriangleFilter::viewOf(const Draw& draw, const FilterCamera& camera) const {
+    const BoundingSphere& sphere = scene_.meshes.places()[*scene_.instances[draw.instance].mesh].sphere;
+    return camera.view(scene_.instances.record(draw.instance), sphere, draw.facing);
 }
 
 void TriangleFilter::draw(const Run& run) {

@@ -1,14 +1,15 @@
 #pragma once
 
 #include "gl/buffer.h"
+#include "render/culling/filter_view.h"
 #include "render/culling/mesh_clusters.h"
 #include "render/gpu_scene/draw_list.h"
-#include "render/layout.h"
 
 #include <candela/gpu_scene.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,7 +42,7 @@ class TriangleFilter {
     std::span<const Run> runs() const { return runs_; }
     /// Binds the commands for `draw`.
     void bind() const { glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commandBuffer_.name()); }
-    /// Where transparent draws are filtered, what is left of them.
+    /// Those of filtered opaque draws may be known to the device alone.
     std::span<const DrawCommand> commands(const Run& run) const {
         return std::span(commands_).subspan(run.firstCommand, run.commandCount);
     }
@@ -76,8 +77,7 @@ class TriangleFilter {
     };
     /// Fills runs, commands and draws; those are filtered then.
     void plan(const DrawSelection& selection, const Scope& scope);
-    /// Of window coordinates.
-    static int subpixelBits();
+    layout::FilterView viewOf(const Draw& draw, const FilterCamera& camera) const;
 
     const GpuScene::State& scene_;
     std::vector<Draw> draws_;

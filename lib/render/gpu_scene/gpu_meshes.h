@@ -73,6 +73,11 @@ class GpuMeshes {
     std::span<const float> mappedVertices() const { return surface_.mapped<float>(); }
     std::span<const std::uint32_t> mappedIndices() const { return indices_.mapped<std::uint32_t>(); }
 
+    Access access() const { return access_; }
+    /// Position and normal of each vertex, and the indices.
+    const gl::Buffer& surface() const { return surface_; }
+    const gl::Buffer& indices() const { return indices_; }
+
     const std::vector<MeshPlace>& places() const { return places_; }
     bool hasDetail() const { return detail_ == Detail::everything; }
     /// How often the vertices of a mesh have been set.

@@ -2,6 +2,7 @@
 
 #include "base/error_context.h"
 #include "gl/state_guard.h"
+#include "render/culling/compute_triangle_filter.h"
 #include "render/culling/cpu_triangle_filter.h"
 #include "render/environment/gpu_environment.h"
 #include "render/occlusion/occlusion_scene.h"
@@ -104,6 +105,7 @@ GpuScene::State::State(const Context& context, const Scene& scene, std::span<Ima
       transforms(sceneState),
       meshes(scene.meshes, meshDetail(scene, options),
              context.isSoftware() ? GpuMeshes::Access::deviceAndCpu : GpuMeshes::Access::device),
+      clusters(scene.meshes),
       images(scene.images, context.isSoftware() ? ColorDecoding::exact : ColorDecoding::device),
       materials(scene, options.workingFromRec709),
       lights(options.workingFromRec709, context.isSoftware() ? LightUpload::whenBound : LightUpload::atOnce),
@@ -139,13 +141,18 @@ GpuScene::State::State(const Context& context, const Scene& scene, std::span<Ima
     lights.set(worldLights(sceneState, transforms.world()), rangeRule());
     listNodeLights();
     setEnvironment(scene.environment);
-    if (context.isSoftware()) {
-        clusters = MeshClusters(scene.meshes);
-        triangleFilter = std::make_unique<CpuTriangleFilter>(*this);
-    }
+    createTriangleFilter(context);
 }
 
 GpuScene::State::~State() = default;
+
+void GpuScene::State::createTriangleFilter(const Context& context) {
+    if (context.isSoftware()) {
+        triangleFilter = std::make_unique<CpuTriangleFilter>(*this);
+    } else {
+        triangleFilter = std::make_unique<ComputeTriangleFilter>(*this);
+    }
+}
 
 bool GpuScene::State::hasEnvironmentLight() const {
     return environment && environment->lights();

@@ -131,6 +131,7 @@ struct GpuScene::State {
 
     NodeTransforms transforms;
     GpuMeshes meshes;
+    MeshClusters clusters;
     GpuImages images;
     GpuMaterials materials;
     GpuLights lights;
@@ -140,8 +141,7 @@ struct GpuScene::State {
     DrawList draws;
     gl::VertexArray vertexArray{"meshes"};
     gl::VertexArray furtherUvArray{"meshes with further texture coordinates"};  ///< For keys that read these.
-    MeshClusters clusters;                                                      ///< For the filter.
-    std::unique_ptr<TriangleFilter> triangleFilter;                             ///< On software devices.
+    std::unique_ptr<TriangleFilter> triangleFilter;
 
   private:
     void requireFreshImages(const Material& material, const ErrorContext& element) const;
@@ -182,6 +182,7 @@ struct GpuScene::State {
     void updateLight(std::uint32_t index);
     void updateVisibility(std::uint32_t root);
     void applyVisibility(std::uint32_t node);
+    void createTriangleFilter(const Context& context);
     void addDraws(const Scene& scene);
     RangeRule rangeRule() const;
     void addMeshDraws(std::uint32_t instance, std::uint32_t mesh, const Scene& scene);

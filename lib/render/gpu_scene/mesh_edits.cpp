@@ -59,7 +59,7 @@ void GpuScene::State::takeMesh(std::uint32_t index, const Mesh& mesh) {
     kept = {};
     kept.name = mesh.name;
     kept.morphTargets.resize(mesh.morphTargets.size());
-    if (triangleFilter) clusters.replace(index, mesh);
+    clusters.replace(index, mesh);
     deformations.setMesh(index, mesh);
     updateCommonUvs(before);
     updateCommonUvs(meshParts[index]);
@@ -129,9 +129,11 @@ void GpuScene::State::setPositions(std::uint32_t index, std::span<const glm::vec
         return isUnit(normal) || (mayLackNormals && normal == glm::vec3(0.0f));
     });
     meshes.setSurface(index, positions, normals);
-    if (triangleFilter) {
+    if (meshes.access() == GpuMeshes::Access::deviceAndCpu) {
         const MeshPlace& at = meshes.places()[index];
         clusters.move(index, {positions, meshes.mappedIndices().subspan(at.firstIndex, at.indexCount)});
+    } else {
+        clusters.forget(index);
     }
     deformations.setMesh(index, {});
     forEachInstanceOf(index, [&](std::uint32_t instance) {
@@ -150,7 +152,7 @@ void GpuScene::State::setPositions(std::uint32_t index, const BufferRange& verti
                  "the vertices of a mesh");
     const glm::vec3 corners[] = {bounds.min, bounds.max};
     meshes.copySurface(index, vertices, boundingSphere(corners));
-    if (triangleFilter) clusters.replace(index, {});
+    clusters.replace(index, {});
     deformations.setMesh(index, {});
     forEachInstanceOf(index, [&](std::uint32_t instance) {
         place(instance, transforms.world()[instances[instance].node], meshes.places()[index].sphere);
@@ -172,7 +174,7 @@ void GpuScene::State::redescribe() {
         meshes.describeFurtherUvs(furtherUvArray);
     }
     deformations.describe(meshes, draws.records(), defaultDetail_);
-    if (triangleFilter) triangleFilter->describeMeshes();
+    triangleFilter->describeMeshes();
 }
 
 }  // namespace candela

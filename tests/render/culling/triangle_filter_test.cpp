@@ -4,6 +4,7 @@
 #include "support/procedural_scene.h"
 
 #include "gl/state_guard.h"
+#include "render/culling/compute_triangle_filter.h"
 #include "render/culling/cpu_triangle_filter.h"
 #include "render/frame_uniforms.h"
 #include "render/gbuffer/gbuffer_copy.h"
@@ -48,6 +49,12 @@ Mesh soup(std::uint32_t triangles, std::uint32_t seed) {
         const float length = glm::length(normal);
         mesh.normals.insert(mesh.normals.end(), 3, length > 0.0f ? normal / length : glm::vec3(0, 0, 1));
     }
+    // The same triangles with other normals: what is drawn first is seen.
+    for (std::uint32_t i = 0; i < triangles / 3 * 3; ++i) {
+        mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+        mesh.positions.push_back(mesh.positions[i]);
+        mesh.normals.push_back(-mesh.normals[i]);
+    }
     return mesh;
 }
 
@@ -70,7 +77,10 @@ struct Form {
 
 /// All that the device and the processor run.
 std::vector<Form> forms(const Context& context) {
-    std::vector<Form> all;
+    std::vector<Form> all{{"compute", [](const GpuScene::State& scene) {
+                               return std::make_unique<ComputeTriangleFilter>(scene, 64);
+                           }}};
+    // The CPU reads the meshes of software devices.
     if (!context.isSoftware()) return all;
     for (const TriangleFilterKernel* kernel : triangleFilterKernels())
         all.push_back({kernel->name, [kernel](const GpuScene::State& scene) {
@@ -81,6 +91,12 @@ std::vector<Form> forms(const Context& context) {
 
 class TriangleFilterTest : public DrawingTest {
   protected:
+    static layout::FrameUniforms select(const GpuScene::State& state, const CameraView& view,
+                                        DrawSelection& draws) {
+        state.cull(Frustum(view, static_cast<float>(width) / height), draws);
+        return frameUniforms(view, width, height, glm::dmat3(1.0), state.lights.counts());
+    }
+
     /// Without a filter where `form` is null.
     static Words drawn(GpuScene& scene, const CameraView& view, const Form* form,
                        TriangleFilter::Counts* counts = nullptr) {
@@ -88,18 +104,19 @@ class TriangleFilterTest : public DrawingTest {
         const gl::StateGuard guard(*context().state().binding, "a test");
         GpuScene::State& state = scene.state();
         state.update();
-        const Frustum frustum(view, static_cast<float>(width) / height);
-        const layout::FrameUniforms uniforms =
-            frameUniforms(view, width, height, glm::dmat3(1.0), state.lights.counts());
+        DrawSelection draws;
+        const layout::FrameUniforms uniforms = select(state, view, draws);
         gl::Buffer buffer("frame", gl::BufferUsage::dynamic);
         buffer.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
         glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, buffer.name());
         const GBufferTargets targets(width, height);
-        DrawSelection draws;
-        state.cull(frustum, draws);
         std::unique_ptr<TriangleFilter> filter;
         if (form != nullptr) {
             filter = form->make(state);
+            // An earlier frame, which sees more.
+            DrawSelection earlier;
+            const layout::FrameUniforms far = select(state, viewOf({30, 20, 10}, {0, 0, 0}), earlier);
+            filter->filter(earlier, far);
             filter->filter(draws, uniforms);
             if (counts != nullptr) *counts = filter->counts();
         }
@@ -233,8 +250,9 @@ TEST_F(TriangleFilterTest, dropsTheBackOfASphereAndWhatIsBesideTheFrame) {
     for (const Form& form : forms(context())) {
         TriangleFilter::Counts counts;
         drawn(sphere, viewOf({0, 0, 8}, {0, 0, 0}), &form, &counts);
-        // Less than half of a sphere is seen, and small triangles between pixels are dropped as well.
-        EXPECT_LT(counts.kept, counts.asked / 2) << form.name;
+        // Less than half of a sphere is seen, and small triangles between pixels are dropped as well. Kept
+        // are some at the outline, of which a device of few subpixel bits may round the direction.
+        EXPECT_LT(counts.kept, counts.asked * 6 / 10) << form.name;
         EXPECT_GT(counts.kept, counts.asked / 20) << form.name;
         drawn(sphere, viewOf({0, 0, 1.2f}, {0, 0.7f, 1.2f}), &form, &counts);
         EXPECT_LT(counts.kept, counts.asked / 4) << form.name << ": all but a part is below the frame";
@@ -295,6 +313,28 @@ TEST_F(TriangleFilterTest, clustersAroundTheEyeAreTheSame) {
         for (const Form& form : forms(context())) {
             TriangleFilter::Counts counts;
             drawn(uploaded, view, &form, &counts);
+            EXPECT_LT(counts.inKeptClusters, counts.asked) << form.name << ": no cluster was dropped";
+        }
+    }
+}
+
+TEST_F(TriangleFilterTest, meshesThatChangeAreTheSame) {
+    Scene scene = blockScene(7);
+    GpuScene edited = upload(scene);
+    // Bent the other way, so that the clusters of before would drop what is seen now.
+    for (glm::vec3& position : scene.meshes[1].positions) position.z = -3.0f * position.z;
+    edited.setPositions(1, scene.meshes[1].positions, scene.meshes[1].normals);
+    const std::vector<Submesh> submeshes = scene.meshes[2].submeshes;
+    scene.meshes[2] = blocks(-0.8f, 8);
+    scene.meshes[2].submeshes = submeshes;
+    edited.replaceMesh(2, scene.meshes[2]);
+    GpuScene fresh = upload(scene);
+    for (std::uint32_t seed = 0; seed < 4; ++seed) {
+        const CameraView view = viewOf(4.0f * hashedPoint(70, seed), hashedPoint(73, seed));
+        const Words expected = drawn(fresh, view, nullptr);
+        for (const Form& form : forms(context())) {
+            TriangleFilter::Counts counts;
+            EXPECT_TRUE(drawn(edited, view, &form, &counts) == expected) << form.name;
             EXPECT_LT(counts.inKeptClusters, counts.asked) << form.name << ": no cluster was dropped";
         }
     }
