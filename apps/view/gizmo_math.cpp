@@ -18,6 +18,13 @@ constexpr float minSine = 0.05f;
 /// A drag scales by no less.
 constexpr float minScale = 0.01f;
 
+/// The renderer chooses the planes of a view; without a far plane, an orthographic one has no projection.
+glm::mat4 projectionOf(candela::CameraView view, float aspect) {
+    view.nearPlane = 1.0f;
+    view.farPlane = 2.0f;
+    return candela::projection(view, aspect);
+}
+
 glm::vec3 axisOf(GizmoHandle handle) {
     glm::vec3 axis(0.0f);
     axis[static_cast<int>(handle)] = 1.0f;
@@ -111,11 +118,12 @@ glm::mat4 scaled(const ScreenView& screen, const GizmoShape& shape, GizmoHandle 
 
 }  // namespace
 
+glm::mat4 clipFromWorldOf(const candela::CameraView& view, float aspect) {
+    return projectionOf(view, aspect) * glm::inverse(view.worldFromCamera);
+}
+
 ScreenView::ScreenView(const candela::CameraView& view, const glm::vec2& corner, const glm::vec2& size)
-    : view_(view),
-      corner_(corner),
-      size_(size),
-      clipFromWorld_(candela::projection(view, size.x / size.y) * glm::inverse(view.worldFromCamera)) {}
+    : view_(view), corner_(corner), size_(size), clipFromWorld_(clipFromWorldOf(view, size.x / size.y)) {}
 
 std::optional<glm::vec2> ScreenView::at(const glm::vec3& point) const {
     const glm::vec4 clip = clipFromWorld_ * glm::vec4(point, 1.0f);
@@ -128,7 +136,7 @@ std::optional<glm::vec2> ScreenView::at(const glm::vec3& point) const {
 Ray ScreenView::rayAt(const glm::vec2& place) const {
     const glm::vec2 share = (place - corner_) / size_;
     const glm::vec2 normalised(2.0f * share.x - 1.0f, 1.0f - 2.0f * share.y);
-    const glm::mat4 projection = candela::projection(view_, size_.x / size_.y);
+    const glm::mat4 projection = projectionOf(view_, size_.x / size_.y);
     const glm::mat3 frame(view_.worldFromCamera);
     const glm::vec2 scale(projection[0][0], projection[1][1]);
     if (view_.orthographicHeight) {

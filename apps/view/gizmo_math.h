@@ -9,6 +9,9 @@
 #include <array>
 #include <optional>
 
+/// Clip coordinates of world points. Their depth means nothing, so that no plane cuts anything off.
+glm::mat4 clipFromWorldOf(const candela::CameraView& view, float aspect);
+
 /// A rectangle of the screen that shows what a camera sees. Any unit; y points down.
 class ScreenView {
   public:

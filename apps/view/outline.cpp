@@ -1,5 +1,7 @@
 #include "outline.h"
 
+#include "gizmo_math.h"
+
 #include <candela/error.h>
 
 #include <epoxy/gl.h>
@@ -208,7 +210,7 @@ void Outline::draw(const Target& target, const candela::CameraView& view, const 
     glBindVertexArray(vertexArray_);
     glUseProgram(maskProgram_);
     const float aspect = static_cast<float>(area.size.x) / static_cast<float>(area.size.y);
-    const glm::mat4 clipFromWorld = candela::projection(view, aspect) * glm::inverse(view.worldFromCamera);
+    const glm::mat4 clipFromWorld = clipFromWorldOf(view, aspect);
     glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(clipFromWorld));
     glDrawArrays(GL_TRIANGLES, 0, vertices_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);

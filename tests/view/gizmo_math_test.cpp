@@ -64,12 +64,18 @@ TEST(Gizmo, MovesAlongAnAxisOnly) {
     const GizmoShape shape{glm::vec3(0.0f), 2.0f};
     // 10 to the right and 7 up.
     const glm::vec2 to = middle + glm::vec2(10.0f, -7.0f);
-    const glm::mat4 x = dragged(screen(), shape, GizmoMode::move, GizmoHandle::x, middle, to);
+    const glm::mat4 x = dragged(screen(), shape, GizmoMode::move, GizmoHandle::x, middle, {to.x, middle.y});
     expectNear(moved(x, glm::vec3(0.0f)), {2.0f, 0.0f, 0.0f});
-    const glm::mat4 y = dragged(screen(), shape, GizmoMode::move, GizmoHandle::y, middle, to);
+    const glm::mat4 y = dragged(screen(), shape, GizmoMode::move, GizmoHandle::y, middle, {middle.x, to.y});
     expectNear(moved(y, glm::vec3(0.0f)), {0.0f, 1.4f, 0.0f});
     const glm::mat4 free = dragged(screen(), shape, GizmoMode::move, GizmoHandle::middle, middle, to);
     expectNear(moved(free, glm::vec3(0.0f)), {2.0f, 1.4f, 0.0f});
+    // Beside the axis, its point nearest to the ray: still on it.
+    const glm::vec3 beside =
+        moved(dragged(screen(), shape, GizmoMode::move, GizmoHandle::x, middle, to), glm::vec3(0.0f));
+    EXPECT_NEAR(beside.x, 2.0f, 0.1f);
+    EXPECT_EQ(beside.y, 0.0f);
+    EXPECT_EQ(beside.z, 0.0f);
     const glm::mat4 z = dragged(screen(), shape, GizmoMode::move, GizmoHandle::z, middle, to);
     expectNear(moved(z, glm::vec3(0.0f)), glm::vec3(0.0f));
 }

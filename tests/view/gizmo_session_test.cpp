@@ -125,6 +125,17 @@ TEST_F(GizmoSession, AnOutlineIsAroundWhatIsPicked) {
     EXPECT_EQ(red(corner.x + 4, corner.y + 6), 0);
 }
 
+TEST_F(GizmoSession, AnOrthographicViewHasThemToo) {
+    session->model().camera.setOrthographicHeight(3.0f);
+    storeCamera(session->model());
+    session->click(160, 120);
+    ASSERT_EQ(session->model().pickedNode, 0u);
+    const candela::Bounds before = document().bounds(0);
+    dragX(0.5f * (before.min + before.max), 20);
+    EXPECT_GT(document().bounds(0).max.x, before.max.x + 0.01f);
+    EXPECT_EQ(session->messages(Message::Kind::error), 0u);
+}
+
 TEST_F(GizmoSession, GridAndIconsAreNoPartOfThePicture) {
     const PngPicture picture = session->picture();
     session->sendFast("key --delay 0 g key --delay 0 l");
