@@ -182,7 +182,7 @@ void resolve(const CLI::App& app, const std::optional<std::string>& aovs, Option
 
 int Options::partSide() const {
     if (tile) return *tile;
-    if (panorama) return std::max(width, height);  // Its faces are whole.
+    if (panorama) return std::max({width, height, candela::minPartSide});  // Its faces are whole.
     constexpr std::int64_t maxWhole = std::int64_t{1} << 27;
     const bool isHeld = std::max(width, height) <= maxFrameSide && std::int64_t{width} * height <= maxWhole;
     return isHeld ? maxFrameSide : 4096;

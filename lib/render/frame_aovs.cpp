@@ -21,11 +21,11 @@ struct SurfaceIds {
 SurfaceIds listIds(const GpuScene::State& scene, std::vector<SurfaceId> surfaces) {
     SurfaceIds ids;
     ids.surfaces = std::move(surfaces);
-    const auto materialCount = static_cast<std::uint32_t>(scene.sceneState.materials.size());
+    const std::uint32_t none = scene.draws.noMaterial() + 1;
     for (const auto& [instance, material] : ids.surfaces) {
         const std::uint32_t node = instance == 0 ? 0 : scene.instances[instance - 1].node + 1;
         ids.nodes.push_back(static_cast<float>(node));
-        ids.materials.push_back(material > materialCount ? 0.0f : static_cast<float>(material));
+        ids.materials.push_back(material == none ? 0.0f : static_cast<float>(material));
         ids.instances.push_back(static_cast<float>(instance));
     }
     return ids;

@@ -166,7 +166,7 @@ std::vector<PickedSurface> Frame::pick(const PictureRectangle& rectangle) const 
         surface.z = surface.pixels == 0 ? z : std::min(surface.z, z);
         ++surface.pixels;
         surface.node = node;
-        if (ids[i].material <= scene->sceneState.materials.size()) surface.material = ids[i].material - 1;
+        if (ids[i].material != scene->draws.noMaterial() + 1) surface.material = ids[i].material - 1;
     }
     std::vector<PickedSurface> surfaces;
     for (const auto& [key, surface] : found) surfaces.push_back(surface);

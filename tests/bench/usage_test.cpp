@@ -38,7 +38,7 @@ TEST(BenchUsage, EveryErrorIsNamed) {
         BadUsage{{"--json", "r.json", "--baseline", "--environment", "sky"}, "--environment"},
         BadUsage{{"--json", "r.json", "--scene", "cages", "--environment", "sky"}, "--environment"},
         BadUsage{{"--json", "r.json", "--size", "640"}, "WIDTHxHEIGHT"},
-        BadUsage{{"--json", "r.json", "--size", "0x5"}, "whole number from 1 to 16384"},
+        BadUsage{{"--json", "r.json", "--size", "0x5"}, "whole number from 1 to 65536"},
         BadUsage{{"--json", "r.json", "--frames", "0"}, "whole number from 1"},
         BadUsage{{"--json", "r.json", "--device", "gpu"}, "software"},
         BadUsage{{"--json", "r.json", "--tiles", "gpu"}, "auto, cpu, compute"},

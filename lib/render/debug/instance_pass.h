@@ -17,8 +17,7 @@ namespace candela {
 /// What a pixel shows, counted from 1; 0 on the background and of surfaces of a host.
 struct SurfaceId {
     std::uint32_t instance = 0;
-    std::uint32_t material =
-        0;  ///< Index into `Scene::materials` and 1; their count and 1 without a material.
+    std::uint32_t material = 0;  ///< Index into `Scene::materials`, or `DrawList::noMaterial`, and 1.
 };
 
 /// Draws the instance and the material at each pixel of a frame, with the same draws as the geometry pass.

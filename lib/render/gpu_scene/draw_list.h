@@ -190,6 +190,9 @@ class DrawList {
           drawsOfMaterial_(materials + 1),
           materialKeys_(materials + 1) {}
 
+    /// The index that surfaces without a material have.
+    std::uint32_t noMaterial() const { return noMaterial_; }
+
     /// Adds all submeshes of mesh `mesh`. `place` is where its indices and vertices are within `geometry`.
     /// `materials` are those of the scene. The instance has no draws. Throws `Error` (limit) when a texture
     /// does not fit the device; nothing is changed then.
