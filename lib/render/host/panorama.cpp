@@ -31,9 +31,9 @@ void requireWidth(int width) {
 }
 
 /// The pixels across 90 degrees. In the middle of a face a pixel is 2 / pixels wide, and one of the panorama
-/// 2 pi / width.
+/// 2 pi / width. Faces are larger than their borders.
 int innerSize(int width) {
-    return static_cast<int>(std::ceil(width / std::numbers::pi));
+    return std::max(2 * border, static_cast<int>(std::ceil(width / std::numbers::pi)));
 }
 
 glm::vec4 pixelOf(const HdrImage& face, int x, int y) {
