@@ -1,10 +1,10 @@
 #pragma once
 
+#include "base/range_pool.h"
 #include "gl/texture.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <span>
 
 namespace candela::gl {
@@ -29,13 +29,12 @@ class TexelHeap {
     std::size_t bytes() const;
 
   private:
-    void grow(std::uint32_t capacity);
+    void grow(std::uint64_t capacity);
 
     GLenum format_;
     const char* label_;
     BufferTexture texture_;
-    std::uint32_t capacity_ = 0;                   ///< Texels.
-    std::map<std::uint32_t, std::uint32_t> free_;  ///< Number of texels by the first one; none adjoin.
+    RangePool pool_;  ///< Of texels.
 };
 
 }  // namespace candela::gl

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/range_pool.h"
 #include "gl/buffer.h"
 #include "render/gpu_scene/gpu_instances.h"
-#include "render/gpu_scene/slots.h"
 
 #include <candela/gpu_scene.h>
 #include <candela/mesh.h>

@@ -89,20 +89,4 @@ class Slots {
     std::set<std::uint32_t> free_;
 };
 
-/// Ranges of a buffer that are given away and freed.
-class RangePool {
-  public:
-    explicit RangePool(std::uint64_t capacity = 0) : capacity_(capacity) {}
-
-    std::uint64_t capacity() const { return capacity_; }
-    /// The first of `count` free elements; none where the pool has to grow.
-    std::optional<std::uint64_t> take(std::uint64_t count);
-    void free(std::uint64_t first, std::uint64_t count);
-    void growTo(std::uint64_t capacity);
-
-  private:
-    std::uint64_t capacity_;
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> free_;  ///< First and count, in ascending order.
-};
-
 }  // namespace candela
