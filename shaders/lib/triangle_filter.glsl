@@ -4,26 +4,6 @@
 #include "shared/bindings.h"
 #include "shared/triangle_filter_records.h"
 
-// A draw of one instance.
-struct FilterDraw {
-    FilterView view;
-    uint firstCluster;  // in the scene
-    uint firstGroup;    // of those that take its clusters, one each
-    uint groupEnd;
-    uint firstIndex, indexCount;
-    int baseVertex;
-    uint command;  // its place
-    uint reserved;
-};
-
-struct ClusterResult {
-    uint kept[2];  // a bit a triangle
-    uint tested;   // 1 where the cluster was not dropped as a whole
-    uint start;    // triangles kept before it, from the first cluster of its block on
-};
-
-const uint BLOCK_CLUSTERS = 1024u;  // of which the sums are added in shared memory
-
 layout(std430, binding = FILTER_DRAWS_STORAGE) readonly buffer Draws {
     FilterDraw draws[];
 };
@@ -43,9 +23,8 @@ uint groupCount() {
     return uint(filterCounts.y);
 }
 
-// Every device takes 65,535 groups along an axis.
 uint filterGroup() {
-    return gl_WorkGroupID.y * 65535u + gl_WorkGroupID.x;
+    return gl_WorkGroupID.y * GROUPS_PER_ROW + gl_WorkGroupID.x;
 }
 
 // The draw of a group.

@@ -21,7 +21,7 @@ SHARED_FUNCTION Real max3(Real a, Real b, Real c) {
 }
 
 // The least w at which a point has a place on the screen: the divisor is off by an eighth at most.
-SHARED_FUNCTION float leastDepth(FilterView view) {
+SHARED_FUNCTION float minDepth(FilterView view) {
     return 8.0f * view.depthError;
 }
 
@@ -53,7 +53,7 @@ struct ScreenCorner {
 SHARED_FUNCTION ScreenCorner cornerOf(FilterView view, Real x, Real y, Real z) {
     ScreenCorner corner;
     corner.w = rowTimes(view.rows[2], x, y, z);
-    corner.inverse = reciprocal(select(corner.w > leastDepth(view), corner.w, splat(1.0f)));
+    corner.inverse = reciprocal(select(corner.w > minDepth(view), corner.w, splat(1.0f)));
     corner.x = rowTimes(view.rows[0], x, y, z) * corner.inverse;
     corner.y = rowTimes(view.rows[1], x, y, z) * corner.inverse;
     return corner;
@@ -141,7 +141,7 @@ SHARED_FUNCTION Mask mayShow(FilterView view, ScreenCorner a, ScreenCorner b, Sc
         // Where a triangle may face either way, its edges tell nothing.
         kept = both(kept, negated(both(misses, abs(triangle.area) > triangle.areaError)));
     }
-    Mask placed = min3(a.w, b.w, c.w) > leastDepth(view);
+    Mask placed = min3(a.w, b.w, c.w) > minDepth(view);
     Mask inFront = max3(a.w, b.w, c.w) + view.depthError >= view.nearDepth;
     return both(inFront, either(kept, negated(placed)));
 }
@@ -190,18 +190,19 @@ SHARED_FUNCTION Mask facesAway(FilterView view, ClusterBounds cluster, Real edge
     Real sine = sqrt(max(1.0f - cluster.cosine * cluster.cosine, splat(0.0f))) * 1.00001f;
     // The product of any normal of the cone and the way from the eye to any point of the sphere is this or less. Times the doubled area of
     // a triangle and over the product of the corners' w it is the doubled area on the screen.
-    Real most = along * cluster.cosine + across * sine + abs(splat(view.eye[3])) * cluster.radius + view.eyeError;
+    Real maxProduct = along * cluster.cosine + across * sine + abs(splat(view.eye[3])) * cluster.radius + view.eyeError;
     // The doubled area is the longest edge times the altitude. `areaError` of `triangleOf` is less than 2.8 margins times the sum of two
     // edges along x and y where the area is more than that, and the sum is 2.83 longest edges or less.
-    Real areaPerEdge = -most * cluster.altitude;
-    return both(along<0.0f, areaPerEdge> 8.0f * margin * edges * farthest * farthest * farthest);
+    Real areaPerEdge = -maxProduct * cluster.altitude;
+    Mask away = along < 0.0f, large = areaPerEdge > 8.0f * margin * edges * farthest * farthest * farthest;
+    return both(away, large);
 }
 
 // May a triangle of a cluster leave a trace? False only where none does.
 SHARED_FUNCTION Mask mayShowAny(FilterView view, ClusterBounds cluster) {
     Real w = rowTimes(view.rows[2], cluster.x, cluster.y, cluster.z);
     Real reachW = cluster.radius * view.lengthW + view.depthError;
-    Mask placed = w - reachW > leastDepth(view);
+    Mask placed = w - reachW > minDepth(view);
     Real overW = reciprocal(select(placed, w, splat(1.0f))), overNearest = reciprocal(select(placed, w - reachW, splat(1.0f)));
     ClusterReach x =
         reachAlong(view, view.xx, view.xw, rowTimes(view.rows[0], cluster.x, cluster.y, cluster.z) * overW, cluster.radius, overNearest);

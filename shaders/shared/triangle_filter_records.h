@@ -26,3 +26,25 @@ struct TriangleCluster {
     float altitude;           // of the flattest triangle, over its longest edge, or less
     float reserved[3];
 };
+
+// A draw of one instance, for the compute shaders.
+struct FilterDraw {
+    FilterView view;
+    uint firstCluster;  // in the scene
+    uint firstGroup;    // of the groups of threads that take its clusters, one each
+    uint groupEnd;
+    uint firstIndex, indexCount;
+    int baseVertex;
+    uint command;  // its place
+    uint reserved;
+};
+
+// What the compute shaders find of a cluster.
+struct ClusterResult {
+    uint kept[2];  // a bit a triangle
+    uint tested;   // 1 where the cluster was not dropped as a whole
+    uint start;    // triangles kept before it, from the first cluster of its block on
+};
+
+const uint BLOCK_CLUSTERS = 1024u;   // clusters whose sums are added in shared memory
+const uint GROUPS_PER_ROW = 65535u;  // groups of threads along an axis, which every device takes

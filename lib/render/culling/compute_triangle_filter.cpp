@@ -11,9 +11,7 @@ namespace candela {
 namespace {
 
 /// Of a frame, 4 bytes each on the device, whether they are kept or not; further draws stay as they are.
-constexpr std::size_t mostIndices = std::size_t{1} << 26;
-constexpr std::uint32_t blockClusters = 1024;  // BLOCK_CLUSTERS of shaders/lib/triangle_filter.glsl
-constexpr std::uint32_t groupsPerRow = 65535;  // every device takes these along an axis
+constexpr std::size_t maxFrameIndices = std::size_t{1} << 26;
 
 std::size_t maxStorageBlock() {
     GLint64 bytes = 0;
@@ -22,7 +20,7 @@ std::size_t maxStorageBlock() {
 }
 
 std::uint32_t blocksOf(std::uint32_t groups) {
-    return (groups + blockClusters - 1) / blockClusters;
+    return (groups + layout::BLOCK_CLUSTERS - 1) / layout::BLOCK_CLUSTERS;
 }
 
 }  // namespace
@@ -47,7 +45,7 @@ void ComputeTriangleFilter::uploadDraws(const layout::FrameUniforms& frame) {
     groups_ = 0;
     for (std::size_t i = 0; i < draws_.size(); ++i) {
         const Draw& draw = draws_[i];
-        DrawRecord& record = records_[i];
+        layout::FilterDraw& record = records_[i];
         record.firstCluster = draw.clusters.first;
         record.firstGroup = groups_;
         record.groupEnd = groups_ += draw.clusters.count;
@@ -60,7 +58,7 @@ void ComputeTriangleFilter::uploadDraws(const layout::FrameUniforms& frame) {
     const FilterCamera camera(frame);
     ThreadPool::shared()->run(draws_.size(),
                               [&](std::size_t i, unsigned) { records_[i].view = viewOf(draws_[i], camera); });
-    drawBuffer_.upload(std::span<const DrawRecord>(records_));
+    drawBuffer_.upload(std::span<const layout::FilterDraw>(records_));
 }
 
 void ComputeTriangleFilter::bindStorage() const {
@@ -92,8 +90,8 @@ void ComputeTriangleFilter::dispatch() {
         glDispatchCompute(columns, rows, 1);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     };
-    const std::uint32_t columns = std::min(groups_, groupsPerRow),
-                        rows = (groups_ + groupsPerRow - 1) / groupsPerRow;
+    const std::uint32_t columns = std::min(groups_, layout::GROUPS_PER_ROW),
+                        rows = (groups_ + layout::GROUPS_PER_ROW - 1) / layout::GROUPS_PER_ROW;
     run(programs_->cull, columns, rows);
     run(programs_->sumBlocks, blocksOf(groups_), 1);
     run(programs_->sumAll, 1, 1);
@@ -103,7 +101,7 @@ void ComputeTriangleFilter::dispatch() {
 }
 
 void ComputeTriangleFilter::filter(const DrawSelection& selection, const layout::FrameUniforms& frame) {
-    const std::size_t maxIndices = std::min(mostIndices, maxBlock_ / sizeof(std::uint32_t));
+    const std::size_t maxIndices = std::min(maxFrameIndices, maxBlock_ / sizeof(std::uint32_t));
     plan(selection, {minIndices_, readsMeshes() ? maxIndices : 0, SurfaceSet::opaque});
     commandBuffer_.upload(std::span<const DrawCommand>(commands_));
     groups_ = 0;
@@ -113,7 +111,7 @@ void ComputeTriangleFilter::filter(const DrawSelection& selection, const layout:
     std::size_t indices = 0;
     for (const Draw& draw : draws_) indices += draw.source.count;
     indexBuffer_.reserve(indices * sizeof(std::uint32_t));
-    resultBuffer_.reserve(groups_ * sizeof(ClusterResult));
+    resultBuffer_.reserve(groups_ * sizeof(layout::ClusterResult));
     sumBuffer_.reserve((blocksOf(groups_) + 1) * sizeof(std::uint32_t));
     bindStorage();
     dispatch();
@@ -124,12 +122,12 @@ TriangleFilter::Counts ComputeTriangleFilter::counts() const {
     Counts counts;
     if (groups_ == 0) return counts;
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    const auto results = resultBuffer_.read<ClusterResult>(0, groups_);
-    for (const DrawRecord& record : records_) {
+    const auto results = resultBuffer_.read<layout::ClusterResult>(0, groups_);
+    for (const layout::FilterDraw& record : records_) {
         counts.asked += record.indexCount / 3;
         for (std::uint32_t group = record.firstGroup; group < record.groupEnd; ++group) {
             const std::uint32_t before = (group - record.firstGroup) * layout::CLUSTER_TRIANGLES;
-            const ClusterResult& result = results[group];
+            const layout::ClusterResult& result = results[group];
             if (result.tested != 0)
                 counts.inKeptClusters +=
                     std::min<std::uint32_t>(record.indexCount / 3 - before, layout::CLUSTER_TRIANGLES);

@@ -27,17 +27,6 @@ class ComputeTriangleFilter final : public TriangleFilter {
     Counts counts() const override;
 
   private:
-    /// FilterDraw of shaders/lib/triangle_filter.glsl.
-    struct DrawRecord {
-        layout::FilterView view;
-        std::uint32_t firstCluster, firstGroup, groupEnd, firstIndex, indexCount;
-        std::int32_t baseVertex;
-        std::uint32_t command, reserved;
-    };
-    struct ClusterResult {
-        std::uint32_t kept[2], tested, start;
-    };
-
     struct Programs {
         gl::Program cull, sumBlocks, sumAll, write;
     };
@@ -51,7 +40,7 @@ class ComputeTriangleFilter final : public TriangleFilter {
     std::uint32_t minIndices_;
     std::size_t maxBlock_;              ///< Bytes of a buffer that shaders read.
     std::optional<Programs> programs_;  ///< Compiled when they are first needed.
-    std::vector<DrawRecord> records_;
+    std::vector<layout::FilterDraw> records_;
     std::uint32_t groups_ = 0;
     std::uint64_t clusterVersion_ = 0;
     gl::Buffer clusterBuffer_{"triangle clusters", gl::BufferUsage::dynamic};

@@ -7,8 +7,9 @@
 namespace candela {
 
 namespace layout {
+using uint = std::uint32_t;
 #include "shared/triangle_filter_records.h"
-}
+}  // namespace layout
 
 // The jobs of the kernels. Plain numbers only: each kernel is compiled for its own instruction set and must
 // not share inline functions with other files.
