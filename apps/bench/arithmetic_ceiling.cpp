@@ -1,7 +1,7 @@
 #include "arithmetic_ceiling.h"
 
+#include "common/gl_program.h"
 #include "common/timing.h"
-#include "gl_drawing.h"
 #include "measure.h"
 #include "shading_source.h"
 

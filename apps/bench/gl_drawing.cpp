@@ -1,7 +1,5 @@
 #include "gl_drawing.h"
 
-#include <candela/error.h>
-
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace {
@@ -20,36 +18,6 @@ candela::Bounds submeshBounds(const candela::Mesh& mesh, const candela::Submesh&
         bounds.add({position, position});
     }
     return bounds;
-}
-
-GLuint compileStage(GLenum stage, const std::string& text) {
-    const GLuint shader = glCreateShader(stage);
-    const char* texts[] = {text.c_str()};
-    glShaderSource(shader, 1, texts, nullptr);
-    glCompileShader(shader);
-    GLint compiled = GL_FALSE;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (compiled == GL_TRUE) return shader;
-    std::string log(4096, '\0');
-    GLsizei length = 0;
-    glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
-    log.resize(static_cast<std::size_t>(length));
-    glDeleteShader(shader);
-    throw candela::Error(candela::ErrorKind::environment, "benchmark shader",
-                         "this device can not compile it: " + log);
-}
-
-/// Deletes the stages.
-GLuint linked(const std::vector<GLuint>& stages) {
-    const GLuint program = glCreateProgram();
-    for (const GLuint stage : stages) glAttachShader(program, stage);
-    glLinkProgram(program);
-    for (const GLuint stage : stages) glDeleteShader(stage);
-    GLint isLinked = GL_FALSE;
-    glGetProgramiv(program, GL_LINK_STATUS, &isLinked);
-    if (isLinked == GL_TRUE) return program;
-    glDeleteProgram(program);
-    throw candela::Error(candela::ErrorKind::environment, "benchmark shader", "this device can not link it");
 }
 
 }  // namespace
@@ -72,15 +40,6 @@ Screen::Screen(int width, int height) : color_(GL_RGBA8, width, height) {
 
 Screen::~Screen() {
     glDeleteFramebuffers(1, &framebuffer_);
-}
-
-GLuint makeProgram(const std::string& vertexText, const std::string& fragmentText) {
-    return linked(
-        {compileStage(GL_VERTEX_SHADER, vertexText), compileStage(GL_FRAGMENT_SHADER, fragmentText)});
-}
-
-GLuint makeComputeProgram(const std::string& text) {
-    return linked({compileStage(GL_COMPUTE_SHADER, text)});
 }
 
 SceneGeometry::SceneGeometry(const candela::Scene& scene) {

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 /// A render target texture.
@@ -39,12 +38,6 @@ class Screen {
     Target color_;
     GLuint framebuffer_ = 0;
 };
-
-/// Compiles and links. Throws `candela::Error` (environment) with the compiler's message.
-GLuint makeProgram(const std::string& vertexText, const std::string& fragmentText);
-
-/// The same of a compute stage.
-GLuint makeComputeProgram(const std::string& text);
 
 /// The meshes of a scene as plain vertex and index buffers, drawn one submesh after the other with uniforms:
 /// location 0 the world matrix, 1 the base colour, 2 metallic and roughness. Textures are left out.

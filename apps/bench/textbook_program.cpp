@@ -1,3 +1,4 @@
+#include "common/gl_program.h"
 #include "gl_drawing.h"
 #include "programs.h"
 #include "textbook_shaders.h"

@@ -1,8 +1,7 @@
 #include "outline.h"
 
+#include "common/gl_program.h"
 #include "gizmo_math.h"
-
-#include <candela/error.h>
 
 #include <epoxy/gl.h>
 
@@ -10,7 +9,6 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
 
 namespace {
 
@@ -57,28 +55,6 @@ void main() {
     color = vec4(0.95, 0.66, 0.27, alpha);
 }
 )";
-
-unsigned compiled(GLenum stage, const char* text) {
-    const unsigned shader = glCreateShader(stage);
-    glShaderSource(shader, 1, &text, nullptr);
-    glCompileShader(shader);
-    return shader;
-}
-
-unsigned linked(const char* vertex, const char* fragment, const char* label) {
-    const std::array shaders{compiled(GL_VERTEX_SHADER, vertex), compiled(GL_FRAGMENT_SHADER, fragment)};
-    const unsigned program = glCreateProgram();
-    glObjectLabel(GL_PROGRAM, program, -1, label);
-    for (const unsigned shader : shaders) glAttachShader(program, shader);
-    glLinkProgram(program);
-    for (const unsigned shader : shaders) glDeleteShader(shader);
-    int good = 0;
-    glGetProgramiv(program, GL_LINK_STATUS, &good);
-    if (!good)
-        throw candela::Error(candela::ErrorKind::environment, "",
-                             std::string("the driver does not link the program of the ") + label);
-    return program;
-}
 
 void addMesh(const candela::Mesh& mesh, const candela::PosedPoints& posed,
              std::vector<glm::vec3>& triangles) {
@@ -161,8 +137,10 @@ Outline::~Outline() {
 
 void Outline::create() {
     if (vertexArray_ != 0) return;
-    maskProgram_ = linked(maskVertex, maskFragment, "mask");
-    lineProgram_ = linked(lineVertex, lineFragment, "outline");
+    maskProgram_ = makeProgram(maskVertex, maskFragment);
+    glObjectLabel(GL_PROGRAM, maskProgram_, -1, "mask of the outline");
+    lineProgram_ = makeProgram(lineVertex, lineFragment);
+    glObjectLabel(GL_PROGRAM, lineProgram_, -1, "outline");
     glCreateBuffers(1, &buffer_);
     glObjectLabel(GL_BUFFER, buffer_, -1, "outline");
     glCreateVertexArrays(1, &vertexArray_);
