@@ -36,6 +36,18 @@ glm::vec3 unitOr(const glm::dvec3& vector, const glm::vec3& fallback) {
     return length > 0.0 ? glm::vec3(vector / length) : fallback;
 }
 
+/// `node` is the matrix of the light's node; null without one.
+WorldLight placed(const Light& light, const glm::mat4* node) {
+    WorldLight result = inNodeFrame(light);
+    glm::dvec3 direction(light.direction);
+    if (node != nullptr) {
+        result.position = glm::vec3(*node * glm::vec4(light.position, 1.0f));
+        if (light.type != LightType::point) direction = unscaledFrame(*node) * direction;
+    }
+    if (light.type != LightType::point) result.direction = unitOr(direction, result.direction);
+    return result;
+}
+
 // A photometric quantity has to be finite and 0 or more, as has what it converts to.
 float checked(const char* quantity, double given, double converted) {
     const ErrorContext context(quantity);
@@ -64,27 +76,18 @@ float lumenFromWatt(float watt) {
 }
 
 WorldLight worldLight(const Light& light, const std::vector<glm::mat4>& world) {
-    WorldLight placed = inNodeFrame(light);
-    glm::dvec3 direction(light.direction);
-    if (light.node) {
-        const glm::mat4& node = world[*light.node];
-        placed.position = glm::vec3(node * glm::vec4(light.position, 1.0f));
-        if (light.type != LightType::point) direction = unscaledFrame(node) * direction;
-    }
-    if (light.type != LightType::point) placed.direction = unitOr(direction, placed.direction);
-    return placed;
+    return placed(light, light.node ? &world[*light.node] : nullptr);
 }
 
 WorldLight worldLight(const Light& light, const glm::mat4& worldFromNode) {
+    static const Scene withoutNodes;
     const ErrorContext context("light", {}, light.name);
     context.requireFinite("the matrix of its node", worldFromNode);
     context.require(isAffine(worldFromNode), "the matrix of its node must be affine");
-    Light below = light;
-    below.node = 0;
-    Scene scene;
-    scene.nodes.resize(1);
-    validateLight(below, scene, context);
-    return worldLight(below, std::vector<glm::mat4>{worldFromNode});
+    Light alone = light;
+    alone.node.reset();
+    validateLight(alone, withoutNodes, context);
+    return placed(light, &worldFromNode);
 }
 
 std::vector<WorldLight> worldLights(const Scene& scene, const std::vector<glm::mat4>& world, double time) {
