@@ -51,23 +51,23 @@ std::optional<candela::DisplayTransform> chooseDisplay(RunReport& report, const 
 /// `stats` gets what the scene holds.
 candela::Scene readScene(RunReport& report, const Options& options, const candela::PluginRegistry& plugins,
                          Stats& stats) {
-    candela::ImportOptions import;
-    import.strictness = options.strictness;
-    import.progress = [&](double share) {
+    candela::ImportOptions importing;
+    importing.strictness = options.strictness;
+    importing.progress = [&](double share) {
         report.work("reading " + options.scene + ": " +
                     std::to_string(static_cast<int>(std::lround(share * 100.0))) + " %");
-    return true;
-};
-candela::ImportedScene imported = candela::importScene(plugins, options.scene, import);
-for (const candela::ImportNote& note : imported.report.notes) report.note(note.line());
-if (const auto note = selectAnimations(imported.scene, options)) report.note(*note);
-selectVariant(imported.scene, options.variant, options.scene);
-stats.contents = contentCounts(imported.scene);
-stats.materialKinds = materialKinds(imported.scene);
-stats.notes = std::move(imported.report.notes);
-if (options.scatter) addScatteredLights(imported.scene, *options.scatter, options.scene);
-return std::move(imported.scene);
-}  // namespace
+        return true;
+    };
+    candela::ImportedScene imported = candela::importScene(plugins, options.scene, importing);
+    for (const candela::ImportNote& note : imported.report.notes) report.note(note.line());
+    if (const auto note = selectAnimations(imported.scene, options)) report.note(*note);
+    selectVariant(imported.scene, options.variant, options.scene);
+    stats.contents = contentCounts(imported.scene);
+    stats.materialKinds = materialKinds(imported.scene);
+    stats.notes = std::move(imported.report.notes);
+    if (options.scatter) addScatteredLights(imported.scene, *options.scatter, options.scene);
+    return std::move(imported.scene);
+}
 
 /// Gives the scene the environment of the options, and its sun. Returns its name.
 std::string useEnvironment(RunReport& report, const Options& options, candela::Scene& scene) {

@@ -22,7 +22,7 @@ void PictureNotes::tell(RunReport& report) const {
 void LayerNotes::add(const candela::LayerCounts& counts) {
     ++pictures_;
     incomplete_ += counts.fragmentsBeyond > 0;
-    most_ = std::max(most_, counts.fragmentsBeyond);
+    maxFragmentsBeyond_ = std::max(maxFragmentsBeyond_, counts.fragmentsBeyond);
 }
 
 void LayerNotes::tell(RunReport& report, std::uint32_t layers) const {
@@ -30,7 +30,7 @@ void LayerNotes::tell(RunReport& report, std::uint32_t layers) const {
     const std::string share = pictures_ == 1 ? ""
                                              : "in " + std::to_string(incomplete_) + " of " +
                                                    std::to_string(pictures_) + " pictures up to ";
-    report.note(share + std::to_string(most_) +
+    report.note(share + std::to_string(maxFragmentsBeyond_) +
                 " pixels of transparent surfaces are left out: they lie beyond the " +
                 std::to_string(layers) + " layers that are drawn (--layers)");
 }

@@ -30,7 +30,7 @@ class LayerNotes {
 
   private:
     int pictures_ = 0, incomplete_ = 0;
-    std::uint64_t most_ = 0;
+    std::uint64_t maxFragmentsBeyond_ = 0;
 };
 
 /// Tells what lights without a range are drawn with. `rangeLoss` is that of --range-loss.

@@ -2,8 +2,8 @@
 
 /// Everything candela offers.
 
-#include <candela/animation.h>
 #include <candela/accumulator.h>
+#include <candela/animation.h>
 #include <candela/brdf.h>
 #include <candela/cage.h>
 #include <candela/camera.h>

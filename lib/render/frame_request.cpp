@@ -19,15 +19,15 @@ void refuse(const std::string& text) {
 namespace {
 
 void checkRegion(const PictureRegion& region) {
-    constexpr int most = 1 << 20;
-    if (region.width < 1 || region.height < 1 || region.width > most || region.height > most) {
+    constexpr int maxSide = 1 << 20;
+    if (region.width < 1 || region.height < 1 || region.width > maxSide || region.height > maxSide) {
         refuse("a part of a picture of " + std::to_string(region.width) + "x" +
                std::to_string(region.height) + " pixels is asked for; width and height have to be 1 to " +
-               std::to_string(most));
+               std::to_string(maxSide));
     }
-    if (std::abs(region.x) <= most && std::abs(region.y) <= most) return;
+    if (std::abs(region.x) <= maxSide && std::abs(region.y) <= maxSide) return;
     refuse("the part at (" + std::to_string(region.x) + ", " + std::to_string(region.y) +
-           ") of a picture is asked for; both have to be within " + std::to_string(most));
+           ") of a picture is asked for; both have to be within " + std::to_string(maxSide));
 }
 
 }  // namespace

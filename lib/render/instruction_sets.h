@@ -2,8 +2,8 @@
 
 namespace candela {
 
-// Whether this processor runs the kernels of an instruction set: those that lib/render/CMakeLists.txt compiles
-// render/kernels_avx2.cpp and render/kernels_avx512.cpp for.
+// Whether this processor runs the kernels of an instruction set: those that lib/render/CMakeLists.txt
+// compiles render/kernels_avx2.cpp and render/kernels_avx512.cpp for.
 
 #if defined(__x86_64__)
 inline bool runsAvx2Kernels() {

@@ -58,7 +58,8 @@ TEST_F(LayersOfGeneratedTree, AllowedDependenciesPass) {
           "#include \"../common/args.h\"\n#include \"common/args.h\"\n#include <GLFW/glfw3.h>\n");
     write("apps/render/list.h", "");
     write("apps/common/args.h", "");
-    write("python/src/scene.cpp", "#include \"scene.h\"\n#include <candela/scene.h>\n#include <nanobind/nanobind.h>\n");
+    write("python/src/scene.cpp",
+          "#include \"scene.h\"\n#include <candela/scene.h>\n#include <nanobind/nanobind.h>\n");
     write("python/src/scene.h", "");
     EXPECT_EQ(joined(layerViolations(root())), "");
 }

@@ -66,9 +66,7 @@ inline Floats curveAt(const float* segments, Floats x) {
 }
 
 inline Vec3 applyMatrix(const DisplayStep& step, Vec3 color) {
-    const auto row = [&](const float* m) {
-        return m[0] * color.x + m[1] * color.y + m[2] * color.z + m[3];
-    };
+    const auto row = [&](const float* m) { return m[0] * color.x + m[1] * color.y + m[2] * color.z + m[3]; };
     return {row(step.matrix[0]), row(step.matrix[1]), row(step.matrix[2])};
 }
 
@@ -107,8 +105,7 @@ inline Vec3 glowAndRed(Vec3 ap0) {
 
 /// As `candelaDarkToDim` there.
 inline Vec3 darkToDim(const DisplayStep& step, Vec3 ap1) {
-    return ap1 *
-           curveAt(step.curves[0], 0.27222872f * ap1.x + 0.67408177f * ap1.y + 0.05368952f * ap1.z);
+    return ap1 * curveAt(step.curves[0], 0.27222872f * ap1.x + 0.67408177f * ap1.y + 0.05368952f * ap1.z);
 }
 
 template <typename Function>
@@ -149,10 +146,11 @@ inline Floats pixelNoise(Words x, std::uint32_t y) {
 
 inline Words codeOf(Floats value, Floats dither) {
     const Floats code = clampFinite(clampFinite(value, 0.0f, 1.0f) + dither, 0.0f, 1.0f);
-    return (Words)__builtin_convertvector(code * 255.0f + 0.5f, Ints);
+    return (Words) __builtin_convertvector(code * 255.0f + 0.5f, Ints);
 }
 
-inline void storeCodes(const DisplayColors& colors, std::uint32_t left, std::uint32_t y, int count, std::uint32_t* codes) {
+inline void storeCodes(const DisplayColors& colors, std::uint32_t left, std::uint32_t y, int count,
+                       std::uint32_t* codes) {
     std::uint32_t run[displayRun];
     Words x;
     for (int lane = 0; lane < laneCount; ++lane) x[lane] = left + static_cast<std::uint32_t>(lane);

@@ -122,7 +122,8 @@ void DisplayPass::render(const Inputs& inputs) {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, inputs.target.framebuffer);
     glViewport(inputs.target.x, inputs.target.y, inputs.width, inputs.height);
     glBindTextureUnit(layout::RADIANCE_UNIT, inputs.radiance.name());
-    glUniform1f(layout::EXPOSURE_LOCATION, static_cast<float>(std::exp2(inputs.transform.options().exposure)));
+    glUniform1f(layout::EXPOSURE_LOCATION,
+                static_cast<float>(std::exp2(inputs.transform.options().exposure)));
     glUniform2i(layout::ORIGIN_LOCATION, inputs.target.x, inputs.target.y);
     glUniform2i(layout::PLACE_LOCATION, inputs.place.x, inputs.place.y);
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -22,8 +22,8 @@ struct MemoryPicture {
     glm::ivec2 place{0, 0};  ///< As in `DisplayPass::Inputs`.
 };
 
-/// Shows radiance that is in memory through a display transform, as `DisplayPass` shows a texture: vector code
-/// on all cores computes the codes.
+/// Shows radiance that is in memory through a display transform, as `DisplayPass` shows a texture: vector
+/// code on all cores computes the codes.
 class MemoryDisplay {
   public:
     explicit MemoryDisplay(const DisplayKernel& kernel = *displayKernels().front());
@@ -38,7 +38,7 @@ class MemoryDisplay {
 
   private:
     const DisplayKernel* kernel_;
-    std::vector<std::uint32_t> codes_;      ///< Rows from the bottom.
+    std::vector<std::uint32_t> codes_;     ///< Rows from the bottom.
     std::optional<DisplayTarget> source_;  ///< From which `render` copies; made when it is first needed.
 };
 

@@ -44,10 +44,11 @@ constexpr std::array rows{
                surface,
                [](const ChannelPixel& pixel) { return glm::vec3(pixel.surface.lobes.metallic, 0, 0); },
                {DebugView::metallic, "metallic", surface, Scale::fixed, "vec3(surface.lobes.metallic)"}},
-    ChannelRow{{"roughness", "", "perceptual roughness, 0 to 1", "fourth root, from 0.032 on, and 0", "8 bits"},
-               surface,
-               [](const ChannelPixel& pixel) { return glm::vec3(pixel.surface.lobes.roughness, 0, 0); },
-               {DebugView::roughness, "roughness", surface, Scale::fixed, "vec3(surface.lobes.roughness)"}},
+    ChannelRow{
+        {"roughness", "", "perceptual roughness, 0 to 1", "fourth root, from 0.032 on, and 0", "8 bits"},
+        surface,
+        [](const ChannelPixel& pixel) { return glm::vec3(pixel.surface.lobes.roughness, 0, 0); },
+        {DebugView::roughness, "roughness", surface, Scale::fixed, "vec3(surface.lobes.roughness)"}},
     ChannelRow{
         {"emission", "RGB", "emitted radiance, linear in the working space", "linear, in the radiance target",
          "3 × 32-bit float"},
@@ -103,13 +104,14 @@ constexpr std::array rows{
                materialId,
                [](const ChannelPixel& pixel) { return glm::vec3(pixel.number, 0, 0); },
                {}},
-    ChannelRow{{"instance_id", "",
-                "number of the mesh or cage of a node, from 1: all meshes in the order of the nodes, then all "
-                "cages; 0 on the background",
-                "drawn when it is asked for", "none of its own", SampleFilter::first},
-               instanceId,
-               [](const ChannelPixel& pixel) { return glm::vec3(pixel.number, 0, 0); },
-               {}},
+    ChannelRow{
+        {"instance_id", "",
+         "number of the mesh or cage of a node, from 1: all meshes in the order of the nodes, then all "
+         "cages; 0 on the background",
+         "drawn when it is asked for", "none of its own", SampleFilter::first},
+        instanceId,
+        [](const ChannelPixel& pixel) { return glm::vec3(pixel.number, 0, 0); },
+        {}},
     ChannelRow{{"motion", "XY",
                 "way of the surface in the picture since the frame before, pixels, X to the right and Y down",
                 "computed when it is asked for", "none of its own", SampleFilter::first},
