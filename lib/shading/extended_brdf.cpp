@@ -109,30 +109,85 @@ glm::dvec3 seenCoatNormal(const ExtendedLobes<double>& lobes, const glm::dvec3& 
     return turned / std::max(glm::length(turned), 1.0e-6);
 }
 
-/// The clearcoat times the cosine of its normal, without its factor.
-double coatReflection(BrdfModel model, const ExtendedLobes<double>& lobes, const glm::dvec3& l,
-                      const glm::dvec3& v) {
-    const glm::dvec3 n = seenCoatNormal(lobes, v);
-    const double nDotL = glm::dot(n, l), nDotV = std::max(glm::dot(n, v), minNDotV);
-    const glm::dvec3 h = halfVector(l, v);
-    if (nDotL <= minNDotL || h == glm::dvec3(0.0)) return 0.0;
-    const glm::dvec3 f0(DIELECTRIC_F0);
-    const double alpha = alphaOf(lobes.clearcoatRoughness);
-    const double geometry = model == BrdfModel::course
-                                ? geometrySchlickSmith(nDotL, nDotV, lobes.clearcoatRoughness)
-                                : geometrySmithCorrelated(nDotL, nDotV, alpha);
-    const double fresnel = fresnelSchlick(f0, glm::dot(v, h)).x;
-    const double factor =
-        compensation(model, f0, directionalAlbedo(model, nDotV, lobes.clearcoatRoughness)).x;
-    return factor * fresnel * geometry * distributionGgx(glm::dot(n, h), alpha) / (4.0 * nDotV);
-}
+/// The clearcoat over a surface, seen from `v`.
+struct Coat {
+    BrdfModel model;
+    const ExtendedLobes<double>& lobes;
+    glm::dvec3 normal;
+    double nDotV;
+    double factor = 0.0;  ///< Energy compensation.
+    double below = 1.0;   ///< What the clearcoat leaves of the light.
 
-/// What the clearcoat leaves of the light.
-double belowCoat(BrdfModel model, const ExtendedLobes<double>& lobes, const glm::dvec3& v) {
-    const double nDotV = std::max(glm::dot(seenCoatNormal(lobes, v), v), minNDotV);
-    const double albedo = specularAlbedo(model, glm::dvec3(DIELECTRIC_F0), nDotV, lobes.clearcoatRoughness).x;
-    return 1.0 - lobes.clearcoat * albedo;
-}
+    Coat(BrdfModel ofModel, const ExtendedLobes<double>& ofLobes, const glm::dvec3& v)
+        : model(ofModel),
+          lobes(ofLobes),
+          normal(seenCoatNormal(ofLobes, v)),
+          nDotV(std::max(glm::dot(normal, v), minNDotV)) {
+        if (lobes.clearcoat == 0.0) return;
+        const glm::dvec3 f0(DIELECTRIC_F0);
+        factor = compensation(model, f0, directionalAlbedo(model, nDotV, lobes.clearcoatRoughness)).x;
+        below = 1.0 - lobes.clearcoat * specularAlbedo(model, f0, nDotV, lobes.clearcoatRoughness).x;
+    }
+
+    /// Times the cosine of its normal.
+    double reflection(const glm::dvec3& l, const glm::dvec3& v, const glm::dvec3& h) const {
+        const double nDotL = glm::dot(normal, l);
+        if (lobes.clearcoat == 0.0 || nDotL <= minNDotL || h == glm::dvec3(0.0)) return 0.0;
+        const double alpha = alphaOf(lobes.clearcoatRoughness);
+        const double geometry = model == BrdfModel::course
+                                    ? geometrySchlickSmith(nDotL, nDotV, lobes.clearcoatRoughness)
+                                    : geometrySmithCorrelated(nDotL, nDotV, alpha);
+        const double fresnel = fresnelSchlick(glm::dvec3(DIELECTRIC_F0), glm::dot(v, h)).x;
+        const double distribution = distributionGgx(glm::dot(normal, h), alpha);
+        return lobes.clearcoat * factor * fresnel * geometry * distribution / (4.0 * nDotV);
+    }
+};
+
+/// What leaves a surface towards one direction.
+struct Reflection {
+    const SurfacePoint& surface;
+    const ExtendedLobes<double>& lobes;
+    Frame frame;
+    glm::dvec3 v, localV;
+    Base base;
+    Coat coat;
+    double sheen = 0.0;   ///< Directional albedo.
+    double belowSheen;    ///< The share of the light that arrives below sheen and clearcoat.
+    glm::dvec3 entering;  ///< The share that the diffuse lobes take, over pi.
+
+    Reflection(BrdfModel model, const SurfacePoint& of, const glm::dvec3& towards)
+        : surface(of),
+          lobes(*of.extended),
+          frame(of),
+          v(towards),
+          localV(aboveHorizon(frame.local(towards))),
+          base(model, of, localV),
+          coat(model, lobes, towards) {
+        if (maxChannel(lobes.sheenColor) > 0.0) sheen = sheenAlbedo(localV.z, lobes.sheenRoughness);
+        belowSheen = coat.below * (1.0 - maxChannel(lobes.sheenColor) * std::min(sheen, 1.0));
+        entering = glm::max(1.0 - base.reflected(), 0.0) * (1.0 - surface.lobes.metallic) *
+                   (1.0 - lobes.transmission) * belowSheen / std::numbers::pi;
+    }
+
+    static glm::dvec3 aboveHorizon(const glm::dvec3& w) { return {w.x, w.y, std::max(w.z, minNDotV)}; }
+
+    glm::dvec3 from(const glm::dvec3& l) const {
+        const glm::dvec3 localL = frame.local(l), h = halfVector(l, v);
+        glm::dvec3 sum(coat.reflection(l, v, h));
+        if (localL.z < 0.0) {
+            return sum +
+                   entering * lobes.diffuseTransmission * lobes.diffuseTransmissionColor * std::abs(localL.z);
+        }
+        sum += entering * (1.0 - lobes.diffuseTransmission) * surface.lobes.baseColor * localL.z;
+        if (h == glm::dvec3(0.0) || localL.z <= minNDotL) return sum;
+        const glm::dvec3 localH = frame.local(h);
+        sum += base.specular(localL, localV, localH, glm::dot(v, h)) * belowSheen * localL.z;
+        if (maxChannel(lobes.sheenColor) == 0.0) return sum;
+        const double cloth =
+            distributionCharlie(localH.z, lobes.sheenRoughness) * visibilityNeubelt(localL.z, localV.z);
+        return sum + lobes.sheenColor * (cloth / std::max(sheen, 1.0) * coat.below * localL.z);
+    }
+};
 
 }  // namespace
 
@@ -176,28 +231,13 @@ void requireExtendedLobes(const SurfacePoint& surface) {
 
 glm::dvec3 extendedReflection(BrdfModel model, const SurfacePoint& surface, const glm::dvec3& l,
                               const glm::dvec3& v) {
-    const ExtendedLobes<double>& lobes = *surface.extended;
-    const Frame frame(surface);
-    const glm::dvec3 localL = frame.local(l), trueV = frame.local(v), h = halfVector(l, v);
-    const glm::dvec3 localV(trueV.x, trueV.y, std::max(trueV.z, minNDotV));
-    const Base base(model, surface, localV);
-    const double sheen = sheenAlbedo(localV.z, lobes.sheenRoughness);
-    const double coat = belowCoat(model, lobes, v);
-    const double belowSheen = coat * (1.0 - maxChannel(lobes.sheenColor) * std::min(sheen, 1.0));
-    const glm::dvec3 entering = glm::max(1.0 - base.reflected(), 0.0) * (1.0 - surface.lobes.metallic) *
-                                (1.0 - lobes.transmission) * belowSheen / std::numbers::pi;
-    glm::dvec3 sum = glm::dvec3(lobes.clearcoat * coatReflection(model, lobes, l, v));
-    if (localL.z < 0.0) {
-        return sum +
-               entering * lobes.diffuseTransmission * lobes.diffuseTransmissionColor * std::abs(localL.z);
-    }
-    sum += entering * (1.0 - lobes.diffuseTransmission) * surface.lobes.baseColor * localL.z;
-    if (h == glm::dvec3(0.0) || localL.z <= minNDotL) return sum;
-    const glm::dvec3 localH = frame.local(h);
-    sum += base.specular(localL, localV, localH, glm::dot(v, h)) * belowSheen * localL.z;
-    const double cloth =
-        distributionCharlie(localH.z, lobes.sheenRoughness) * visibilityNeubelt(localL.z, localV.z);
-    return sum + lobes.sheenColor * (cloth / std::max(sheen, 1.0) * coat * localL.z);
+    return Reflection(model, surface, v).from(l);
+}
+
+std::function<glm::dvec3(const glm::dvec3& l)> extendedReflectionTowards(BrdfModel model,
+                                                                         const SurfacePoint& surface,
+                                                                         const glm::dvec3& v) {
+    return [reflection = Reflection(model, surface, v)](const glm::dvec3& l) { return reflection.from(l); };
 }
 
 }  // namespace candela

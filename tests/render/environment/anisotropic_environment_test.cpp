@@ -1,5 +1,6 @@
 // Anisotropic metal under environments, against the integral of its lobe over the sky in double precision.
 
+#include "shading/extended_brdf.h"
 #include "support/drawing_test.h"
 #include "support/lobe_pixels.h"
 #include "support/procedural_scene.h"
@@ -94,11 +95,11 @@ class AnisotropicEnvironmentTest : public DrawingTest {
                                  aovs.scalar("roughness", x, y)};
                 surface.extended = extended;
                 const glm::dvec3 v = glm::normalize(glm::dvec3(front.eye()) - surface.position);
+                const auto reflectionOf = extendedReflectionTowards(model, surface, v);
                 glm::dvec3 expected(0.0);
                 for (const SkyTexel& texel : texels) {
                     if (glm::dot(texel.direction, surface.normal) <= 0.0) continue;
-                    expected += texel.radiance * texel.solidAngle *
-                                evaluateReflection(model, surface, texel.direction, v);
+                    expected += texel.radiance * texel.solidAngle * reflectionOf(texel.direction);
                 }
                 const glm::dvec3 actual(aovs.vector("environment", x, y));
                 const double error = std::abs(actual.g - expected.g) / (expected.g + 0.05 * mean);
