@@ -130,7 +130,11 @@ void Renderer::State::bindFrame() {
 
 void Renderer::State::drawGeometry(const GpuScene::State& scene, const GBufferTargets& into, SurfaceSet set,
                                    LoadOp radianceLoad) {
-    scene.cull(frame->frustum, draws);
+    // What is not drawn by depth alone, such as debug views, takes all surfaces.
+    if (set == SurfaceSet::opaque)
+        scene.cullOccluded(frame->frustum, frame->uniforms, draws);
+    else
+        scene.cull(frame->frustum, draws);
     scene.triangleFilter->filter(draws, frame->uniforms);
     geometry.render({scene, draws, into, radianceLoad, set, scene.triangleFilter.get(), nullptr,
                      hasHostSurfaces() ? &hostDraws : nullptr});

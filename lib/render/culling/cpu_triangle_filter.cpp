@@ -82,12 +82,41 @@ void CpuTriangleFilter::filterClusters(Share& share, const layout::FilterView& v
         const auto count = static_cast<std::uint32_t>(std::countr_one(kept >> first));
         kept &= ~(((std::uint64_t{1} << count) - 1) << first);
         const std::uint32_t end = std::min((first + count) * clusterIndices, share.indexCount);
-        job.indices = scene_.meshes.mappedIndices().data() + share.firstIndex + first * clusterIndices;
-        job.count = (end - first * clusterIndices) / 3;
-        job.out = out + share.kept;
-        share.kept += kernel_.filter(job);
-        share.inKeptClusters += 3 * job.count;
+        const IndexRange indices{first * clusterIndices, end - first * clusterIndices};
+        share.inKeptClusters += indices.count;
+        filterVisible(share, job, indices, out);
     }
+}
+
+/// Filters indices of the share, but for triangles that others hide.
+void CpuTriangleFilter::filterVisible(Share& share, FilterTriangles& job, const IndexRange& indices,
+                                      std::uint32_t* out) const {
+    const std::uint32_t instance = draws_[share.draw].instance;
+    const std::uint32_t base =
+        share.firstIndex - scene_.meshes.places()[*scene_.instances[instance].mesh].firstIndex;
+    std::uint32_t first = indices.first;
+    const std::uint32_t end = first + indices.count;
+    // Triangles of a mesh are counted in threes of its indices; a draw that starts between them has none
+    // hidden.
+    if (base % 3 == 0) {
+        const HiddenTriangle beyond{instance, (base + end) / 3};
+        auto hidden = std::ranges::lower_bound(hidden_, HiddenTriangle{instance, (base + first) / 3});
+        for (; hidden != hidden_.end() && *hidden < beyond; ++hidden) {
+            const std::uint32_t at = 3 * hidden->triangle - base;
+            filterRun(share, job, {first, at - first}, out);
+            first = at + 3;
+        }
+    }
+    filterRun(share, job, {first, end - first}, out);
+}
+
+void CpuTriangleFilter::filterRun(Share& share, FilterTriangles& job, const IndexRange& indices,
+                                  std::uint32_t* out) const {
+    if (indices.count == 0) return;
+    job.indices = scene_.meshes.mappedIndices().data() + share.firstIndex + indices.first;
+    job.count = indices.count / 3;
+    job.out = out + share.kept;
+    share.kept += kernel_.filter(job);
 }
 
 /// Copies what the threads have kept to the device, in the order of the draws.
@@ -122,6 +151,7 @@ void CpuTriangleFilter::writeCommands() {
 void CpuTriangleFilter::filter(const DrawSelection& selection, const layout::FrameUniforms& frame) {
     plan(selection, {MeshClusters::minIndices, maxIndices, SurfaceSet::all});
     planShares();
+    hidden_ = selection.hiddenTriangles();
     const FilterCamera camera(frame);
     const std::shared_ptr<ThreadPool> pool = ThreadPool::shared();
     kept_.resize(pool->size());

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace candela {
@@ -39,10 +40,14 @@ class CpuTriangleFilter final : public TriangleFilter {
     void planShares();
     void filterShare(Share& share, unsigned worker, const FilterCamera& camera);
     void filterClusters(Share& share, const layout::FilterView& view, std::uint32_t* out) const;
+    void filterVisible(Share& share, FilterTriangles& job, const IndexRange& indices,
+                       std::uint32_t* out) const;
+    void filterRun(Share& share, FilterTriangles& job, const IndexRange& indices, std::uint32_t* out) const;
     void gather();
     void writeCommands();
 
     const TriangleFilterKernel& kernel_;
+    std::span<const HiddenTriangle> hidden_;  ///< Of the call in progress.
     std::vector<Share> shares_;
     std::vector<Kept> kept_;  ///< One a thread.
 };

@@ -130,6 +130,13 @@ struct DrawnPart {
     std::uint32_t material = 0;  ///< Index into `Scene::materials`; their number: none.
 };
 
+/// A triangle of an instance's mesh that others hide; counted from the first of the mesh.
+struct HiddenTriangle {
+    std::uint32_t instance, triangle;
+
+    auto operator<=>(const HiddenTriangle&) const = default;
+};
+
 /// What culling has left for one view: the draw commands, and the cages among the instances. A selection is
 /// filled by `GpuScene::State::cull` as often as needed and keeps its storage. It holds for the scene as of
 /// that call: cull again after an update of the scene.
@@ -152,6 +159,8 @@ class DrawSelection {
     Backdrop backdrop() const;
     /// Instances that show cages.
     std::span<const std::uint32_t> cageInstances() const { return cageInstances_; }
+    /// Those of the instances left which a triangle filter need not draw, in order.
+    std::span<const HiddenTriangle> hiddenTriangles() const { return hiddenTriangles_; }
     std::size_t commandCount() const { return commands_.size(); }
     /// Draws of one instance each.
     std::size_t drawCount() const;
@@ -175,7 +184,8 @@ class DrawSelection {
 
     std::vector<DrawCommand> commands_;
     std::vector<DrawBatch> batches_;
-    std::vector<std::uint32_t> cageInstances_, transparentInstances_;
+    std::vector<HiddenTriangle> hiddenTriangles_;
+    std::vector<std::uint32_t> meshInstances_, cageInstances_, transparentInstances_;
     gl::Buffer commandBuffer_{"draw commands", gl::BufferUsage::dynamic};
 };
 
@@ -244,6 +254,12 @@ class DrawList {
     DrawGeometry geometryOf(std::uint32_t instance) const;
     /// Its triangles.
     std::vector<DrawnPart> partsOf(std::uint32_t instance) const;
+    /// Calls `visit(key, material, indices)` for each of its draws.
+    template <typename Visit>
+    void visitDraws(std::uint32_t instance, const Visit& visit) const {
+        for (const Draw& draw : drawsOf(instance))
+            visit(keyOf(draw), draw.material, IndexRange{draw.command.firstIndex, draw.command.count});
+    }
 
     /// The textures of the further lobes of draws with a key.
     const LobeTextures& lobeTextures(const PipelineKey& key) const { return lobeSets_[key.lobeTextures]; }

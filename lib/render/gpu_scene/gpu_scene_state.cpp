@@ -4,6 +4,7 @@
 #include "gl/state_guard.h"
 #include "render/culling/compute_triangle_filter.h"
 #include "render/culling/cpu_triangle_filter.h"
+#include "render/culling/occlusion_culler.h"
 #include "render/environment/gpu_environment.h"
 #include "render/occlusion/occlusion_scene.h"
 #include "scene/geometry/axes.h"
@@ -149,6 +150,7 @@ GpuScene::State::~State() = default;
 void GpuScene::State::createTriangleFilter(const Context& context) {
     if (context.isSoftware()) {
         triangleFilter = std::make_unique<CpuTriangleFilter>(*this);
+        occlusionCuller = std::make_unique<OcclusionCuller>(*this);
     } else {
         triangleFilter = std::make_unique<ComputeTriangleFilter>(*this);
     }
@@ -379,14 +381,32 @@ void GpuScene::State::updateOcclusion() {
     occlusion->update(*this);
 }
 
-void GpuScene::State::cull(const Frustum& frustum, DrawSelection& selection) const {
+/// Sets the distances of all instances, and lists those in view.
+void GpuScene::State::selectVisible(const Frustum& frustum, DrawSelection& selection) const {
     selection.distances_.resize(instances.size());
     selection.cageInstances_.clear();
+    selection.meshInstances_.clear();
+    selection.hiddenTriangles_.clear();
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
         const bool visible = instances.isVisible(i, frustum);
         selection.distances_[i] =
             visible ? distanceClass(instances.farthestDepth(i, frustum)) : DrawSelection::hidden;
-        if (visible && !instances[i].mesh) selection.cageInstances_.push_back(i);
+        if (visible) (instances[i].mesh ? selection.meshInstances_ : selection.cageInstances_).push_back(i);
+    }
+}
+
+void GpuScene::State::cull(const Frustum& frustum, DrawSelection& selection) const {
+    selectVisible(frustum, selection);
+    draws.cull(selection);
+}
+
+void GpuScene::State::cullOccluded(const Frustum& frustum, const layout::FrameUniforms& frame,
+                                   DrawSelection& selection) const {
+    selectVisible(frustum, selection);
+    if (occlusionCuller) {
+        const OcclusionCuller::Hidden hidden = occlusionCuller->findHidden(frame, selection.meshInstances_);
+        for (const std::uint32_t i : hidden.instances) selection.distances_[i] = DrawSelection::hidden;
+        selection.hiddenTriangles_.assign(hidden.triangles.begin(), hidden.triangles.end());
     }
     draws.cull(selection);
 }

@@ -28,6 +28,7 @@
 namespace candela {
 
 class GpuEnvironment;
+class OcclusionCuller;
 class OcclusionScene;
 class TriangleFilter;
 
@@ -94,6 +95,10 @@ struct GpuScene::State {
     void updateOcclusion();
     /// Selects the draws whose bounding spheres the frustum meets. To be called after `update`.
     void cull(const Frustum& frustum, DrawSelection& selection) const;
+    /// The same without instances of meshes that opaque ones hide wholly (`OcclusionCuller`), for what is
+    /// drawn with a depth test alone. All are selected on hardware devices.
+    void cullOccluded(const Frustum& frustum, const layout::FrameUniforms& frame,
+                      DrawSelection& selection) const;
 
     /// Binds the vertices of the meshes to a vertex array.
     void describeMeshes(const gl::VertexArray& array) const;
@@ -142,6 +147,7 @@ struct GpuScene::State {
     gl::VertexArray vertexArray{"meshes"};
     gl::VertexArray furtherUvArray{"meshes with further texture coordinates"};  ///< For keys that read these.
     std::unique_ptr<TriangleFilter> triangleFilter;
+    std::unique_ptr<OcclusionCuller> occlusionCuller;  ///< Null on hardware devices.
 
   private:
     void requireFreshImages(const Material& material, const ErrorContext& element) const;
@@ -182,6 +188,7 @@ struct GpuScene::State {
     void updateLight(std::uint32_t index);
     void updateVisibility(std::uint32_t root);
     void applyVisibility(std::uint32_t node);
+    void selectVisible(const Frustum& frustum, DrawSelection& selection) const;
     void createTriangleFilter(const Context& context);
     void addDraws(const Scene& scene);
     RangeRule rangeRule() const;
