@@ -20,9 +20,10 @@ struct AnimationChannel {
     std::uint32_t node = 0;
     AnimationPath path = AnimationPath::translation;
     Interpolation interpolation = Interpolation::linear;  ///< Linear is spherical for rotations.
-    std::vector<float> times;                             ///< Seconds, strictly increasing, one or more.
-    std::vector<float> values;  ///< 3 numbers per key, 4 (x, y, z, w) for rotations, one per morph target for
-                                ///< morph weights; cubic splines hold in-tangent, value and out-tangent.
+    std::vector<float> times = {};                        ///< Seconds, strictly increasing, one or more.
+    /// 3 numbers per key, 4 (x, y, z, w) for rotations, one per morph target for morph weights; cubic
+    /// splines hold in-tangent, value and out-tangent.
+    std::vector<float> values = {};
     /// Of morph weights: the only target whose weight changes, one number per key. None: all of them.
     std::optional<std::uint32_t> morphTarget = {};
 };
@@ -93,16 +94,16 @@ struct PropertyChannel {
     std::uint32_t element = 0;
     TextureSlot texture = TextureSlot::baseColor;  ///< Of properties of textures.
     Interpolation interpolation = Interpolation::linear;
-    std::vector<float> times;   ///< As in `AnimationChannel`.
-    std::vector<float> values;  ///< So many numbers per key as a value has, three times as many for cubic
-                                ///< splines.
+    std::vector<float> times = {};   ///< As in `AnimationChannel`.
+    std::vector<float> values = {};  ///< So many numbers per key as a value has, three times as many for
+                                     ///< cubic splines.
 };
 
 /// Channels that play together. Before its first key a channel holds its first value, after its last key its
 /// last.
 struct Animation {
-    std::string name;
-    std::vector<AnimationChannel> channels;
+    std::string name = {};
+    std::vector<AnimationChannel> channels = {};
     bool plays = true;  ///< False: `worldTransforms` and the like pose nodes as if it were not there.
     std::vector<PropertyChannel> properties = {};
 };

@@ -15,7 +15,7 @@ namespace candela {
 
 /// A camera of a scene. It looks along -Z of its node's frame with +Y up.
 struct Camera {
-    std::string name;               ///< The camera's own; its node may have another one.
+    std::string name = {};          ///< The camera's own; its node may have another one.
     float verticalFov = 0.785398f;  ///< Radians, over 0 and under pi; default 45 degrees.
     /// Metres, over 0: an orthographic camera. None: a perspective one.
     std::optional<float> orthographicHeight = {};

@@ -11,15 +11,15 @@ namespace candela {
 
 /// An EGL device of this machine.
 struct Device {
-    int index = 0;            ///< What `DeviceOptions::index` takes.
-    std::string description;  ///< Its render node or "software rasteriser".
+    int index = 0;                 ///< What `DeviceOptions::index` takes.
+    std::string description = {};  ///< Its render node or "software rasteriser".
     bool software = false;
 };
 
 /// An attempt to create a context, and its outcome.
 struct ContextAttempt {
-    std::string way;      ///< Such as "EGL device 0 (/dev/dri/renderD128)".
-    std::string outcome;  ///< The renderer's name, or why it failed.
+    std::string way = {};      ///< Such as "EGL device 0 (/dev/dri/renderD128)".
+    std::string outcome = {};  ///< The renderer's name, or why it failed.
 };
 
 /// Which device a headless context runs on. By default GPUs first, then the software device, then a

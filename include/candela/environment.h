@@ -15,7 +15,7 @@ struct Environment {
     /// Radiance in linear Rec.709, candela per square metre, 0 or more; alpha is not read. Equirectangular:
     /// rows from the top (+Y), columns from the left, where the middle column lies at -Z, the quarter to its
     /// right at +X and the borders at +Z. Its format is `PixelFormat::rgba32f`.
-    Image picture;
+    Image picture = {};
     glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< World from the picture's frame; unit length.
     float intensity = 1.0f;                      ///< Factor on the radiance, 0 or more and finite.
     bool isBackground = true;  ///< Whether it is seen behind the scene, where no surface is.
@@ -49,8 +49,8 @@ struct SkyOptions {
 
 /// A cloudless sky by day without its sun, and the sun as a directional light.
 struct Sky {
-    Environment environment;  ///< Below the horizon lies grey ground.
-    Light sun;                ///< It casts shadows.
+    Environment environment = {};  ///< Below the horizon lies grey ground.
+    Light sun = {};                ///< It casts shadows.
 };
 
 /// A clear sky by the model of Preetham, Shirley and Smits, "A Practical Analytic Model for Daylight", 1999.

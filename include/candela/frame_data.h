@@ -15,7 +15,7 @@
 namespace candela {
 
 struct PassTime {
-    std::string name;
+    std::string name = {};
     double milliseconds = 0.0;
 };
 
@@ -47,24 +47,25 @@ struct LayerCounts {
 /// where an opaque one is, 0 on the background, 1 - the product of 1 - alpha of transparent ones.
 struct HdrImage {
     int width = 0, height = 0;
-    std::vector<float> rgba;  ///< 4 × width × height.
+    std::vector<float> rgba = {};  ///< 4 × width × height.
 };
 
 /// An arbitrary output variable of a frame.
 struct Aov {
-    std::string name;                        ///< As in `gbufferChannels`.
-    std::vector<std::string> channels;       ///< Names as in the EXR file.
-    std::vector<std::vector<float>> values;  ///< One array per channel: width × height, rows from the top.
+    std::string name = {};                   ///< As in `gbufferChannels`.
+    std::vector<std::string> channels = {};  ///< Names as in the EXR file.
+    /// One array per channel: width × height, rows from the top.
+    std::vector<std::vector<float>> values = {};
 };
 
 /// A texture that a frame has been drawn into; see `Frame::textures`.
 struct FrameTexture {
-    std::string name;                  ///< "radiance", "depth", "surface", "shadow", ...: docs/embedding.md.
+    std::string name = {};             ///< "radiance", "depth", "surface", "shadow", ...: docs/embedding.md.
     std::uint32_t texture = 0;         ///< Its OpenGL name.
     std::uint32_t target = 0;          ///< GL_TEXTURE_2D.
     std::uint32_t internalFormat = 0;  ///< Such as GL_RGBA32F.
     int width = 0, height = 0;         ///< Pixels; rows from the bottom.
-    std::string meaning;               ///< Of its values.
+    std::string meaning = {};          ///< Of its values.
 };
 
 /// Pixels of a frame: columns from `x` and rows from `y` (from the top).

@@ -20,11 +20,11 @@ enum class SampleFilter {
 
 /// A channel of a frame: a quantity that AOVs and debug views show.
 struct GBufferChannel {
-    const char* name;        ///< The AOV's, such as "base_color".
-    const char* components;  ///< A letter for each, such as "RGB" or "XYZ"; empty for a scalar.
-    const char* meaning;     ///< With unit.
-    const char* encoding;    ///< How the G-buffer stores it.
-    const char* format;      ///< The bits it takes there.
+    const char* name = "";        ///< The AOV's, such as "base_color".
+    const char* components = "";  ///< A letter for each, such as "RGB" or "XYZ"; empty for a scalar.
+    const char* meaning = "";     ///< With unit.
+    const char* encoding = "";    ///< How the G-buffer stores it.
+    const char* format = "";      ///< The bits it takes there.
     SampleFilter filter = SampleFilter::average;
 };
 

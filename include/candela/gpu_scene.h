@@ -75,15 +75,15 @@ struct BufferRange {
 
 /// A light in a buffer (`GpuScene::setLights`): four vec4, as std430 lays them out.
 struct LightRecord {
-    float position[3];   ///< As `WorldLight`, likewise the others.
-    float range;         ///< 0: none given.
-    float direction[3];  ///< Unit length.
-    float type;          ///< The number of the `LightType`: 0, 1 or 2.
-    float intensity[3];
-    float castsShadow;  ///< 0 or 1.
-    float innerConeAngle, outerConeAngle;
-    float radius;
-    float unused;
+    float position[3] = {};   ///< As `WorldLight`, likewise the others.
+    float range = {};         ///< 0: none given.
+    float direction[3] = {};  ///< Unit length.
+    float type = {};          ///< The number of the `LightType`: 0, 1 or 2.
+    float intensity[3] = {};
+    float castsShadow = {};  ///< 0 or 1.
+    float innerConeAngle = {}, outerConeAngle = {};
+    float radius = {};
+    float unused = {};
 };
 
 /// The lights of a `GpuScene` as of the last frame, upload or `setLights`.
@@ -105,15 +105,15 @@ struct CageReport {
     std::uint32_t minLevel = 0, maxLevel = 0;  ///< Levels drawn; 0 without a subdivider or a frame.
     std::uint64_t lodClamped = 0;  ///< Nodes whose cage has a lower level than `edgePixels` requests, because
                                    ///< of `maxLevel` or `maxVertices`.
-    std::string evaluator;         ///< What has computed the vertices: "cpu" or "compute"; empty before.
+    std::string evaluator = {};    ///< What has computed the vertices: "cpu" or "compute"; empty before.
 };
 
 /// The meshes of a `GpuScene` that skins or morph targets move.
 struct DeformationReport {
     std::uint64_t meshes = 0;    ///< Nodes that show such a mesh.
     std::uint64_t vertices = 0;  ///< Of all of these together.
-    std::string
-        evaluator;  ///< What has deformed them last: "cpu" or "compute"; empty before the first frame.
+    /// What has deformed them last: "cpu" or "compute"; empty before the first frame.
+    std::string evaluator = {};
 };
 
 /// The structure that occlusion rays are traced in, as of the last frame with shadows; all 0 before.
@@ -162,7 +162,7 @@ class CANDELA_API GpuScene {
     /// there is no such node, a number is not finite or the last row is not 0, 0, 0, 1.
     void setTransform(NodeHandle node, const glm::mat4& local);
     struct NodeTransform {
-        NodeHandle node;
+        NodeHandle node = {};
         glm::mat4 local{1.0f};
     };
     /// The same of many nodes. Of one that is listed twice the later matrix counts. All are checked before
@@ -193,7 +193,7 @@ class CANDELA_API GpuScene {
     /// visible in the scene (`Node::visible`) stays so. Throws `Error` (badInput) when there is no such node.
     void setVisibility(NodeHandle node, Visibility visibility);
     struct NodeVisibility {
-        NodeHandle node;
+        NodeHandle node = {};
         Visibility visibility = Visibility::shown;
     };
     /// The same of many nodes. All are checked before any is changed.

@@ -22,10 +22,10 @@ constexpr std::size_t texelSize(PixelFormat format) {
 
 /// A picture that materials refer to.
 struct Image {
-    std::string name;
+    std::string name = {};
     std::uint32_t width = 0, height = 0;  ///< 1 to 32768.
     PixelFormat format = PixelFormat::rgba8;
-    std::vector<std::byte> pixels;  ///< width × height × texelSize(format) bytes.
+    std::vector<std::byte> pixels = {};  ///< width × height × texelSize(format) bytes.
 };
 
 }  // namespace candela

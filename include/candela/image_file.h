@@ -29,7 +29,7 @@ struct DisplayEncoding {
     enum class Transfer { srgb, gamma, unknown };
     Transfer transfer = Transfer::srgb;
     double gamma = 2.2;  ///< Of Transfer::gamma: display light is code value to this power.
-    std::optional<Chromaticities> chromaticities;  ///< None when unknown.
+    std::optional<Chromaticities> chromaticities = {};  ///< None when unknown.
 };
 
 /// How a PNG is compressed. Of every level the pixels are the same.
@@ -48,8 +48,8 @@ enum class ExrPixelType {
 
 /// One channel of an EXR file: width × height floats, rows from the top.
 struct ExrChannel {
-    std::string name;
-    std::span<const float> values;
+    std::string name = {};
+    std::span<const float> values = {};
     ExrPixelType type = ExrPixelType::float32;
 };
 
@@ -83,8 +83,8 @@ using ExrValue = std::variant<std::string, std::int32_t, float, ExrRational, glm
 /// An attribute in the header of an EXR file.
 struct ExrAttribute {
     /// 1 to 255 bytes; of those that the file format itself defines only screenWindowWidth.
-    std::string name;
-    ExrValue value;
+    std::string name = {};
+    ExrValue value = {};
 };
 
 /// Encodes 8-bit RGBA, rows from the top, straight (not premultiplied) alpha, as PNG, tagged with `encoding`.
@@ -117,8 +117,9 @@ CANDELA_API void writeExr(const std::filesystem::path& path, std::uint32_t width
 
 /// A picture of linear light, and what was repaired in it.
 struct HdrFile {
-    Image image;  ///< `PixelFormat::rgba32f`, linear Rec.709, 0 to 1e20; alpha is 1. Its name is the file's.
-    std::vector<std::string> notes;  ///< A line each, which begins with the path.
+    /// `PixelFormat::rgba32f`, linear Rec.709, 0 to 1e20; alpha is 1. Its name is the file's.
+    Image image = {};
+    std::vector<std::string> notes = {};  ///< A line each, which begins with the path.
 };
 
 /// Reads a Radiance picture (.hdr: run-length coded or not, RGB or XYZ, any orientation; exposure and colour

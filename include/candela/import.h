@@ -21,8 +21,9 @@ enum class NoteKind {
 /// What an import did with one or more elements of the file.
 struct CANDELA_API ImportNote {
     NoteKind kind = NoteKind::missing;
-    std::string text;                   ///< One line of UTF-8, which names no element.
-    std::vector<std::string> elements;  ///< "mesh 3 'wheel'", each once; none: the note is about the file.
+    std::string text = {};  ///< One line of UTF-8, which names no element.
+    /// "mesh 3 'wheel'", each once; none: the note is about the file.
+    std::vector<std::string> elements = {};
     std::size_t count = 1;  ///< The number of elements, or how often the note was made where it has none.
 
     /// As programs print it: "mesh 3 'wheel' and 4 more: TEXT", or "TEXT (5 times)" without elements.
@@ -38,22 +39,22 @@ enum class UpAxis { y, z, x };
 struct SceneInfo {
     UpAxis upAxis = UpAxis::y;   ///< Of the file.
     double metresPerUnit = 1.0;  ///< Of the file, over 0.
-    std::string generator;       ///< The program that wrote it; empty where that is not known.
-    std::string copyright;       ///< To whom it belongs; empty where that is not known.
+    std::string generator = {};  ///< The program that wrote it; empty where that is not known.
+    std::string copyright = {};  ///< To whom it belongs; empty where that is not known.
 };
 
 struct ImportReport {
-    std::string plugin;  ///< Name of the plugin that read the scene.
+    std::string plugin = {};  ///< Name of the plugin that read the scene.
     SceneInfo info = {};
     /// What is not in the picture before what was repaired before information, each kind with the largest
     /// counts first. Notes of the same kind and text are one. Of more than 1000 the last ones are only
     /// counted, in a note of their own.
-    std::vector<ImportNote> notes;
+    std::vector<ImportNote> notes = {};
 };
 
 struct ImportedScene {
-    Scene scene;
-    ImportReport report;
+    Scene scene = {};
+    ImportReport report = {};
 };
 
 /// Called with the fraction done, 0 to 1, on the thread that called `importScene`. Returning false cancels
@@ -68,7 +69,7 @@ enum class Strictness {
 
 struct ImportOptions {
     Strictness strictness = Strictness::tolerant;
-    ImportProgress progress;  ///< May be empty.
+    ImportProgress progress = {};  ///< May be empty.
 };
 
 /// Reads a scene through the plugin that takes its scheme ("plaza:4096") or its file name ending

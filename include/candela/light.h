@@ -15,17 +15,17 @@ enum class LightType { point, spot, directional };
 
 /// A punctual light of a scene, as in KHR_lights_punctual. It is given in the frame of its node.
 struct Light {
-    std::string name;
+    std::string name = {};
     LightType type = LightType::point;
     glm::vec3 color{1.0f};   ///< Linear Rec.709, 0 or more.
     float intensity = 1.0f;  ///< Luminous intensity in candela; for a directional light illuminance in lux.
-    std::optional<float>
-        range;  ///< Metres, over 0. None: the renderer sets one: `GpuSceneOptions::rangeLoss`.
+    /// Metres, over 0. None: the renderer sets one: `GpuSceneOptions::rangeLoss`.
+    std::optional<float> range = {};
     float innerConeAngle = 0.0f;             ///< Spot: radians, 0 or more, less than `outerConeAngle`.
     float outerConeAngle = 0.785398f;        ///< Spot: radians, at most pi / 2.
     glm::vec3 position{0.0f};                ///< In the node's frame.
     glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< In the node's frame, unit length: where the light goes.
-    std::optional<std::uint32_t> node;       ///< Index into `Scene::nodes`; none: the world's frame.
+    std::optional<std::uint32_t> node = {};  ///< Index into `Scene::nodes`; none: the world's frame.
     /// Whether surfaces keep its light from what lies behind them. False: it reaches all that is within its
     /// range.
     bool castsShadow = true;

@@ -21,18 +21,18 @@ struct Transform {
 
 /// A node of the hierarchy. Parents precede their children in `Scene::nodes`.
 struct Node {
-    std::string name;
-    std::optional<std::uint32_t> parent;  ///< Index into `Scene::nodes`, less than this node's own.
+    std::string name = {};
+    std::optional<std::uint32_t> parent = {};  ///< Index into `Scene::nodes`, less than this node's own.
     std::variant<Transform, glm::mat4> transform =
-        Transform{};                    ///< Local; an affine matrix where the file gives one.
-    std::optional<std::uint32_t> mesh;  ///< Index into `Scene::meshes`.
-    std::optional<std::uint32_t> cage;  ///< Index into `Scene::cages`.
+        Transform{};                         ///< Local; an affine matrix where the file gives one.
+    std::optional<std::uint32_t> mesh = {};  ///< Index into `Scene::meshes`.
+    std::optional<std::uint32_t> cage = {};  ///< Index into `Scene::cages`.
     /// Index into `Scene::skins`: moves the node's mesh and cage, where these have joints. What a skin moves
     /// is placed by the joints, not by the node.
-    std::optional<std::uint32_t> skin;
+    std::optional<std::uint32_t> skin = {};
     /// One per morph target of the node's mesh or cage (where both have targets, they have as many); empty:
     /// all 0.
-    std::vector<float> morphWeights;
+    std::vector<float> morphWeights = {};
     /// Metres, added to the local translation in double precision: what a float can not hold of it.
     glm::dvec3 translationRemainder{0.0};
     /// Whether the node's own mesh and cage cast shadows; its children are not affected.

@@ -14,8 +14,8 @@ namespace candela {
 
 /// How the faces of a panorama are drawn.
 struct PanoramaFaces {
-    int size = 0;                     ///< Pixels a side of each face.
-    std::array<CameraView, 6> views;  ///< In the order of `cubeViews`.
+    int size = 0;                          ///< Pixels a side of each face.
+    std::array<CameraView, 6> views = {};  ///< In the order of `cubeViews`.
 };
 
 /// The faces of a panorama that is `width` pixels wide, 4 or more and even, and half as high, around the eye

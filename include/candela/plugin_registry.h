@@ -31,24 +31,25 @@ enum class PluginOptionType { flag, integer, number, text, keyword };
 
 /// An option that an importer takes in the query behind a file's name: "model.obj?level=3&flip".
 struct PluginOption {
-    std::string name, help;
+    std::string name = {}, help = {};
     PluginOptionType type = PluginOptionType::flag;
-    double minimum = 0.0, maximum = 0.0;  ///< Of integers and numbers, both included; equal: no limits.
-    std::vector<std::string> keywords;    ///< Of a keyword. The first one holds where no value is given.
+    double minimum = 0.0, maximum = 0.0;     ///< Of integers and numbers, both included; equal: no limits.
+    std::vector<std::string> keywords = {};  ///< Of a keyword. The first one holds where no value is given.
 };
 
 /// The option with its value as it may be given, such as "level=1..8" or "subdivide[=catmullClark|loop]".
 CANDELA_API std::string usageOf(const PluginOption& option);
 
 struct PluginReport {
-    std::filesystem::path file;
+    std::filesystem::path file = {};
     PluginState state = PluginState::loaded;
-    std::string detail;                            ///< Why, in one line; empty when loaded.
-    std::string name, version, description;        ///< Of the plugin, where its description could be read.
-    std::vector<std::string> extensions, schemes;  ///< What its importer takes.
-    bool subdivides = false;                       ///< Whether it has a subdivider.
-    bool decodesImages = false;                    ///< Whether it has an image decoder.
-    std::vector<PluginOption> options;             ///< Of its importer.
+    std::string detail = {};  ///< Why, in one line; empty when loaded.
+    std::string name = {}, version = {},
+                description = {};  ///< Of the plugin, where its description could be read.
+    std::vector<std::string> extensions = {}, schemes = {};  ///< What its importer takes.
+    bool subdivides = false;                                 ///< Whether it has a subdivider.
+    bool decodesImages = false;                              ///< Whether it has an image decoder.
+    std::vector<PluginOption> options = {};                  ///< Of its importer.
 };
 
 /// The plugins of this process. Searched in this order, the first plugin of a name wins: the folders given,

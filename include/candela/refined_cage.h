@@ -16,9 +16,9 @@ namespace candela {
 /// Stencils: a sparse matrix with a stencil per vertex, and for each entry a weight for the value and one for
 /// each of its two derivatives. Stencil i has the entries offsets[i] to offsets[i + 1] - 1.
 struct StencilTable {
-    std::vector<std::uint32_t> offsets;         ///< One more than stencils; empty where there are none.
-    std::vector<std::uint32_t> controlIndices;  ///< One an entry, as are the weights.
-    std::vector<float> weights, duWeights, dvWeights;
+    std::vector<std::uint32_t> offsets = {};         ///< One more than stencils; empty where there are none.
+    std::vector<std::uint32_t> controlIndices = {};  ///< One an entry, as are the weights.
+    std::vector<float> weights = {}, duWeights = {}, dvWeights = {};
 
     std::size_t stencilCount() const { return offsets.empty() ? 0 : offsets.size() - 1; }
 };
@@ -30,13 +30,14 @@ struct StencilTable {
 struct RefinedCage {
     std::uint32_t level = 0;  ///< Each edge of the cage is 2^level edges long; 0: the cage's own polygons.
     std::uint32_t pointCount = 0;
-    std::vector<std::uint32_t> seamPoints;  ///< The point of each seam vertex.
-    StencilTable positions;  ///< One stencil per vertex, of the cage's points. The value weights of a seam
-                             ///< vertex are not used, only those of its derivatives.
-    StencilTable uvs;  ///< One stencil per vertex, of the cage's texture coordinates; none without those.
-    std::uint32_t faceSize = 4;               ///< 3 or 4.
-    std::vector<std::uint32_t> faceVertices;  ///< `faceSize` per face, counter-clockwise.
-    std::vector<std::uint32_t> cageFaces;     ///< The face of the cage that each face belongs to.
+    std::vector<std::uint32_t> seamPoints = {};  ///< The point of each seam vertex.
+    StencilTable positions = {};  ///< One stencil per vertex, of the cage's points. The value weights of a
+                                  ///< seam vertex are not used, only those of its derivatives.
+    /// One stencil per vertex, of the cage's texture coordinates; none without those.
+    StencilTable uvs = {};
+    std::uint32_t faceSize = 4;                    ///< 3 or 4.
+    std::vector<std::uint32_t> faceVertices = {};  ///< `faceSize` per face, counter-clockwise.
+    std::vector<std::uint32_t> cageFaces = {};     ///< The face of the cage that each face belongs to.
 
     std::size_t vertexCount() const { return pointCount + seamPoints.size(); }
     /// The point at which a vertex lies. Throws `Error` (badInput) when there is no such vertex.
@@ -46,9 +47,10 @@ struct RefinedCage {
 /// What `evaluateLimit` writes, one element per vertex. `du` and `dv` may be empty: they are not written
 /// then.
 struct LimitVertices {
-    std::span<glm::vec3> positions;  ///< Metres. All vertices of a point have the same position, bit for bit.
-    std::span<glm::vec3> normals;    ///< du × dv at unit length; (0, 0, 0) where that vanishes.
-    std::span<glm::vec3> du, dv;     ///< Derivatives along the parameters of the face, not normalised.
+    /// Metres. All vertices of a point have the same position, bit for bit.
+    std::span<glm::vec3> positions = {};
+    std::span<glm::vec3> normals = {};      ///< du × dv at unit length; (0, 0, 0) where that vanishes.
+    std::span<glm::vec3> du = {}, dv = {};  ///< Derivatives along the parameters of the face, not normalised.
 };
 
 /// Applies the stencils to the points of the cage, in parallel. The result does not depend on the number of
@@ -60,7 +62,7 @@ CANDELA_API void evaluateLimit(const RefinedCage& refined, std::span<const glm::
 /// The texture coordinates of all vertices, and their derivatives along the parameters of the face; empty
 /// for a cage without texture coordinates.
 struct LimitUvs {
-    std::vector<glm::vec2> uvs, du, dv;
+    std::vector<glm::vec2> uvs = {}, du = {}, dv = {};
 };
 
 /// Applies the stencils to the texture coordinates of the cage, in parallel. Throws `Error` (badInput) when

@@ -28,17 +28,17 @@ namespace candela {
 /// precision, and `origin` is subtracted before anything becomes a float. A light or a camera without a node
 /// is in world space.
 struct Scene {
-    std::vector<Image> images;
-    std::vector<Material> materials;
-    std::vector<std::string> variants;  ///< Names of the looks that `selectVariant` gives the scene.
-    std::vector<Mesh> meshes;
-    std::vector<Cage> cages;
-    std::vector<Skin> skins;
-    std::vector<Node> nodes;  ///< Parents precede children.
-    std::vector<Camera> cameras;
-    std::vector<Light> lights;
-    std::vector<Animation> animations;
-    std::optional<Environment> environment;  ///< None: no light from everywhere.
+    std::vector<Image> images = {};
+    std::vector<Material> materials = {};
+    std::vector<std::string> variants = {};  ///< Names of the looks that `selectVariant` gives the scene.
+    std::vector<Mesh> meshes = {};
+    std::vector<Cage> cages = {};
+    std::vector<Skin> skins = {};
+    std::vector<Node> nodes = {};  ///< Parents precede children.
+    std::vector<Camera> cameras = {};
+    std::vector<Light> lights = {};
+    std::vector<Animation> animations = {};
+    std::optional<Environment> environment = {};  ///< None: no light from everywhere.
     glm::dvec3 origin{0.0};  ///< Metres, at most 1e9 along each axis; 0: world space is that of the file.
 };
 
@@ -74,7 +74,7 @@ CANDELA_API std::vector<WorldLight> worldLights(const Scene& scene, const std::v
 
 /// The points of a mesh or a cage at one time.
 struct PosedPoints {
-    std::vector<glm::vec3> points;  ///< Metres, one per vertex.
+    std::vector<glm::vec3> points = {};  ///< Metres, one per vertex.
     glm::mat4 worldFromPoints{
         1.0f};  ///< The node's world matrix; the identity where a skin moves the points.
 };
@@ -135,9 +135,9 @@ CANDELA_API void selectVariant(Scene& scene, std::optional<std::uint32_t> varian
 /// Point lights that are scattered over a scene.
 struct LightScatter {
     std::uint32_t count = 0;
-    std::optional<float> range;    ///< Metres, over 0. None: twice their mean spacing.
-    std::optional<float> candela;  ///< Each, 0 to 1e20. None: range² / 10.
-    std::uint32_t seed = 1;        ///< Another seed gives other lights.
+    std::optional<float> range = {};    ///< Metres, over 0. None: twice their mean spacing.
+    std::optional<float> candela = {};  ///< Each, 0 to 1e20. None: range² / 10.
+    std::uint32_t seed = 1;             ///< Another seed gives other lights.
 };
 
 /// Appends point lights of saturated colours to a scene. They hover over its surfaces as they stand at time

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 
 namespace candela {
 
@@ -161,6 +162,28 @@ std::vector<std::string> missingFilesOfDocuments(const fs::path& root) {
                     violations.push_back(placeOf(root, file, i + 1) + "there is no " + span);
                 begin = lines[i].find('`', end + 1);
             }
+        }
+    }
+    return violations;
+}
+
+std::vector<std::string> structsNotInitialized(const fs::path& root) {
+    std::string program;
+    for (const std::string& line : readLines(root / "tests/tree/designated_initializers.cpp"))
+        program += line + "\n";
+    const auto initialized = [&](const std::string& name) {
+        return std::regex_search(program, std::regex("\\b" + name + "(<float>)?\\{\\."));
+    };
+    const std::regex declaration("\\s*struct (CANDELA_API )?(\\w+) \\{");
+    std::vector<std::string> violations;
+    for (const fs::path& file : filesBelow(root / "include/candela", {".h"})) {
+        const std::vector<std::string> lines = readLines(file);
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            std::smatch match;
+            if (!std::regex_match(lines[i], match, declaration)) continue;
+            const std::string name = match[2];
+            if (name != "Handle" && !initialized(name))
+                violations.push_back(placeOf(root, file, i + 1) + name + " is not initialised");
         }
     }
     return violations;

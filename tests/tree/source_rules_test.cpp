@@ -30,6 +30,10 @@ TEST(SourceRules, FilesThatDocumentsNameExist) {
     EXPECT_EQ(joined(missingFilesOfDocuments(CANDELA_SOURCE_TREE)), "");
 }
 
+TEST(SourceRules, EveryPublicStructIsInitializedByName) {
+    EXPECT_EQ(joined(structsNotInitialized(CANDELA_SOURCE_TREE)), "");
+}
+
 // A file holds one subject with all that belongs to it. Some are short; their share must not grow
 // unnoticed.
 TEST(SourceRules, ShareOfShortFilesDoesNotGrow) {
@@ -84,6 +88,12 @@ TEST_F(SourceRulesOfGeneratedTree, MissingFilesOfDocumentsAreFound) {
     write("lib/scene/scene.cpp", "");
     write("docs/page.md", "`lib/scene/scene.cpp` and `lib/scene` and `lib/x.h`, `lib/NAME.h`, `a/b`\n");
     EXPECT_EQ(joined(missingFilesOfDocuments(root())), "docs/page.md:1: there is no lib/x.h\n");
+}
+
+TEST_F(SourceRulesOfGeneratedTree, StructsThatAreNotInitializedAreFound) {
+    write("include/candela/scene.h", "struct Scene {\n};\nstruct CANDELA_API Bounds {\n};\nstruct State;\n");
+    write("tests/tree/designated_initializers.cpp", "use(Bounds{.min = {}}, LongScene{.x = 1}, Scene{});\n");
+    EXPECT_EQ(joined(structsNotInitialized(root())), "include/candela/scene.h:1: Scene is not initialised\n");
 }
 
 TEST_F(SourceRulesOfGeneratedTree, ShortFilesAreCounted) {
