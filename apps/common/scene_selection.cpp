@@ -125,9 +125,9 @@ float lastKeyTime(const candela::Animation& animation) {
 }
 
 double lastKeyTime(const candela::Scene& scene) {
-    float last = 0.0f;
+    double last = std::max(candela::frameCallbackSpan(scene).last, 0.0);
     for (const candela::Animation& animation : scene.animations) {
-        if (animation.plays) last = std::max(last, lastKeyTime(animation));
+        if (animation.plays) last = std::max<double>(last, lastKeyTime(animation));
     }
     return last;
 }

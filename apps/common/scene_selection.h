@@ -37,7 +37,7 @@ std::string variantLabel(const candela::Scene& scene, std::uint32_t index);
 /// The last key of an animation, in seconds; 0 without any.
 float lastKeyTime(const candela::Animation& animation);
 
-/// The last key of the animations that play, in seconds; 0 without any.
+/// The last key of the animations that play, or the end of the frame callback, in seconds; 0 without any.
 double lastKeyTime(const candela::Scene& scene);
 
 /// The time at which the scene is posed `seconds` after its start: the same where animations hold their last

@@ -21,7 +21,9 @@ void printAnimations(const candela::Scene& scene) {
                   << (channels == 1 ? " channel" : " channels") << ", to " << lastKeyTime(animation) << " s"
                   << (i == 0 ? "  (default)" : "") << "\n";
     }
-    if (scene.animations.empty()) std::cout << "no animations\n";
+    if (scene.frameCallback)
+        std::cout << "frame callback of the plugin: to " << candela::frameCallbackSpan(scene).last << " s\n";
+    if (!candela::isAnimated(scene)) std::cout << "no animations\n";
 }
 
 void printCameras(const candela::Scene& scene) {

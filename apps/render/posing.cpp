@@ -45,7 +45,7 @@ Lighting::Lighting(RunReport& report, const Options& options, const candela::Sce
 }
 
 void Lighting::pose(double time, const candela::CameraView& view) {
-    if (!scene_.animations.empty()) gpuScene_.setTime(time);
+    if (candela::isAnimated(scene_)) gpuScene_.setTime(time);
     if (!added_) return;
     // An EXR takes no exposure.
     const bool exposed = options_.format != PictureFormat::exr;

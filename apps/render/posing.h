@@ -46,7 +46,7 @@ class Samples {
     /// view of that. None where it is not asked for. Before any `view`.
     std::optional<candela::CameraView> keepFrameBefore();
     /// Whether the times of the samples differ.
-    bool moves() const { return settings_.shutter > 0.0 && !scene_.animations.empty(); }
+    bool moves() const { return settings_.shutter > 0.0 && candela::isAnimated(scene_); }
     std::uint32_t count() const { return settings_.count; }
 
   private:

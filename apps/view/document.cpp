@@ -53,7 +53,8 @@ void Document::setVariant(const std::optional<std::string>& variant, const cande
 }
 
 bool Document::animated() const {
-    return motion_.moving || std::ranges::any_of(scene_.animations, &candela::Animation::plays);
+    return motion_.moving || scene_.frameCallback ||
+           std::ranges::any_of(scene_.animations, &candela::Animation::plays);
 }
 
 void Document::playAnimations(const std::vector<std::uint32_t>& animations) {
@@ -66,15 +67,15 @@ void Document::playAnimations(const std::vector<std::uint32_t>& animations) {
 
 void Document::setTime(double seconds) {
     if (seconds == time_) return;
+    gpuScene_.setTime(seconds);  // A frame callback may fail.
     time_ = seconds;
     ++revision_;
-    gpuScene_.setTime(seconds);
     poseLights();
 }
 
 /// Moves the lights to where their nodes and the time put them.
 void Document::poseLights() {
-    const bool carried = !lightsChanged_ && !scene_.animations.empty();
+    const bool carried = !lightsChanged_ && candela::isAnimated(scene_);
     if (carried) worldLights();
     if (lightsTaken_ && (carried || motion_.moving)) {
         showLights();

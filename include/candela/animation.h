@@ -72,6 +72,7 @@ enum class AnimatedProperty {
     lightRange,  ///< Of a light that has one.
     innerConeAngle,
     outerConeAngle,
+    lightPosition,  ///< 3 numbers.
     // Of a camera, which has the value.
     verticalFov,  ///< Of a perspective camera.
     orthographicHeight,

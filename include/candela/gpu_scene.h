@@ -169,8 +169,9 @@ class CANDELA_API GpuScene {
     /// any is changed.
     void setTransforms(std::span<const NodeTransform> transforms);
     /// Poses all animated nodes, what is below them, and the animated properties of nodes, materials and
-    /// lights, as at `seconds`, a finite number. What is drawn depends on `seconds` alone, and not on the
-    /// times before. Cameras are posed by `cameraView`.
+    /// lights, as at `seconds`, a finite number; so does the scene's frame callback with what it moves. What
+    /// is drawn depends on `seconds` alone, and not on the times before. Cameras are posed by `cameraView`.
+    /// Throws what the frame callback does; the scene stays at the time before then.
     void setTime(double seconds);
     /// Remembers where all nodes are, as set so far, for the AOV `motion`: it shows the way from there.
     /// Before the first call nothing moves but the camera.

@@ -249,6 +249,8 @@ typedef struct candela_mesh {
     const float* const* further_uvs; /* further_uv_count arrays, 2 a vertex each; NULL: not that set */
     float crease_angle; /* radians, 0 to pi: where normals are absent, those of triangles that meet at an edge
                          * at a smaller angle become smooth; 0: flat ones */
+    uint32_t is_moved;  /* 1: the frame callback may move its vertices; influences and morph targets are then
+                         * absent; or 0 */
 } candela_mesh;
 
 /* ---- Subdivision cages (since 1.1) */
@@ -329,6 +331,8 @@ typedef struct candela_cage {
     /* since 1.6: where faces have other materials in variants; a subdivider does not read it */
     uint32_t variant_count;
     const candela_cage_variant* variants; /* one at most for each variant */
+    uint32_t is_moved; /* 1: the frame callback may move its vertices; influences and morph targets are then
+                        * absent; or 0 */
 } candela_cage;
 
 /* The joints that the influences of meshes and cages refer to. */
@@ -510,11 +514,12 @@ typedef enum candela_animated_property {
     CANDELA_PROPERTY_LIGHT_RANGE = 36,      /* of a light that has one */
     CANDELA_PROPERTY_INNER_CONE_ANGLE = 37, /* of a spot light */
     CANDELA_PROPERTY_OUTER_CONE_ANGLE = 38,
+    CANDELA_PROPERTY_LIGHT_POSITION = 39, /* 3 numbers */
     /* of a camera that has the value */
-    CANDELA_PROPERTY_VERTICAL_FOV = 39,
-    CANDELA_PROPERTY_ORTHOGRAPHIC_HEIGHT = 40,
-    CANDELA_PROPERTY_NEAR_PLANE = 41,
-    CANDELA_PROPERTY_FAR_PLANE = 42
+    CANDELA_PROPERTY_VERTICAL_FOV = 40,
+    CANDELA_PROPERTY_ORTHOGRAPHIC_HEIGHT = 41,
+    CANDELA_PROPERTY_NEAR_PLANE = 42,
+    CANDELA_PROPERTY_FAR_PLANE = 43
 } candela_animated_property;
 
 /* The textures of a material, in the order of its members (since 1.6). */
@@ -598,6 +603,60 @@ typedef enum candela_note_kind {
  * `worker_count` and differs between calls that run at the same time. The body must not throw. */
 typedef void (*candela_parallel_body)(void* context, uint32_t index, uint32_t worker);
 
+/* ---- What a plugin changes from frame to frame (since 1.6) */
+/* What the host does for a frame callback. Indices and counts are those of the elements as the importer added
+ * them. A function that does not return CANDELA_OK has recorded its reason; the callback then returns
+ * CANDELA_FAILED. Arrays are copied. What a call does not set is as the importer added it, and as animations
+ * have it; what it sets takes precedence over animations. */
+typedef struct candela_frame {
+    uint32_t struct_size;
+    uint32_t worker_count; /* as in candela_host */
+    void* self;
+    double seconds; /* the time of the scene */
+
+    /* Records why the frame fails; `element` names the part at fault; NULL or empty: none. */
+    void (*fail)(void* self, const char* element, const char* reason);
+    /* The vertices of a mesh with is_moved: 3 numbers each, metres. `vertex_count` is that of the mesh, and
+     * every number is finite and at most 1e9. `normals` are normalised; NULL: the host computes those of
+     * triangles, flat ones for a mesh that was added without normals and crease_angle; otherwise smooth ones,
+     * where vertices of the same position and normal count as one. Tangents stay. */
+    candela_status (*set_vertices)(void* self, int32_t mesh, uint32_t vertex_count, const float* positions,
+                                   const float* normals);
+    /* The same of a cage with is_moved, whose normals come from its limit surface. */
+    candela_status (*set_cage_vertices)(void* self, int32_t cage, uint32_t vertex_count,
+                                        const float* positions);
+    /* The local matrix of a node: 16 numbers, column-major, affine, in double precision for scenes far from
+     * the origin. */
+    candela_status (*set_transform)(void* self, int32_t node, const double* matrix);
+    /* A property of a node, a material, a light or a camera. `element` and `part` are as in
+     * candela_property_channel, `count` is that of the numbers of a value, which are in the property's range.
+     * Not MORPH_WEIGHT. */
+    candela_status (*set_property)(void* self, candela_animated_property property, int32_t element,
+                                   uint32_t part, uint32_t count, const float* numbers);
+    /* As in candela_host: files of the scene's folder, such as the frames of a cache. */
+    candela_status (*file_size)(void* self, const char* path, uint64_t* size);
+    candela_status (*read_file_part)(void* self, const char* path, uint64_t offset, uint64_t size,
+                                     void* into);
+    void (*parallel_for)(void* self, uint32_t count, candela_parallel_body body, void* context);
+} candela_frame;
+
+/* Changes the scene before it is shown at another time. */
+typedef struct candela_frame_callback {
+    uint32_t struct_size;
+    uint32_t unused; /* padding, which is not read */
+    void* user;      /* the plugin's own, handed to the functions */
+    /* Sets what `frame->seconds` changes. Frames are drawn in any order and alone, by several machines, and
+     * a frame with a shutter at several times: what is set depends on the time alone. A simulation keeps a
+     * cache, or computes from its start to the time. Called for one time after another, also before the
+     * import ends, from any thread, but not from two at once. */
+    candela_status (*update)(void* user, const candela_frame* frame);
+    /* Called once, after the last copy of the scene, from any thread; NULL: nothing is to be done. Where
+     * set_frame_callback has not returned CANDELA_OK, neither function is ever called. */
+    void (*destroy)(void* user);
+    double first_second; /* where the motion begins and ends: for time lines, and for cameras that frame it */
+    double last_second;
+} candela_frame_callback;
+
 /* What the host does for an importer. Each function takes the `self` of this struct. The functions that add
  * an element return its index (0, 1, 2, ... for each kind), or -1 when the host refuses it. */
 typedef struct candela_host {
@@ -675,6 +734,8 @@ typedef struct candela_host {
     candela_status (*file_size)(void* self, const char* path, uint64_t* size);
     candela_status (*read_file_part)(void* self, const char* path, uint64_t offset, uint64_t size,
                                      void* into);
+    /* At most once, before or after the elements that it changes. */
+    candela_status (*set_frame_callback)(void* self, const candela_frame_callback* callback);
 } candela_host;
 
 /* ---- The subdivider (since 1.1) */
@@ -859,14 +920,14 @@ CANDELA_PLUGIN_EXPORT const candela_plugin* candela_plugin_query(uint32_t host_m
 #define CANDELA_MESH_INIT                                                                                     \
     {                                                                                                         \
         sizeof(candela_mesh), NULL, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, 0, NULL, 0, NULL, 0,      \
-            NULL, NULL, 0, NULL, NULL, NULL, 0, NULL, NULL, 0, NULL, 0.0f                                     \
+            NULL, NULL, 0, NULL, NULL, NULL, 0, NULL, NULL, 0, NULL, 0.0f, 0                                  \
     }
 #define CANDELA_CAGE_INIT                                                                                     \
     {                                                                                                         \
         sizeof(candela_cage), NULL, CANDELA_SCHEME_CATMULL_CLARK, CANDELA_BOUNDARY_EDGES_AND_CORNERS,         \
             CANDELA_FACE_VARYING_CORNERS_PLUS1, CANDELA_CREASE_UNIFORM, CANDELA_TRIANGLE_CATMULL_CLARK, 0,    \
             NULL, 0, NULL, NULL, 0, NULL, NULL, 0, NULL, NULL, 0, NULL, NULL, 0, NULL, NULL, 0, 0, NULL,      \
-            NULL, 0, NULL, 0, NULL                                                                            \
+            NULL, 0, NULL, 0, NULL, 0                                                                         \
     }
 #define CANDELA_SKIN_INIT                                                                                     \
     { sizeof(candela_skin), NULL, 0, NULL, NULL }
@@ -892,6 +953,8 @@ CANDELA_PLUGIN_EXPORT const candela_plugin* candela_plugin_query(uint32_t host_m
     }
 #define CANDELA_ANIMATION_INIT                                                                                \
     { sizeof(candela_animation), NULL, 0, NULL, 0, NULL }
+#define CANDELA_FRAME_CALLBACK_INIT                                                                           \
+    { sizeof(candela_frame_callback), 0, NULL, NULL, NULL, 0.0, 0.0 }
 #define CANDELA_SCENE_INFO_INIT                                                                               \
     { sizeof(candela_scene_info), CANDELA_UP_Y, 1.0, NULL, NULL }
 

@@ -55,7 +55,8 @@ struct PluginReport {
 /// The plugins of this process. Searched in this order, the first plugin of a name wins: the folders given,
 /// those of `CANDELA_PLUGIN_PATH` (colon-separated), `candela-plugins` beside the library's file, the install
 /// folder. Never the working directory. Plugins stay loaded as long as the registry, or any copy of it,
-/// lives. A registry that was moved from throws `Error` (badInput) when it is asked.
+/// lives, as a scene with a frame callback has one. A registry that was moved from throws `Error` (badInput)
+/// when it is asked.
 class CANDELA_API PluginRegistry {
   public:
     /// Searches and loads. A folder named in `folders` or in the environment that does not exist throws

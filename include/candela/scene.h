@@ -15,11 +15,15 @@
 #include <glm/mat4x4.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace candela {
+
+/// What a plugin changes at each time: see `Scene::frameCallback`.
+class FrameCallback;
 
 /// A scene as plain values; elements refer to each other by index. Metres, right-handed, +Y up.
 ///
@@ -40,7 +44,23 @@ struct Scene {
     std::vector<Animation> animations = {};
     std::optional<Environment> environment = {};  ///< None: no light from everywhere.
     glm::dvec3 origin{0.0};  ///< Metres, at most 1e9 along each axis; 0: world space is that of the file.
+    /// What the plugin that has read the scene changes at each time (`candela_frame_callback` of plugin.h),
+    /// on top of the animations; null: nothing. Copies of the scene share it. It names meshes, cages, nodes,
+    /// materials, lights and cameras by their indices: a scene whose elements are moved to other indices can
+    /// not keep it.
+    std::shared_ptr<const FrameCallback> frameCallback = {};
 };
+
+/// Whether times differ: the scene has animations or a frame callback.
+CANDELA_API bool isAnimated(const Scene& scene);
+
+/// Times in seconds.
+struct TimeSpan {
+    double first = 0.0, last = 0.0;
+};
+
+/// When the frame callback moves the scene, as its plugin says; 0 to 0 without one.
+CANDELA_API TimeSpan frameCallbackSpan(const Scene& scene);
 
 /// An axis-aligned box, metres; empty where `min` is over `max` on an axis.
 struct CANDELA_API Bounds {
@@ -54,7 +74,8 @@ struct CANDELA_API Bounds {
 /// World matrices of all nodes, one per node. Animated nodes are posed at `time` (seconds). Where two
 /// animations that play animate the same property of a node, the later one in the scene applies.
 /// Interpolation is that of glTF 2.0, appendix C. Throws `Error` (badInput) when `time` is not finite, a
-/// parent does not precede its child, or a channel does not fit its node.
+/// parent does not precede its child, or a channel does not fit its node. This and the other functions that
+/// take a time throw, besides, what the frame callback of the scene does, with the file of the scene.
 CANDELA_API std::vector<glm::mat4> worldTransforms(const Scene& scene, double time = 0.0);
 
 /// Sets the properties of nodes, materials, lights and cameras that animations which play change

@@ -31,6 +31,9 @@ class FileAccess {
     /// file ends before.
     void readPart(const std::string& path, std::uint64_t offset, std::span<std::byte> into) const;
 
+    /// Frees what `read` has returned.
+    void forget() { files_.clear(); }
+
     /// `path` where a file has this name. Else that of the first one, by bytes, whose name differs from it in
     /// the case of ASCII letters; and `path` again where there is none.
     std::string inAnyCase(const std::string& path) const;

@@ -106,6 +106,32 @@ candela_status ImportHost::setSceneInfo(const candela_scene_info* info) noexcept
     return done ? CANDELA_OK : CANDELA_FAILED;
 }
 
+candela_status ImportHost::setFrameCallback(const candela_frame_callback* callback) noexcept {
+    const bool done = guarded("a frame callback", [&] {
+        if (frameCallback_)
+            AbiReader("set_frame_callback", std::nullopt, nullptr).refuse("it has been called before");
+        frameCallback_ = std::make_unique<OwnedFrameCallback>(frameCallbackFrom(callback));
+    });
+    return done ? CANDELA_OK : CANDELA_FAILED;
+}
+
+Mesh ImportHost::takeMesh(const candela_mesh& source, const AbiReader& element) {
+    Mesh mesh = meshFrom(source, element, scene_, notes_);
+    if (source.is_moved != 0) {
+        const bool isFlat = !source.normals && !(source.crease_angle > 0.0f);
+        movedMeshes_.push_back({static_cast<std::uint32_t>(scene_.meshes.size()), source.vertex_count,
+                                isFlat ? MovedNormals::Vertices::separate : MovedNormals::Vertices::welded});
+    }
+    return mesh;
+}
+
+Cage ImportHost::takeCage(const candela_cage& source, const AbiReader& element) {
+    Cage cage = cageFrom(source, element, scene_);
+    if (source.is_moved != 0)
+        movedCages_.push_back({static_cast<std::uint32_t>(scene_.cages.size()), cage.positions});
+    return cage;
+}
+
 candela_status ImportHost::addCageInstance(const candela_cage_instance* instance) noexcept {
     const bool done = guarded("a cage instance", [&] {
         const AbiReader call("add_cage_instance", std::nullopt, nullptr);
@@ -224,7 +250,7 @@ struct ImportHost::Functions {
     }
     static std::int32_t addMesh(void* self, const candela_mesh* mesh) {
         const auto convert = [&](const candela_mesh& source, const AbiReader& element) {
-            return meshFrom(source, element, from(self).scene_, from(self).notes_);
+            return from(self).takeMesh(source, element);
         };
         return from(self).add("mesh", mesh, from(self).scene_.meshes, convert);
     }
@@ -243,7 +269,10 @@ struct ImportHost::Functions {
     }
 
     static std::int32_t addCage(void* self, const candela_cage* cage) {
-        return from(self).add("cage", cage, from(self).scene_.cages, inScene(self, cageFrom));
+        const auto convert = [&](const candela_cage& source, const AbiReader& element) {
+            return from(self).takeCage(source, element);
+        };
+        return from(self).add("cage", cage, from(self).scene_.cages, convert);
     }
     static std::int32_t addSkin(void* self, const candela_skin* skin) {
         return from(self).add("skin", skin, from(self).scene_.skins, inScene(self, skinFrom));
@@ -274,6 +303,9 @@ struct ImportHost::Functions {
     }
     static candela_status setSceneInfo(void* self, const candela_scene_info* info) {
         return from(self).setSceneInfo(info);
+    }
+    static candela_status setFrameCallback(void* self, const candela_frame_callback* callback) {
+        return from(self).setFrameCallback(callback);
     }
     static candela_status fileSize(void* self, const char* path, std::uint64_t* size) {
         return from(self).fileSize(path, size);
@@ -318,6 +350,7 @@ struct ImportHost::Functions {
         host.set_scene_info = setSceneInfo;
         host.file_size = fileSize;
         host.read_file_part = readFilePart;
+        host.set_frame_callback = setFrameCallback;
         return host;
     }
 };

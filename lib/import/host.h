@@ -2,6 +2,7 @@
 
 #include "import/file_access.h"
 #include "import/note_list.h"
+#include "import/plugin_frames.h"
 
 #include <candela/import.h>
 #include <candela/plugin.h>
@@ -16,6 +17,7 @@
 
 namespace candela {
 
+class AbiReader;
 class ThreadPool;
 
 /// The exception in flight as the caller gets it: an `Error` with the URI. `what` is what was done.
@@ -42,6 +44,16 @@ class ImportHost {
     Scene takeScene() { return std::move(scene_); }
     const SceneInfo& sceneInfo() const { return info_; }
     NoteList takeNotes() { return std::move(notes_); }
+    /// The access to the folder, without the files that were read.
+    std::unique_ptr<FileAccess> takeFiles() {
+        if (files_) files_->forget();
+        return std::move(files_);
+    }
+    /// Null where the plugin has set none.
+    std::unique_ptr<OwnedFrameCallback> takeFrameCallback() { return std::move(frameCallback_); }
+    /// The meshes and cages that it may move, in ascending order.
+    const std::vector<AddedMovedMesh>& movedMeshes() const { return movedMeshes_; }
+    std::vector<MovedCage> takeMovedCages() { return std::move(movedCages_); }
 
   private:
     struct Functions;
@@ -69,6 +81,9 @@ class ImportHost {
     candela_status addImageBytes(const candela_image_bytes* images, std::uint32_t count,
                                  std::int32_t* indices, const char** reasons) noexcept;
     candela_status setSceneInfo(const candela_scene_info* info) noexcept;
+    candela_status setFrameCallback(const candela_frame_callback* callback) noexcept;
+    Mesh takeMesh(const candela_mesh& source, const AbiReader& element);
+    Cage takeCage(const candela_cage& source, const AbiReader& element);
     FileAccess& files(const char* path);
     candela_status fileSize(const char* path, std::uint64_t* size) noexcept;
     candela_status readFilePart(const char* path, std::uint64_t offset, std::uint64_t size,
@@ -95,6 +110,9 @@ class ImportHost {
     SceneInfo info_;
     bool hasInfo_ = false;
     std::vector<const candela_plugin*> imageDecoders_;
+    std::unique_ptr<OwnedFrameCallback> frameCallback_;
+    std::vector<AddedMovedMesh> movedMeshes_;
+    std::vector<MovedCage> movedCages_;
     std::exception_ptr failure_;
     std::shared_ptr<ThreadPool> pool_;
     candela_host interface_{};

@@ -4,6 +4,7 @@
 #include "import/file_access.h"
 #include "import/host.h"
 #include "import/note_list.h"
+#include "import/plugin_frames.h"
 #include "import/plugin_options.h"
 #include "import/scene_source.h"
 #include "import/text.h"
@@ -12,6 +13,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace candela {
@@ -59,12 +61,30 @@ void callImporter(const SceneSource& source, const std::string& uri, const Impor
     if (status != CANDELA_OK) failWithoutReason(source, uri, "failed and gave no reason");
 }
 
-void finish(ImportedScene& imported, NoteList& notes, const std::string& uri) {
+/// What a frame callback may move, of meshes that have all attributes.
+PluginFrameCallback::Elements takeMoved(ImportHost& host, Scene& scene) {
+    PluginFrameCallback::Elements moved;
+    for (const AddedMovedMesh& mesh : host.movedMeshes())
+        moved.meshes.emplace_back(mesh, scene.meshes[mesh.mesh]);
+    moved.cages = host.takeMovedCages();
+    return moved;
+}
+
+void finish(const PluginRegistry& plugins, ImportHost& host, ImportedScene& imported, NoteList& notes,
+            const std::string& uri) {
     Scene& scene = imported.scene;
     try {
         addMissingAttributes(scene, notes);
+        PluginFrameCallback::Elements moved = takeMoved(host, scene);
+        const std::size_t nodes = scene.nodes.size();
         bringToMetres(imported.report.info, scene);
+        moved.firstNode = static_cast<std::uint32_t>(scene.nodes.size() - nodes);
         chooseOrigin(scene);
+        if (std::unique_ptr<OwnedFrameCallback> callback = host.takeFrameCallback()) {
+            scene.frameCallback = std::make_shared<PluginFrameCallback>(
+                PluginFrameCallback::Source{plugins, imported.report.plugin, uri, host.takeFiles()},
+                std::move(callback), std::move(moved), scene);
+        }
         validate(scene);
     } catch (const Error& error) {
         if (!error.path().empty()) throw;
@@ -81,7 +101,7 @@ ImportedScene importScene(const PluginRegistry& plugins, const std::string& uri,
     callImporter(source, uri, host);
     NoteList notes = host.takeNotes();
     ImportedScene imported{host.takeScene(), {source.plugin->name, host.sceneInfo(), {}}};
-    finish(imported, notes, uri);
+    finish(plugins, host, imported, notes, uri);
     imported.report.notes = notes.take();
     if (options.strictness == Strictness::strict) refuseLosses(imported.report.notes, uri);
     return imported;

@@ -187,6 +187,9 @@ Cage cageFrom(const candela_cage& source, const AbiReader& element, const Scene&
                    cage.positions.size(), cage);
     takeMorphTargets({source.morph_target_count, source.morph_offsets}, element, cage.positions.size(),
                      cage.morphTargets);
+    if (element.flag("is_moved", source.is_moved) &&
+        (source.influence_count > 0 || source.morph_target_count > 0))
+        element.refuse("is_moved is 1, but it has influences or morph targets");
     return cage;
 }
 

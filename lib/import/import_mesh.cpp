@@ -2,6 +2,7 @@
 
 #include "import/abi_reader.h"
 #include "import/import_deformation.h"
+#include "import/moved_vertices.h"
 #include "scene/geometry/axes.h"
 #include "scene/geometry/normals.h"
 #include "scene/geometry/tangents.h"
@@ -280,6 +281,11 @@ Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene&
     Mesh mesh;
     mesh.name = element.name();
     takeVertices(source, element, mesh);
+    if (element.flag("is_moved", source.is_moved)) {
+        if (source.influence_count > 0 || source.morph_target_count > 0)
+            element.refuse("is_moved is 1, but it has influences or morph targets");
+        numberVertices(mesh);
+    }
     checkCounts(source, element);
     std::optional<PolygonFaces> polygons;
     if (source.face_sizes) polygons.emplace(source, element);

@@ -74,6 +74,8 @@ template <>
 inline constexpr const char* firstVersionOf<candela_scene_info> = "1.6";
 template <>
 inline constexpr const char* firstVersionOf<candela_image_decoder> = "1.6";
+template <>
+inline constexpr const char* firstVersionOf<candela_frame_callback> = "1.6";
 
 /// The `struct_size` of a struct of a plugin. Reads no other member.
 template <class T>

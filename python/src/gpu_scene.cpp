@@ -89,7 +89,7 @@ GpuScenePtr upload(const ContextPtr& context, const ColorConfig& color, const Sc
     auto data = std::make_shared<GpuSceneData>(context);
     data->source = handle.data;
     data->version = handle.data->version;
-    data->isAnimated = !scene.animations.empty();
+    data->isAnimated = candela::isAnimated(scene);
     bool addsStudio = false;
     {
         const SceneReader reader(*handle.data);

@@ -84,6 +84,7 @@ TEST(HostProperties, HaveTheNumbersOfTheAbi) {
         {CANDELA_PROPERTY_TEXTURE_SCALE, AnimatedProperty::textureScale},
         {CANDELA_PROPERTY_LIGHT_INTENSITY, AnimatedProperty::lightIntensity},
         {CANDELA_PROPERTY_OUTER_CONE_ANGLE, AnimatedProperty::outerConeAngle},
+        {CANDELA_PROPERTY_LIGHT_POSITION, AnimatedProperty::lightPosition},
         {CANDELA_PROPERTY_VERTICAL_FOV, AnimatedProperty::verticalFov},
     };
     for (const auto& [abi, property] : pairs)
@@ -119,8 +120,8 @@ TEST(HostProperties, RefusesWhatIsWrong) {
     };
     constexpr auto metallic = CANDELA_PROPERTY_METALLIC;
     expectRefused(
-        metallic, [](auto& c) { c.property = candela_animated_property(43); },
-        "property is 43, but 0 to 42 was expected");
+        metallic, [](auto& c) { c.property = candela_animated_property(44); },
+        "property is 44, but 0 to 43 was expected");
     expectRefused(
         metallic, [](auto& c) { c.element = 1; }, "element is 1, but 1 were added so far and -1 is none");
     expectRefused(

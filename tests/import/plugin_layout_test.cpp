@@ -144,6 +144,7 @@ static_assert(offsetof(candela_mesh, topologies) == 192);
 static_assert(offsetof(candela_mesh, further_uv_count) == 200);
 static_assert(offsetof(candela_mesh, further_uvs) == 208);
 static_assert(offsetof(candela_mesh, crease_angle) == 216);
+static_assert(offsetof(candela_mesh, is_moved) == 220);
 static_assert(sizeof(candela_mesh) == 224);
 
 static_assert(offsetof(candela_cage_variant, variant) == 0);
@@ -182,7 +183,8 @@ static_assert(offsetof(candela_cage, morph_target_count) == 192);
 static_assert(offsetof(candela_cage, morph_offsets) == 200);
 static_assert(offsetof(candela_cage, variant_count) == 208);
 static_assert(offsetof(candela_cage, variants) == 216);
-static_assert(sizeof(candela_cage) == 224);
+static_assert(offsetof(candela_cage, is_moved) == 224);
+static_assert(sizeof(candela_cage) == 232);
 
 static_assert(offsetof(candela_skin, struct_size) == 0);
 static_assert(offsetof(candela_skin, name) == 8);
@@ -319,7 +321,8 @@ static_assert(offsetof(candela_host, add_image_bytes) == 200);
 static_assert(offsetof(candela_host, set_scene_info) == 208);
 static_assert(offsetof(candela_host, file_size) == 216);
 static_assert(offsetof(candela_host, read_file_part) == 224);
-static_assert(sizeof(candela_host) == 232);
+static_assert(offsetof(candela_host, set_frame_callback) == 232);
+static_assert(sizeof(candela_host) == 240);
 
 static_assert(offsetof(candela_stencil_table, stencil_count) == 0);
 static_assert(offsetof(candela_stencil_table, offsets) == 8);
@@ -384,13 +387,6 @@ static_assert(offsetof(candela_image_bytes, name) == 0);
 static_assert(offsetof(candela_image_bytes, bytes) == 8);
 static_assert(offsetof(candela_image_bytes, size) == 16);
 static_assert(sizeof(candela_image_bytes) == 24);
-
-static_assert(offsetof(candela_scene_info, struct_size) == 0);
-static_assert(offsetof(candela_scene_info, up_axis) == 4);
-static_assert(offsetof(candela_scene_info, metres_per_unit) == 8);
-static_assert(offsetof(candela_scene_info, generator) == 16);
-static_assert(offsetof(candela_scene_info, copyright) == 24);
-static_assert(sizeof(candela_scene_info) == 32);
 
 static_assert(offsetof(candela_decoding, struct_size) == 0);
 static_assert(offsetof(candela_decoding, self) == 8);

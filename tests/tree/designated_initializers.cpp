@@ -17,7 +17,7 @@ void initializeScene() {
         CameraView{.nearPlane = 1.0f}, CameraIntrinsics{.width = 1});
     use(Light{.position = {}}, WorldLight{.position = {}}, Image{.width = 1}, Environment{.intensity = 1.0f},
         EnvironmentSettings{.intensity = 1.0f}, SkyOptions{.turbidity = 3.0}, Sky{.sun = {}});
-    use(Animation{.plays = true}, AnimationChannel{.node = 1}, PropertyChannel{.element = 1});
+    use(Animation{.plays = true}, TimeSpan{.first = 1.0}, AnimationChannel{.node = 1}, PropertyChannel{.element = 1});
 }
 
 void initializeMaterial() {

@@ -17,7 +17,7 @@ constexpr float clipLetters = 10.0f;
 /// The animations that play, in words.
 std::string playing(const ViewModel& model) {
     const candela::Scene& scene = model.document->scene();
-    if (scene.animations.empty()) return "no animation";
+    if (scene.animations.empty()) return scene.frameCallback ? "frame callback" : "no animation";
     return model.options.animation.value_or(animationLabel(scene, 0));
 }
 

@@ -2,6 +2,7 @@
 
 #include "gl/state_guard.h"
 #include "render/gpu_scene/gpu_scene_state.h"
+#include "scene/model/frame_callback.h"
 #include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>
@@ -38,6 +39,11 @@ void GpuScene::State::requireCage(const Cage& cage, const ErrorContext& element)
     validateCage(cage, sceneState, element);
     for (const std::optional<std::uint32_t>& material : cage.faceMaterials)
         materialSlots.requireAlive(material, element);
+}
+
+void GpuScene::State::requireStill(std::uint32_t cage, const ErrorContext& element) const {
+    element.require(!movesCage(sceneState, cage),
+                    "the scene's frame callback moves its vertices: it can not be changed");
 }
 
 void GpuScene::State::takeCage(std::uint32_t index, const Cage& cage, std::unique_ptr<CageTables> tables) {
@@ -78,6 +84,7 @@ void GpuScene::State::replaceCage(std::uint32_t index, const Cage& cage) {
     for (const GpuCages::Instance& instance : cages.instances())
         element.require(instance.isRemoved || instance.cage != index || !instance.isDeformed,
                         "a node shows it deformed: it can not be replaced");
+    requireStill(index, element);
     requireCage(cage, element);
     std::unique_ptr<CageTables> tables = cages.makeTables(cage);
     prepareDraws(tables->materials());
@@ -93,6 +100,7 @@ void GpuScene::State::replaceCage(std::uint32_t index, const Cage& cage) {
 void GpuScene::State::removeCage(std::uint32_t index) {
     const ErrorContext element("cage", index, sceneState.cages[index].name);
     element.require(nodesOfCage(index).empty(), "a node shows it: it can not be removed");
+    requireStill(index, element);
     takeCage(index, {}, nullptr);
     cageSlots.remove(index);
 }

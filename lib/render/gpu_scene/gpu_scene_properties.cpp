@@ -1,14 +1,20 @@
-// What animations and edits change of a GpuScene without moving it: materials, lights and visibility.
+// The time of a GpuScene, and what animations and edits change without moving it: materials, lights and
+// visibility.
 
 #include "gl/state_guard.h"
 #include "render/gpu_scene/gpu_scene_state.h"
 #include "render/gpu_scene/lobe_records.h"
 #include "scene/model/animation.h"
+#include "scene/model/frame_callback.h"
 #include "scene/model/material_textures.h"
 #include "scene/validate/scene_rules.h"
 
+#include <candela/error.h>
+
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <utility>
 
 namespace candela {
 
@@ -28,6 +34,28 @@ bool letLightThroughAlike(const Material& a, const Material& b) {
 }
 
 }  // namespace
+
+void GpuScene::State::setTime(double seconds) {
+    if (!std::isfinite(seconds)) throw Error(ErrorKind::badInput, "", "the time must be a finite number");
+    if (seconds == transforms.time()) return;
+    std::shared_ptr<const SceneUpdate> update = updateOf(seconds);
+    transforms.setTime(seconds, update);
+    update_ = std::move(update);
+    timeChanged_ = true;
+}
+
+void GpuScene::State::playAnimations(std::span<const std::uint32_t> animations) {
+    for (const std::uint32_t index : animations)
+        requireIndex("animation", index, sceneState.animations.size());
+    for (Animation& animation : sceneState.animations) animation.plays = false;
+    for (const std::uint32_t index : animations) sceneState.animations[index].plays = true;
+    transforms.resetAnimated();
+    deformations.selectAnimations();
+    materialTracks_.select();
+    lightTracks_.select();
+    nodeTracks_.select();
+    timeChanged_ = true;
+}
 
 void GpuScene::State::setMaterial(std::uint32_t index, const Material& material) {
     requireIndex("material", index, sceneState.materials.size());
@@ -65,6 +93,57 @@ void GpuScene::State::reserveAnimatedLobes() {
             }
         }
     }
+}
+
+/// Whether the callback changes the element of a channel here: cameras are no part of the scene on the
+/// device, and elements that edits have replaced follow it no more.
+bool GpuScene::State::takes(const PropertyChannel& channel) const {
+    switch (elementOf(channel.property)) {
+        case AnimatedElement::node:
+            return nodeTracks_.takes(channel.element);
+        case AnimatedElement::material:
+            return materialTracks_.takes(channel.element);
+        case AnimatedElement::light:
+            return lightTracks_.takes(channel.element);
+        default:
+            return false;
+    }
+}
+
+/// What the frame callback sets at a time, once it fits the scene.
+std::shared_ptr<const SceneUpdate> GpuScene::State::updateOf(double seconds) const {
+    std::shared_ptr<const SceneUpdate> update = updateAt(sceneState, seconds);
+    if (!update) return update;
+    const ErrorContext callback("frame callback");
+    for (const SceneUpdate::NodeMatrix& node : update->nodes)
+        callback.requireIndex("node", node.node, sceneState.nodes.size());
+    for (std::size_t i = 0; i < update->properties.size(); ++i) {
+        if (takes(update->properties[i])) requireChannel(update->properties[i], i, sceneState, callback);
+    }
+    for (const SceneUpdate::MeshVertices& moved : update->meshes) {
+        callback.requireIndex("mesh", moved.mesh, sceneState.meshes.size());
+        ErrorContext("mesh", moved.mesh, sceneState.meshes[moved.mesh].name)
+            .requireCount("vertices of the frame callback", moved.positions.size(), "vertices",
+                          meshes.places()[moved.mesh].vertexCount);
+    }
+    for (const SceneUpdate::CageVertices& moved : update->cages) {
+        callback.requireIndex("cage", moved.cage, sceneState.cages.size());
+        const Cage& cage = sceneState.cages[moved.cage];
+        ErrorContext("cage", moved.cage, cage.name)
+            .requireCount("vertices of the frame callback", moved.positions.size(), "vertices",
+                          cage.positions.size());
+    }
+    return update;
+}
+
+/// Nodes and cages take it when they are posed.
+void GpuScene::State::takeUpdate() {
+    if (!update_) return;
+    for (const SceneUpdate::MeshVertices& moved : update_->meshes)
+        moveVertices(moved.mesh, moved.positions, moved.normals);
+    materialTracks_.setGiven(update_->properties);
+    nodeTracks_.setGiven(update_->properties);
+    lightTracks_.setGiven(update_->properties);
 }
 
 void GpuScene::State::poseProperties() {

@@ -9,6 +9,7 @@
 #include "render/occlusion/occlusion_scene.h"
 #include "scene/geometry/axes.h"
 #include "scene/model/animation.h"
+#include "scene/model/frame_callback.h"
 #include "scene/model/material_textures.h"
 #include "scene/validate/scene_rules.h"
 
@@ -43,6 +44,7 @@ Scene editableParts(const Scene& scene) {
     parts.skins = scene.skins;
     parts.materials = scene.materials;
     parts.variants = scene.variants;
+    parts.frameCallback = scene.frameCallback;
     // Animations of morph weights have as many values as their mesh has targets.
     for (const Mesh& mesh : scene.meshes) {
         parts.meshes.emplace_back().name = mesh.name;
@@ -137,6 +139,8 @@ GpuScene::State::State(const Context& context, const Scene& scene, std::span<Ima
     }
     deformations.describe(meshes, draws.records(), defaultDetail_);
     reserveAnimatedLobes();
+    update_ = updateOf(0.0);
+    transforms.setTime(0.0, update_);
     for (std::uint32_t node = 0; node < sceneState.nodes.size(); ++node) updateVisibility(node);
     update();
     lights.set(worldLights(sceneState, transforms.world()), rangeRule());
@@ -213,26 +217,6 @@ void GpuScene::State::setTransform(std::uint32_t node, const glm::mat4& local) {
     transforms.setLocal(node, local);
 }
 
-void GpuScene::State::setTime(double seconds) {
-    if (!std::isfinite(seconds)) throw Error(ErrorKind::badInput, "", "the time must be a finite number");
-    if (seconds == transforms.time()) return;
-    transforms.setTime(seconds);
-    timeChanged_ = true;
-}
-
-void GpuScene::State::playAnimations(std::span<const std::uint32_t> animations) {
-    for (const std::uint32_t index : animations)
-        requireIndex("animation", index, sceneState.animations.size());
-    for (Animation& animation : sceneState.animations) animation.plays = false;
-    for (const std::uint32_t index : animations) sceneState.animations[index].plays = true;
-    transforms.resetAnimated();
-    deformations.selectAnimations();
-    materialTracks_.select();
-    lightTracks_.select();
-    nodeTracks_.select();
-    timeChanged_ = true;
-}
-
 void GpuScene::State::setLights(std::span<const WorldLight> worldLights) {
     lights.set(worldLights, rangeRule());
     lightsFollowNodes_ = false;
@@ -294,6 +278,7 @@ void GpuScene::State::update() {
     if (timeChanged_) {
         cages.markAnimated();
         deformations.markAnimated();
+        takeUpdate();
         poseProperties();
     }
     timeChanged_ = false;

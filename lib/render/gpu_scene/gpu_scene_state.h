@@ -154,6 +154,8 @@ struct GpuScene::State {
     void requireDetail(const Material& material, const ErrorContext& element) const;
     void requireMesh(const Mesh& mesh, const ErrorContext& element) const;
     void requireRigid(std::uint32_t mesh, const ErrorContext& element) const;
+    void moveVertices(std::uint32_t mesh, std::span<const glm::vec3> positions,
+                      std::span<const glm::vec3> normals);
     void requireNode(const Node& node, std::uint32_t index, const ErrorContext& element) const;
     void appendNode(std::uint32_t index);
     void showMesh(std::uint32_t node, std::uint32_t mesh);
@@ -161,6 +163,7 @@ struct GpuScene::State {
     void hideMesh(std::uint32_t node);
     void hideCage(std::uint32_t node);
     void requireCage(const Cage& cage, const ErrorContext& element) const;
+    void requireStill(std::uint32_t cage, const ErrorContext& element) const;
     void takeCage(std::uint32_t index, const Cage& cage, std::unique_ptr<CageTables> tables);
     std::vector<std::uint32_t> nodesOfCage(std::uint32_t index) const;
     void prepareDraws(const CageMaterials& parts);
@@ -181,6 +184,9 @@ struct GpuScene::State {
         return lightPlaces_.empty() ? light : lightPlaces_[light];
     }
     static void requireIndex(const char* kind, std::uint32_t index, std::size_t count);
+    bool takes(const PropertyChannel& channel) const;
+    std::shared_ptr<const SceneUpdate> updateOf(double seconds) const;
+    void takeUpdate();
     ErrorContext nodeContext(std::uint32_t node) const;
     void applyMaterial(std::uint32_t index, const Material& material);
     void reserveAnimatedLobes();
@@ -203,6 +209,7 @@ struct GpuScene::State {
     DefaultDetail defaultDetail_;
     std::vector<std::uint32_t> stale_;  ///< Of the `updateDeformations` in progress.
     bool timeChanged_ = true;
+    std::shared_ptr<const SceneUpdate> update_;  ///< Of the frame callback; null without one.
     bool rangeRuleChanged_ = false;
     bool lightsEdited_ = false;                           ///< Lights were added, removed or replaced.
     std::vector<std::uint32_t> lightPlaces_;              ///< Of each light in `lights`; empty: its index.

@@ -4,6 +4,7 @@
 #include "render/culling/triangle_filter.h"
 #include "render/gpu_scene/buffer_source.h"
 #include "render/gpu_scene/gpu_scene_state.h"
+#include "scene/model/frame_callback.h"
 #include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>
@@ -37,6 +38,8 @@ void GpuScene::State::requireMesh(const Mesh& mesh, const ErrorContext& element)
 
 void GpuScene::State::requireRigid(std::uint32_t mesh, const ErrorContext& element) const {
     element.require(!deformations.deforms(mesh), "a node shows it deformed: it can not be changed");
+    element.require(!movesMesh(sceneState, mesh),
+                    "the scene's frame callback moves its vertices: it can not be changed");
 }
 
 MeshHandle GpuScene::State::addMesh(const Mesh& mesh) {
@@ -111,6 +114,7 @@ void GpuScene::State::replaceMesh(std::uint32_t index, const Mesh& mesh) {
 void GpuScene::State::removeMesh(std::uint32_t index) {
     const ErrorContext element("mesh", index, sceneState.meshes[index].name);
     element.require(meshUsers_[index] == 0, "a node shows it: it can not be removed");
+    requireRigid(index, element);
     meshes.remove(index);
     takeMesh(index, {});
     meshSlots.remove(index);
@@ -128,6 +132,12 @@ void GpuScene::State::setPositions(std::uint32_t index, std::span<const glm::vec
     element.requireEach("normal", normals, "does not have unit length", [&](const glm::vec3& normal) {
         return isUnit(normal) || (mayLackNormals && normal == glm::vec3(0.0f));
     });
+    moveVertices(index, positions, normals);
+    deformations.setMesh(index, {});
+}
+
+void GpuScene::State::moveVertices(std::uint32_t index, std::span<const glm::vec3> positions,
+                                   std::span<const glm::vec3> normals) {
     meshes.setSurface(index, positions, normals);
     if (meshes.access() == GpuMeshes::Access::deviceAndCpu) {
         const MeshPlace& at = meshes.places()[index];
@@ -135,7 +145,6 @@ void GpuScene::State::setPositions(std::uint32_t index, std::span<const glm::vec
     } else {
         clusters.forget(index);
     }
-    deformations.setMesh(index, {});
     forEachInstanceOf(index, [&](std::uint32_t instance) {
         place(instance, transforms.world()[instances[instance].node], meshes.places()[index].sphere);
     });

@@ -90,6 +90,11 @@ void NodeTransforms::listAnimated() {
 }
 
 void NodeTransforms::removeChannels(std::uint32_t node) {
+    if (update_) {
+        isEdited_.resize(parents_.size());
+        isEdited_[node] = true;
+        std::erase(given_, node);
+    }
     if (!animated_[node]) return;
     for (Animation& animation : scene_.animations) {
         std::erase_if(animation.channels, [&](const AnimationChannel& channel) {
@@ -113,9 +118,10 @@ void NodeTransforms::rest(std::uint32_t index) {
     if (isFar(scene_)) exactLocal_[index] = exactLocalMatrix(node.transform, exactTranslation(node));
 }
 
-void NodeTransforms::setTime(double seconds) {
-    timeChanged_ = timeChanged_ || seconds != time_;
+void NodeTransforms::setTime(double seconds, std::shared_ptr<const SceneUpdate> update) {
+    timeChanged_ = timeChanged_ || seconds != time_ || update != update_;
     time_ = seconds;
+    update_ = std::move(update);
 }
 
 void NodeTransforms::resetAnimated() {
@@ -149,6 +155,11 @@ void NodeTransforms::listPlaying() {
 void NodeTransforms::pose() {
     timeChanged_ = false;
     if (!playingListed_) listPlaying();
+    for (const std::uint32_t node : given_) {
+        rest(node);
+        mark(node);
+    }
+    given_.clear();
     constexpr std::size_t blockSize = 128;
     ThreadPool::shared()->run((playing_.size() + blockSize - 1) / blockSize,
                               [&](std::size_t block, unsigned) {
@@ -173,6 +184,18 @@ void NodeTransforms::pose() {
             exactLocal_[posed.node] = exact;
         }
         if (moved) mark(posed.node);
+    }
+    if (update_) takeUpdate();
+}
+
+void NodeTransforms::takeUpdate() {
+    isEdited_.resize(parents_.size());
+    for (const SceneUpdate::NodeMatrix& node : update_->nodes) {
+        if (isEdited_[node.node]) continue;
+        local_[node.node] = glm::mat4(node.local);
+        if (isFar(scene_)) exactLocal_[node.node] = node.local;
+        given_.push_back(node.node);
+        mark(node.node);
     }
 }
 

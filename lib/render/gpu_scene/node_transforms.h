@@ -1,12 +1,14 @@
 #pragma once
 
 #include "scene/model/animation.h"
+#include "scene/model/frame_callback.h"
 
 #include <candela/scene.h>
 
 #include <glm/mat4x4.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,8 +24,8 @@ class NodeTransforms {
     /// Replaces the node's local transform. Its animations of translation, rotation and scale are removed
     /// from the scene.
     void setLocal(std::uint32_t node, const glm::mat4& local);
-    /// Poses animated nodes as at `seconds`.
-    void setTime(double seconds);
+    /// Poses animated nodes as at `seconds`, and those that `update` names as it has them; null: none.
+    void setTime(double seconds, std::shared_ptr<const SceneUpdate> update);
     double time() const { return time_; }
     /// Returns what animations move to the pose of the scene, before those that play pose it again.
     void resetAnimated();
@@ -55,6 +57,7 @@ class NodeTransforms {
     void listAnimated();
     void listPlaying();
     void pose();
+    void takeUpdate();
     void mark(std::uint32_t node);
     void updateAll();
     void updateSubtree(std::uint32_t root);
@@ -73,6 +76,9 @@ class NodeTransforms {
     };
     std::vector<Links> links_;
     std::vector<bool> animated_;  ///< In translation, rotation or scale.
+    std::shared_ptr<const SceneUpdate> update_;
+    std::vector<std::uint32_t> given_;  ///< Nodes whose matrix is that of the update.
+    std::vector<bool> isEdited_;        ///< The update does not move the node any more; empty: none.
     /// A node that playing animations move.
     struct Playing {
         PosedNode pose;                                 ///< As of the last `pose`.

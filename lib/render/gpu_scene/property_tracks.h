@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -46,11 +47,32 @@ class PropertyTracks {
         }
     }
 
+    /// Does the scene's frame callback still change an element?
+    bool takes(std::uint32_t index) const { return !isCleared_ && !removed_.contains(index); }
+    /// The channels of the scene's frame callback at the time of the next `pose`, which change elements after
+    /// those of animations. Kept until the next call.
+    void setGiven(const std::vector<PropertyChannel>& channels) {
+        for (Track& track : tracks_) {
+            track.isStale = track.isStale || !track.given.empty();
+            track.given.clear();
+        }
+        for (const PropertyChannel& channel : channels) {
+            if (elementOf(channel.property) != kindOf<Element> || !takes(channel.element)) continue;
+            Track& track = trackOf(channel.element);
+            track.given.push_back(&channel);
+            track.isStale = true;
+        }
+    }
+
     /// Ends the animation of all elements.
-    void clear() { tracks_.clear(); }
+    void clear() {
+        tracks_.clear();
+        isCleared_ = true;
+    }
     /// The same of one.
     void remove(std::uint32_t index) {
         std::erase_if(tracks_, [&](const Track& track) { return track.index == index; });
+        if (scene_.frameCallback) removed_.insert(index);
     }
 
     /// Calls `change(index, element)` with each element as of `time` that is another one than at the last
@@ -65,6 +87,8 @@ class PropertyTracks {
             Element element = track.rest;
             for (std::size_t i = 0; i < values_.size(); ++i)
                 setProperty(*track.channels[i], values_[i], element);
+            for (const PropertyChannel* channel : track.given)
+                setProperty(*channel, sampleProperty(*channel, time), element);
             settle(element);
             change(track.index, element);
             track.values = values_;
@@ -79,11 +103,21 @@ class PropertyTracks {
         std::vector<const PropertyChannel*> channels;  ///< Those that play; the later ones apply.
         std::vector<glm::vec4> values;                 ///< Of these, as of the last `pose`.
         bool isStale = true;
+        std::vector<const PropertyChannel*> given = {};  ///< Of the frame callback.
     };
+
+    /// An element that no animation changes is at rest when it gets its track.
+    Track& trackOf(std::uint32_t index) {
+        const auto track = std::ranges::lower_bound(tracks_, index, {}, &Track::index);
+        if (track != tracks_.end() && track->index == index) return *track;
+        return *tracks_.insert(track, Track{index, elementsOf<Element>(scene_)[index], {}, {}});
+    }
 
     const Scene& scene_;
     std::vector<Track> tracks_;  ///< In ascending order of index.
     std::vector<glm::vec4> values_;
+    std::set<std::uint32_t> removed_;  ///< Elements that the frame callback does not change any more.
+    bool isCleared_ = false;
 };
 
 }  // namespace candela

@@ -1,6 +1,7 @@
 #include "render/subdivision/gpu_cages.h"
 
 #include "scene/model/deformation.h"
+#include "scene/model/frame_callback.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +44,8 @@ void GpuCages::addInstances() {
         const std::optional<std::uint32_t> cage = scene_.nodes[i].cage;
         if (!cage) continue;
         Instance instance{.node = i, .cage = *cage};
-        instance.isDeformed = candela::isDeformed(scene_.nodes[i], scene_.cages[*cage]);
+        instance.isDeformed =
+            candela::isDeformed(scene_.nodes[i], scene_.cages[*cage]) || movesCage(scene_, *cage);
         std::optional<std::uint32_t>& shared = sharedSurfaces_[*cage];
         if (!instance.isDeformed && !shared) shared = addSurface(*cage);
         instance.surface = instance.isDeformed ? addSurface(*cage) : *shared;
@@ -71,7 +73,7 @@ void GpuCages::listAnimated() {
         }
     }
     for (std::uint32_t i = 0; i < instances_.size(); ++i) {
-        if (isAnimated[instances_[i].node]) animated_.push_back(i);
+        if (isAnimated[instances_[i].node] || movesCage(scene_, instances_[i].cage)) animated_.push_back(i);
     }
 }
 
@@ -106,12 +108,14 @@ void GpuCages::setTables(std::uint32_t cage, std::unique_ptr<CageTables> tables)
 
 std::uint32_t GpuCages::addInstance(std::uint32_t node) {
     Instance instance{.node = node, .cage = *scene_.nodes[node].cage};
-    std::optional<std::uint32_t>& shared = sharedSurfaces_[instance.cage];
-    if (!shared) {
-        shared = addSurface(instance.cage);
-        setTangents(*surfaces_[*shared]);
+    instance.isDeformed = movesCage(scene_, instance.cage);
+    std::optional<std::uint32_t> surface = sharedSurfaces_[instance.cage];
+    if (!surface || instance.isDeformed) {
+        surface = addSurface(instance.cage);
+        setTangents(*surfaces_[*surface]);
+        if (!instance.isDeformed) sharedSurfaces_[instance.cage] = surface;
     }
-    instance.surface = *shared;
+    instance.surface = *surface;
     auto index = static_cast<std::uint32_t>(instances_.size());
     if (freeInstances_.empty()) {
         instances_.emplace_back();
@@ -120,6 +124,7 @@ std::uint32_t GpuCages::addInstance(std::uint32_t node) {
         freeInstances_.pop_back();
     }
     instances_[index] = instance;
+    if (instance.isDeformed) animated_.push_back(index);
     users_[instance.surface].push_back(index);
     if (node >= instancesOfNode_.size()) instancesOfNode_.resize(scene_.nodes.size());
     instancesOfNode_[node].push_back(index);

@@ -43,8 +43,8 @@ class GpuCages {
         glm::mat4 worldFromPoints{1.0f};  ///< As of the last `pose`.
         bool isDeformed = false;          ///< By morph targets or a skin.
         bool hidden = false;
-        bool isMarked = false;   ///< To be posed.
-        bool isRemoved = false;  ///< The place is free.
+        bool isMarked = false;                   ///< To be posed.
+        bool isRemoved = false;                  ///< The place is free.
     };
     std::span<const Instance> instances() const { return instances_; }
     const LimitSurface& surface(std::uint32_t index) const { return *surfaces_[index]; }

@@ -122,6 +122,7 @@ constexpr std::array rows{
                         L(ofCone<&Light::innerConeAngle>)},
     AnimatedPropertyRow{P::outerConeAngle, "outer cone angle", 1, least, halfPi,
                         L(ofCone<&Light::outerConeAngle>)},
+    AnimatedPropertyRow{P::lightPosition, "position", 3, -most, most, L(of<&Light::position>)},
     AnimatedPropertyRow{P::verticalFov, "vertical field of view", 1, least, std::numbers::pi_v<float> - least,
                         C(fovOf)},
     AnimatedPropertyRow{P::orthographicHeight, "orthographic height", 1, least, most,

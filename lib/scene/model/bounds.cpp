@@ -88,8 +88,11 @@ std::size_t DrawnVertices::count(std::uint32_t node) {
 
 bool DrawnVertices::isDeformed(std::uint32_t node) const {
     const Node& element = scene_.nodes[node];
-    return (element.mesh && candela::isDeformed(element, scene_.meshes[*element.mesh])) ||
-           (element.cage && candela::isDeformed(element, scene_.cages[*element.cage]));
+    if (element.mesh &&
+        (movesMesh(scene_, *element.mesh) || candela::isDeformed(element, scene_.meshes[*element.mesh])))
+        return true;
+    return element.cage &&
+           (movesCage(scene_, *element.cage) || candela::isDeformed(element, scene_.cages[*element.cage]));
 }
 
 bool DrawnVertices::spansAPlane(const glm::mat4& matrix) {
@@ -215,13 +218,18 @@ std::vector<double> coarseToFine(const std::vector<double>& times) {
     return ordered;
 }
 
-// The times at which the motion is looked at, the first and the last key of the animations before others.
+// The times at which the motion is looked at, the first and the last key of the animations, and the span of a
+// frame callback, before others.
 std::vector<double> poseTimes(const Scene& scene) {
     std::vector<double> keys;
     for (const Animation& animation : scene.animations) {
         if (!animation.plays) continue;
         for (const AnimationChannel& channel : animation.channels)
             keys.insert(keys.end(), channel.times.begin(), channel.times.end());
+    }
+    if (scene.frameCallback) {
+        const TimeSpan span = frameCallbackSpan(scene);
+        keys.insert(keys.end(), {span.first, span.last});
     }
     if (keys.empty()) return {0.0};
     std::ranges::sort(keys);

@@ -52,10 +52,11 @@ void requireFiniteBox(const Bounds& bounds) {
     box.requireFinite("its maximum", bounds.max);
 }
 
-float nearPlaneOf(const Camera& camera, const Scene& scene, const std::vector<glm::mat4>& world) {
+float nearPlaneOf(const Camera& camera, const Scene& scene, const std::vector<glm::mat4>& world,
+                  double time) {
     if (camera.nearPlane) return *camera.nearPlane;
     if (camera.orthographicHeight) return 0.0f;
-    const float nearPlane = defaultNearPlane(worldBounds(scene, world));
+    const float nearPlane = defaultNearPlane(worldBounds(scene, world, time));
     return camera.farPlane ? std::min(nearPlane, 0.5f * *camera.farPlane) : nearPlane;
 }
 
@@ -84,7 +85,7 @@ CameraView cameraView(const Scene& scene, std::uint32_t index, const std::vector
     CameraView view;
     view.verticalFov = camera.verticalFov;
     view.orthographicHeight = camera.orthographicHeight;
-    view.nearPlane = nearPlaneOf(camera, scene, world);
+    view.nearPlane = nearPlaneOf(camera, scene, world, time);
     view.farPlane = camera.farPlane;
     if (!camera.node) return view;
     const glm::mat4& node = world[*camera.node];

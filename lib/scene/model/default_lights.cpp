@@ -86,6 +86,8 @@ bool animatesLight(const Animation& animation) {
 bool hasLight(const Scene& scene) {
     if (std::ranges::any_of(scene.lights, shines)) return true;
     if (std::ranges::any_of(scene.animations, animatesLight)) return true;
+    // Which values a frame callback gives lights, only its plugin knows.
+    if (scene.frameCallback && !scene.lights.empty()) return true;
     if (scene.environment && scene.environment->intensity > 0.0f) return true;
     const std::vector<bool> shown = shownMaterials(scene);
     for (std::size_t i = 0; i < shown.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include "base/thread_pool.h"
 #include "scene/model/animation.h"
+#include "scene/model/frame_callback.h"
 #include "scene/validate/scene_rules.h"
 
 #include <algorithm>
@@ -127,6 +128,16 @@ PosedPoints posePoints(const Scene& scene, std::uint32_t node, const DeformableV
     return posed;
 }
 
+/// The vertices of a mesh or a cage as the frame callback has them.
+template <typename Vertices>
+PosedPoints posedBy(const Vertices* moved, std::size_t vertices, const ErrorContext& element,
+                    const glm::mat4& worldFromNode) {
+    element.require(moved != nullptr,
+                    "the frame callback does not tell where the vertices of what it shows are");
+    element.requireCount("vertices of the frame callback", moved->positions.size(), "vertices", vertices);
+    return {moved->positions, worldFromNode};
+}
+
 }  // namespace
 
 std::vector<float> morphWeightsAt(const Scene& scene, std::uint32_t node, double time) {
@@ -152,7 +163,10 @@ PosedPoints poseMesh(const Scene& scene, std::uint32_t node, const std::vector<g
     const std::optional<std::uint32_t> mesh = scene.nodes[node].mesh;
     element.require(mesh.has_value(), "it has no mesh to pose");
     element.requireIndex("mesh", mesh, scene.meshes.size());
-    return posePoints(scene, node, DeformableVertices(scene.meshes[*mesh]), world, time);
+    if (!movesMesh(scene, *mesh))
+        return posePoints(scene, node, DeformableVertices(scene.meshes[*mesh]), world, time);
+    const std::shared_ptr<const SceneUpdate> update = updateAt(scene, time);
+    return posedBy(update->ofMesh(*mesh), scene.meshes[*mesh].positions.size(), element, world[node]);
 }
 
 PosedPoints poseCage(const Scene& scene, std::uint32_t node, const std::vector<glm::mat4>& world,
@@ -162,7 +176,10 @@ PosedPoints poseCage(const Scene& scene, std::uint32_t node, const std::vector<g
     const std::optional<std::uint32_t> cage = scene.nodes[node].cage;
     element.require(cage.has_value(), "it has no cage to pose");
     element.requireIndex("cage", cage, scene.cages.size());
-    return posePoints(scene, node, DeformableVertices(scene.cages[*cage]), world, time);
+    if (!movesCage(scene, *cage))
+        return posePoints(scene, node, DeformableVertices(scene.cages[*cage]), world, time);
+    const std::shared_ptr<const SceneUpdate> update = updateAt(scene, time);
+    return posedBy(update->ofCage(*cage), scene.cages[*cage].positions.size(), element, world[node]);
 }
 
 }  // namespace candela

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/model/deformation.h"
+#include "scene/model/frame_callback.h"
 
 #include <candela/scene.h>
 
@@ -33,7 +34,7 @@ class DrawnVertices {
         if (element.mesh) {
             const Mesh& mesh = scene_.meshes[*element.mesh];
             const UsedVertices& used = ofMesh(*element.mesh);
-            if (candela::isDeformed(element, mesh)) {
+            if (candela::isDeformed(element, mesh) || movesMesh(scene_, *element.mesh)) {
                 visitPosed(poseMesh(scene_, node, world, time), used, visit);
             } else if (spansAPlane(world[node])) {
                 visitPoints(mesh.positions, used, world[node], visit);
@@ -56,8 +57,7 @@ class DrawnVertices {
 
     template <typename Visit>
     static void visitPosed(const PosedPoints& posed, const UsedVertices& used, const Visit& visit) {
-        if (spansAPlane(posed.worldFromPoints))
-            visitPoints(posed.points, used, posed.worldFromPoints, visit);
+        if (spansAPlane(posed.worldFromPoints)) visitPoints(posed.points, used, posed.worldFromPoints, visit);
     }
     template <typename Visit>
     static void visitPoints(const std::vector<glm::vec3>& points, const UsedVertices& used,

@@ -1,6 +1,7 @@
 #include "scene/model/property_animation.h"
 
 #include "scene/model/animated_properties.h"
+#include "scene/model/frame_callback.h"
 #include "scene/model/key_values.h"
 #include "scene/model/material_textures.h"
 #include "scene/validate/scene_rules.h"
@@ -116,18 +117,21 @@ template <typename Element>
 std::map<std::uint32_t, Element> posedElements(const Scene& scene, double time) {
     requireTime(time);
     std::map<std::uint32_t, Element> posed;
-    for (std::size_t a = 0; a < scene.animations.size(); ++a) {
-        const Animation& animation = scene.animations[a];
-        if (!animation.plays) continue;
-        for (std::size_t c = 0; c < animation.properties.size(); ++c) {
-            const PropertyChannel& channel = animation.properties[c];
+    const auto pose = [&](const std::vector<PropertyChannel>& channels, const ErrorContext& source) {
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            const PropertyChannel& channel = channels[c];
             if (elementOf(channel.property) != kindOf<Element>) continue;
-            requireChannel(channel, c, scene, ErrorContext("animation", a, animation.name));
+            requireChannel(channel, c, scene, source);
             const Element& rest = elementsOf<Element>(scene)[channel.element];
             Element& element = posed.try_emplace(channel.element, rest).first->second;
             setProperty(channel, sampleProperty(channel, time), element);
         }
+    };
+    for (std::size_t a = 0; a < scene.animations.size(); ++a) {
+        const Animation& animation = scene.animations[a];
+        if (animation.plays) pose(animation.properties, ErrorContext("animation", a, animation.name));
     }
+    if (const auto update = updateAt(scene, time)) pose(update->properties, ErrorContext("frame callback"));
     for (auto& [index, element] : posed) settle(element);
     return posed;
 }

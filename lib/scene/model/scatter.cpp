@@ -4,6 +4,7 @@
 #include "base/error_context.h"
 #include "scene/geometry/topology.h"
 #include "scene/model/deformation.h"
+#include "scene/model/frame_callback.h"
 #include "scene/validate/scene_rules.h"
 
 #include <glm/common.hpp>
@@ -87,7 +88,7 @@ class Surfaces {
             const Node& node = scene.nodes[i];
             if (node.mesh) {
                 const Mesh& mesh = scene.meshes[*node.mesh];
-                if (isDeformed(node, mesh)) {
+                if (isDeformed(node, mesh) || movesMesh(scene, *node.mesh)) {
                     addPosed(mesh, poseMesh(scene, i, world));
                 } else {
                     addMesh(mesh, world[i]);

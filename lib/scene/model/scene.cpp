@@ -3,6 +3,7 @@
 #include "scene/geometry/topology.h"
 #include "scene/model/animation.h"
 #include "scene/model/deformation.h"
+#include "scene/model/frame_callback.h"
 #include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>
@@ -57,16 +58,29 @@ glm::dmat4 exactLocalMatrix(const std::variant<Transform, glm::mat4>& transform,
 
 namespace {
 
-std::vector<glm::mat4> farWorldTransforms(const Scene& scene, const std::vector<PosedNode>& posed) {
+/// For each node the local matrix that the frame callback gives it; null: none. Empty where it gives none.
+std::vector<const glm::dmat4*> givenMatrices(const Scene& scene, const SceneUpdate* update) {
+    if (!update || update->nodes.empty()) return {};
+    std::vector<const glm::dmat4*> given(scene.nodes.size(), nullptr);
+    for (const SceneUpdate::NodeMatrix& node : update->nodes) {
+        ErrorContext("frame callback").requireIndex("node", node.node, scene.nodes.size());
+        given[node.node] = &node.local;
+    }
+    return given;
+}
+
+std::vector<glm::mat4> farWorldTransforms(const Scene& scene, const std::vector<PosedNode>& posed,
+                                          const std::vector<const glm::dmat4*>& given) {
     std::vector<glm::dmat4> exact(scene.nodes.size());
     std::vector<glm::mat4> world(scene.nodes.size());
     auto pose = posed.begin();
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
         const bool animated = pose != posed.end() && pose->node == i;
-        const glm::dmat4 local = animated ? exactLocalMatrix(pose->transform, pose->translation)
-                                          : exactLocalMatrix(node.transform, exactTranslation(node));
+        glm::dmat4 local = animated ? exactLocalMatrix(pose->transform, pose->translation)
+                                    : exactLocalMatrix(node.transform, exactTranslation(node));
         if (animated) ++pose;
+        if (!given.empty() && given[i]) local = *given[i];
         exact[i] = node.parent ? exact[*node.parent] * local : exactRootMatrix(scene, local);
         world[i] = glm::mat4(exact[i]);
     }
@@ -82,13 +96,16 @@ std::vector<glm::mat4> worldTransforms(const Scene& scene, double time) {
         ErrorContext("node", i, scene.nodes[i].name)
             .require(!scene.nodes[i].parent || *scene.nodes[i].parent < i, "its parent must precede it");
     }
-    if (isFar(scene)) return farWorldTransforms(scene, posed);
+    const std::shared_ptr<const SceneUpdate> update = updateAt(scene, time);
+    const std::vector<const glm::dmat4*> given = givenMatrices(scene, update.get());
+    if (isFar(scene)) return farWorldTransforms(scene, posed, given);
     std::vector<glm::mat4> world(scene.nodes.size());
     auto pose = posed.begin();
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
         const bool animated = pose != posed.end() && pose->node == i;
-        const glm::mat4 local = animated ? matrixOf((pose++)->transform) : localMatrix(node.transform);
+        glm::mat4 local = animated ? matrixOf((pose++)->transform) : localMatrix(node.transform);
+        if (!given.empty() && given[i]) local = glm::mat4(*given[i]);
         world[i] = node.parent ? world[*node.parent] * local : local;
     }
     return world;

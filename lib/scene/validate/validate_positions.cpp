@@ -1,5 +1,6 @@
 #include "base/error_context.h"
 #include "scene/model/deformation.h"
+#include "scene/model/frame_callback.h"
 #include "scene/validate/scene_rules.h"
 
 #include <glm/common.hpp>
@@ -68,7 +69,8 @@ void validateMeshPositions(const Scene& scene, const std::vector<glm::mat4>& wor
     const auto stands = [&](std::uint32_t i) {
         const Node& node = scene.nodes[i];
         const Mesh& mesh = scene.meshes[*node.mesh];
-        if (!isDeformed(node, mesh)) return meshes[*node.mesh].areNear(world[i]);
+        if (!isDeformed(node, mesh) && !movesMesh(scene, *node.mesh))
+            return meshes[*node.mesh].areNear(world[i]);
         const PosedPoints posed = poseMesh(scene, i, world);
         return areNear(posed.points, posed.worldFromPoints);
     };
@@ -86,7 +88,8 @@ void validateCagePositions(const Scene& scene, const std::vector<glm::mat4>& wor
     for (const Cage& cage : scene.cages) cages.emplace_back(cage.positions);
     const auto stands = [&](std::uint32_t node) {
         const Cage& cage = scene.cages[*scene.nodes[node].cage];
-        if (!isDeformed(scene.nodes[node], cage)) return cages[*scene.nodes[node].cage].areNear(world[node]);
+        if (!isDeformed(scene.nodes[node], cage) && !movesCage(scene, *scene.nodes[node].cage))
+            return cages[*scene.nodes[node].cage].areNear(world[node]);
         const PosedPoints posed = poseCage(scene, node, world);
         return areNear(posed.points, posed.worldFromPoints);
     };

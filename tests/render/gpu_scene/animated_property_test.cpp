@@ -132,6 +132,7 @@ std::vector<Motion> motions() {
          {channel(P::lightIntensity, 0, {0}, {30}), channel(P::lightIntensity, 2, {50}, {0}),
           channel(P::lightIntensity, 3, {0}, {3})}},
         {"range", one(P::lightRange, 1, 9)},
+        {"position", {channel(P::lightPosition, 0, {-2, 0, 0}, {1, 1, -1})}},
         {"cone", {channel(P::innerConeAngle, 1, {0}, {0.4f}), channel(P::outerConeAngle, 1, {0.2f}, {0.5f})}},
         {"visibility of a mesh", {blink}},
         {"of a cage", {channel(P::visibility, 1, {0}, {1}, Interpolation::step)}},

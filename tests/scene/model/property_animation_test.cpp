@@ -143,6 +143,7 @@ std::vector<PropertyCase> allProperties() {
         {P::lightRange, 1, {1}, {10}, [](S s) { return listed(*s.lights[1].range); }},
         {P::innerConeAngle, 1, {0}, {0.5f}, [](S s) { return listed(s.lights[1].innerConeAngle); }},
         {P::outerConeAngle, 1, {0.5f}, {1.5f}, [](S s) { return listed(s.lights[1].outerConeAngle); }},
+        {P::lightPosition, 1, {0, 1, 2}, {4, -3, 8}, [](S s) { return listed(s.lights[1].position); }},
         {P::verticalFov, 0, {0.5f}, {2}, [](S s) { return listed(s.cameras[0].verticalFov); }},
         {P::orthographicHeight, 1, {1}, {8}, [](S s) { return listed(*s.cameras[1].orthographicHeight); }},
         {P::nearPlane, 0, {0.125f}, {1}, [](S s) { return listed(*s.cameras[0].nearPlane); }},
