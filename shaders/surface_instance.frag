@@ -1,4 +1,4 @@
-// The instance and the material at each pixel, counted from 1.
+// The instance and the material at each pixel, counted from 1; and for the AOV motion where its point of the surface was.
 
 #include "shared/bindings.h"
 
@@ -12,6 +12,11 @@ layout(location = 2) in float vertexAlpha;
 layout(location = 3) flat in uint material;
 
 layout(location = 0) out uvec2 surfaceId;
+#ifdef MOTION
+layout(location = 4) in vec4 previousPosition;
+
+layout(location = 1) out vec4 previous;  // in the frame of the instance, and 1; 0 where its vertices rest
+#endif
 
 #if TEXTURED == 1
 #include "lib/texture_coordinates.glsl"
@@ -24,4 +29,7 @@ void main() {
     if (alpha < materialState(material).alphaCutoff) discard;
 #endif
     surfaceId = uvec2(instance, material) + 1u;
+#ifdef MOTION
+    previous = previousPosition;
+#endif
 }

@@ -12,6 +12,12 @@ layout(location = FURTHER_UVS_VARYING) in vec4 cornerFurtherUvs[][FURTHER_UVS];
 #endif
 #endif
 
+#ifdef MOTION
+layout(location = 4) in vec4 cornerPrevious[];
+
+layout(location = 4) out vec4 previousPosition;
+#endif
+
 layout(location = 0) flat out uint instance;
 layout(location = 3) flat out uint material;
 #if TEXTURED == 1
@@ -25,6 +31,9 @@ layout(location = FURTHER_UVS_VARYING) out vec4 furtherUvs[FURTHER_UVS];
 void writeVertex(float t, vec3 offset) {
     instance = cornerInstance[0];
     material = cornerMaterial[0];
+#ifdef MOTION
+    previousPosition = mix(cornerPrevious[0], cornerPrevious[LAST_CORNER], t);
+#endif
 #if TEXTURED == 1
     uvs = mix(cornerUvs[0], cornerUvs[LAST_CORNER], t);
 #ifdef FURTHER_UVS

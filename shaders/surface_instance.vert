@@ -25,11 +25,21 @@ layout(location = FURTHER_UVS_VARYING) out vec4 furtherUvs[FURTHER_UVS];
 
 layout(location = 0) flat out uint instance;
 layout(location = 3) flat out uint material;
+#ifdef MOTION
+layout(binding = PREVIOUS_VERTICES_UNIT) uniform samplerBuffer previousVertices;
+layout(binding = PREVIOUS_OFFSETS_UNIT) uniform usamplerBuffer previousOffsets;
+
+layout(location = 4) out vec4 previousPosition;
+#endif
 
 void main() {
     gl_Position = frame.clipFromWorld * vec4(instancePosition(draw.x, position), 1.0);
     instance = draw.x;
     material = draw.y;
+#ifdef MOTION
+    int offset = int(texelFetch(previousOffsets, int(draw.x)).r);
+    previousPosition = offset == PREVIOUS_NONE ? vec4(0.0) : texelFetch(previousVertices, offset + gl_VertexID);
+#endif
 #if TEXTURED == 1
     uvs = vec4(uv0, uv1);
 #ifdef FURTHER_UVS

@@ -173,8 +173,9 @@ class CANDELA_API GpuScene {
     /// is drawn depends on `seconds` alone, and not on the times before. Cameras are posed by `cameraView`.
     /// Throws what the frame callback does; the scene stays at the time before then.
     void setTime(double seconds);
-    /// Remembers where all nodes are, as set so far, for the AOV `motion`: it shows the way from there.
-    /// Before the first call nothing moves but the camera.
+    /// Remembers where all nodes are, as set so far, for the AOV `motion`: it shows the way from there. So it
+    /// does for what moves vertices within a node: skins, morph targets, points of cages and the scene's
+    /// frame callback, but not `setPositions`. Before the first call nothing moves but the camera.
     void keepPoses();
     /// Lets the animations of these indices play (`Animation::plays`), and no other. What only others change
     /// returns to what it is in the scene. Throws `Error` (badInput) when there is no such animation.

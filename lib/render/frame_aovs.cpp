@@ -85,7 +85,7 @@ std::vector<Aov> Frame::aovs(const std::vector<std::string>& names) const {
         const DrawnFrame& frame = *state.frame;
         motion = motionOf({frame.uniforms, frame.pixels, frame.view,
                            frame.settings.previousView.value_or(frame.view), scene()->instances, depth,
-                           ids.surfaces});
+                           ids.surfaces, state.previousPositions(*scene(), ids.surfaces)});
     }
     const AovSources sources{
         targets.width, targets.height, state.frame->uniforms, state.frame->origin, depth,

@@ -1,6 +1,7 @@
 // What hosts draw into a frame: surfaces that they have drawn before, and passes of their own.
 
 #include "gl/state_guard.h"
+#include "render/debug/previous_vertices.h"
 #include "render/frame_request.h"
 #include "render/renderer_state.h"
 
@@ -64,6 +65,16 @@ std::vector<SurfaceId> Renderer::State::surfaceIds(const GpuScene::State& scene,
                                                    const gl::PixelRectangle& rectangle) {
     scene.cull(frame->frustum, draws);
     return instances.read({scene, draws, targets->width, targets->height, hostDraws.depth}, rectangle);
+}
+
+std::vector<float> Renderer::State::previousPositions(GpuScene::State& scene,
+                                                      std::span<const SurfaceId> ids) {
+    PreviousVertices previous(scene, ids);
+    if (previous.empty()) return {};
+    bindFrame();
+    scene.cull(frame->frustum, draws);
+    previous.bind();
+    return instances.readPreviousPositions({scene, draws, targets->width, targets->height, hostDraws.depth});
 }
 
 void Renderer::State::runHook(const std::function<void(const FrameStage&)>& hook,

@@ -132,6 +132,8 @@ struct Renderer::State {
 
     /// What the pixels of a rectangle show, rows from the bottom: drawn again.
     std::vector<SurfaceId> surfaceIds(const GpuScene::State& scene, const gl::PixelRectangle& rectangle);
+    /// Of the frame's surfaces; see `MotionInputs`.
+    std::vector<float> previousPositions(GpuScene::State& scene, std::span<const SurfaceId> ids);
     /// Writes depth as a host has it.
     void writeDepth(const FrameTarget& target, const DepthConvention& convention);
     /// The lit frame where a technique has left it in memory; else, and in a debug view, without radiance.

@@ -39,7 +39,7 @@ std::vector<Definitions> combinations() {
                            "RADIANCE 1", "USE 1"});
     }
     for (const char* kind : {"SPOT 0", "SPOT 1"})
-        all.push_back({"BRDF BRDF_GLTF", kind, "SHADOWS 1", "VISIBILITY 1", "SOURCE 0",
+        all.push_back({"BRDF BRDF_GLTF", kind, "SHADOWS 1", "VISIBILITY 1", "MOTION 1", "SOURCE 0",
                        "VIEW_CODE vec3(depth)", "HEAT_STOPS 5", "TEXTURED 0", "CORNERS 2", "WIDE_CORNERS 2",
                        "FILL 0", "LOAD_RADIANCE 0", "DEPTH 1", "RADIANCE 1", "USE 2"});
     all.push_back({"BRDF BRDF_GLTF", "SPOT 0", "LAYER 1", "SOURCE 0", "VIEW_CODE vec3(depth)", "HEAT_STOPS 5",
@@ -50,9 +50,9 @@ std::vector<Definitions> combinations() {
                    "TEXTURED 1", "CORNERS 2", "WIDE_CORNERS 2", "FILL 0", "LOAD_RADIANCE 0", "DEPTH 1",
                    "RADIANCE 1", "USE 0"});
     all.push_back({"BRDF BRDF_GLTF", "SPOT 0", "LAYER 1", "LOBES 1", "EXTENDED 1", "REFRACTION 1",
-                   "FURTHER_UVS 8", "SOURCE 0", "VIEW_CODE vec3(depth)", "HEAT_STOPS 5", "TEXTURED 1",
-                   "CORNERS 2", "WIDE_CORNERS 2", "FILL 0", "LOAD_RADIANCE 0", "DEPTH 1", "RADIANCE 1",
-                   "USE 0"});
+                   "FURTHER_UVS 8", "MOTION 1", "SOURCE 0", "VIEW_CODE vec3(depth)", "HEAT_STOPS 5",
+                   "TEXTURED 1", "CORNERS 2", "WIDE_CORNERS 2", "FILL 0", "LOAD_RADIANCE 0", "DEPTH 1",
+                   "RADIANCE 1", "USE 0"});
     for (const DebugView debugView : debugViews()) {
         Definitions definitions = debugViewDefinitions(debugViewRow(debugView));
         definitions.insert(definitions.end(),

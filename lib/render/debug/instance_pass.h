@@ -30,32 +30,31 @@ class InstancePass {
         /// Draws the depth of a host's surfaces; empty: there are none.
         std::function<void(GLuint framebuffer)> drawHostDepth = {};
     };
+    /// Whether a pass also draws where the points of surfaces were, of which `PreviousVertices` are bound.
+    enum class Motion { off, on };
     /// RG32UI, `SurfaceId` of each pixel.
     const gl::Texture& render(const Inputs& inputs);
     /// Those of a rectangle, rows from the bottom. Draws it alone.
     std::vector<SurfaceId> read(const Inputs& inputs, const gl::PixelRectangle& rectangle);
+    /// Where the point of the surface of each pixel was, rows from the bottom: three numbers in the frame of
+    /// its instance, and 1; and 0 where the vertices of the instance rest. `PreviousVertices` are bound.
+    std::vector<float> readPreviousPositions(const Inputs& inputs);
 
   private:
     struct Targets {
-        Targets(int width, int height);
+        Targets(int width, int height, Motion motion);
         int width, height;
-        gl::Texture instances, depth;
+        gl::Texture instances, depth, previous;
         gl::Framebuffer framebuffer;
     };
-    struct Programs {
-        gl::Program plain, textured;
-        /// Of lines and points, and of materials that read further sets of texture coordinates.
-        std::map<std::tuple<Topology, PipelineKey::Program, std::uint32_t>, gl::Program> special;
-
-        const gl::Program& of(const PipelineKey& key);
-    };
-    void prepare(int width, int height);
-    void drawBatches(const Inputs& inputs);
-    void draw(const GpuScene::State& scene, const DrawBatch& batch);
+    const gl::Program& programOf(const PipelineKey& key, Motion motion);
+    Targets& prepare(int width, int height, Motion motion);
+    void drawBatches(const Inputs& inputs, Motion motion);
+    void draw(const GpuScene::State& scene, const DrawBatch& batch, Motion motion);
 
     // Created when they are first needed.
-    std::optional<Programs> programs_;
-    std::optional<Targets> targets_;
+    std::map<std::tuple<Topology, bool, std::uint32_t, Motion>, gl::Program> programs_;
+    std::map<Motion, Targets> targets_;
 };
 
 }  // namespace candela

@@ -38,21 +38,39 @@ class Projector {
     bool orthographic_;
 };
 
-/// The matrices from where instances are to where they were; the unit matrix where they have not moved.
-std::vector<glm::dmat4> waysBack(const GpuInstances& instances) {
-    std::vector<glm::dmat4> ways(instances.size(), glm::dmat4(1.0));
-    for (std::uint32_t i = 0; i < ways.size(); ++i) {
-        const glm::mat4 now = instances.worldFromLocal(i), before = instances.keptWorldFromLocal(i);
-        if (now != before) ways[i] = glm::dmat4(before) * glm::inverse(glm::dmat4(now));
+/// Where the surfaces of instances were.
+class Past {
+  public:
+    explicit Past(const MotionInputs& inputs) : previous_(inputs.previousPositions) {
+        const GpuInstances& instances = inputs.instances;
+        waysBack_.assign(instances.size(), glm::dmat4(1.0));
+        for (std::uint32_t i = 0; i < waysBack_.size(); ++i) {
+            const glm::mat4 now = instances.worldFromLocal(i), before = instances.keptWorldFromLocal(i);
+            worldFromLocal_.emplace_back(before);
+            if (now != before) waysBack_[i] = glm::dmat4(before) * glm::inverse(glm::dmat4(now));
+        }
     }
-    return ways;
-}
+
+    /// Of what pixel `pixel` shows at `position`.
+    glm::dvec3 position(std::uint32_t instance, std::size_t pixel, const glm::dvec3& position) const {
+        if (previous_.empty() || previous_[4 * pixel + 3] == 0.0f)
+            return glm::dvec3(waysBack_[instance] * glm::dvec4(position, 1.0));
+        const float* local = &previous_[4 * pixel];
+        return glm::dvec3(worldFromLocal_[instance] * glm::dvec4(local[0], local[1], local[2], 1.0));
+    }
+
+  private:
+    std::span<const float> previous_;
+    /// From where instances are to where they were; the unit matrix where they have not moved.
+    std::vector<glm::dmat4> waysBack_;
+    std::vector<glm::dmat4> worldFromLocal_;
+};
 
 }  // namespace
 
 std::vector<float> motionOf(const MotionInputs& inputs) {
     const Projector now(inputs.view, inputs.pixels), before(inputs.previousView, inputs.pixels);
-    const std::vector<glm::dmat4> ways = waysBack(inputs.instances);
+    const Past past(inputs);
     const auto width = static_cast<std::size_t>(inputs.pixels.width);
     std::vector<float> motion(4 * inputs.ids.size(), 0.0f);
     ThreadPool::shared()->run(static_cast<std::size_t>(inputs.pixels.height), [&](std::size_t y, unsigned) {
@@ -62,7 +80,7 @@ std::vector<float> motionOf(const MotionInputs& inputs) {
             if (instance == 0 || !(inputs.depth[i] > 0.0f)) continue;
             const glm::dvec3 position(
                 worldPosition(inputs.frame, static_cast<int>(x), static_cast<int>(y), inputs.depth[i]));
-            const glm::dvec3 then(ways[instance - 1] * glm::dvec4(position, 1.0));
+            const glm::dvec3 then = past.position(instance - 1, i, position);
             const glm::dvec2 way = now.pixel(position) - before.pixel(then);
             if (!std::isfinite(way.x) || !std::isfinite(way.y)) continue;
             motion[4 * i] = static_cast<float>(way.x);

@@ -20,6 +20,8 @@ struct MotionInputs {
     const GpuInstances& instances;  ///< Where they are, and where they were (`GpuInstances::keep`).
     std::span<const float> depth;   ///< Reversed.
     std::span<const SurfaceId> ids;
+    /// As `InstancePass::readPreviousPositions`; empty: the vertices of all instances rest.
+    std::span<const float> previousPositions;
 };
 
 /// The way of each pixel's surface in the picture since the previous view and poses, pixels: x to the right

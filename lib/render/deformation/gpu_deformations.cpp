@@ -233,6 +233,34 @@ void GpuDeformations::deform(std::span<const std::uint32_t> indices) {
     deformer_.deform(requests_);
 }
 
+void GpuDeformations::keep() {
+    for (const auto& instance : instances_) {
+        if (!instance) continue;
+        instance->keptJoints = instance->joints;
+        instance->keptWeights = instance->morphWeights;
+    }
+}
+
+std::vector<glm::vec3> GpuDeformations::keptPositions(std::uint32_t index) {
+    const Instance& instance = *instances_[index];
+    if (instance.keptJoints.rows == instance.joints.rows && instance.keptWeights == instance.morphWeights)
+        return {};
+    MeshDeformation& deformation = *instance.deformation;
+    DeformedBuffers buffers;
+    buffers.surface.reserve(deformation.surfaceBytes());
+    if (deformation.hasTangents()) buffers.tangents.reserve(deformation.tangentBytes());
+    const DeformRequest request{deformation, instance.skin ? &instance.keptJoints : nullptr,
+                                instance.keptWeights, buffers};
+    deformer_.deform({&request, 1});
+    struct Vertex {
+        glm::vec3 position, normal;
+    };
+    std::vector<glm::vec3> positions;
+    for (const Vertex& vertex : buffers.surface.read<Vertex>(0, deformation.vertexCount()))
+        positions.push_back(vertex.position);
+    return positions;
+}
+
 DeformationReport GpuDeformations::report() const {
     DeformationReport report;
     for (const auto& instance : instances_) {

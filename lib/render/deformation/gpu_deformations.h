@@ -76,6 +76,11 @@ class GpuDeformations {
     /// Computes the vertices of `indices`.
     void deform(std::span<const std::uint32_t> indices);
 
+    /// Remembers the poses of all instances.
+    void keep();
+    /// The positions of an instance in the pose of the last `keep`; empty where its pose is the same.
+    std::vector<glm::vec3> keptPositions(std::uint32_t index);
+
     GLuint vertexArray(std::uint32_t index) const { return instances_[index]->vertexArray.name(); }
     const DeformedBuffers& buffers(std::uint32_t index) const { return instances_[index]->buffers; }
     DeformationReport report() const;
@@ -89,6 +94,8 @@ class GpuDeformations {
         std::vector<AnimationChannel> animations;  ///< Those that play.
         std::vector<float> morphWeights;           ///< Empty: all 0.
         PosedJoints joints;
+        PosedJoints keptJoints;
+        std::vector<float> keptWeights;
         DeformedBuffers buffers;
         gl::VertexArray vertexArray{"deformed mesh"};
         bool isMarked = false, isStale = true;

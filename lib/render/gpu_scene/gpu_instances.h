@@ -132,10 +132,11 @@ class GpuInstances {
         kept_.assign(records_.texels().begin(), records_.texels().end());
         isNew_.assign(instances_.size(), false);
     }
+    /// Has an instance been added since the last `keep`, or was there none?
+    bool isNew(std::uint32_t index) const { return kept_.empty() || isNew_[index]; }
     /// Where an instance was at the last `keep`; before, and where it has been added since, where it is.
     glm::mat4 keptWorldFromLocal(std::uint32_t index) const {
-        const bool isKept = !kept_.empty() && !isNew_[index];
-        return matrixOf(isKept ? std::span<const glm::vec4>(kept_) : records_.texels(), index);
+        return matrixOf(isNew(index) ? records_.texels() : std::span<const glm::vec4>(kept_), index);
     }
     const gl::BufferTexture& records() const { return records_.texture(); }
 

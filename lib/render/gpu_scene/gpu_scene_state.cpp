@@ -305,6 +305,13 @@ void GpuScene::State::update() {
 void GpuScene::State::keepPoses() {
     update();
     instances.keep();
+    deformations.keep();
+    cages.keep();
+    kept_ = update_;
+}
+
+const SceneUpdate::MeshVertices* GpuScene::State::keptVertices(std::uint32_t mesh) const {
+    return kept_ && kept_ != update_ ? kept_->ofMesh(mesh) : nullptr;
 }
 
 void GpuScene::State::moveNode(std::uint32_t node) {

@@ -67,6 +67,9 @@ struct GpuScene::State {
     void setLights(const BufferRange& records, std::uint64_t count);
     void setTime(double seconds);
     void keepPoses();
+    /// The vertices of a mesh that the frame callback had moved elsewhere at the last `keepPoses`; null: they
+    /// are where they were.
+    const SceneUpdate::MeshVertices* keptVertices(std::uint32_t mesh) const;
     void playAnimations(std::span<const std::uint32_t> animations);
     void setLights(std::span<const WorldLight> lights);
     void setCagePoints(std::uint32_t node, std::span<const glm::vec3> points);
@@ -210,6 +213,7 @@ struct GpuScene::State {
     std::vector<std::uint32_t> stale_;  ///< Of the `updateDeformations` in progress.
     bool timeChanged_ = true;
     std::shared_ptr<const SceneUpdate> update_;  ///< Of the frame callback; null without one.
+    std::shared_ptr<const SceneUpdate> kept_;    ///< The same at the last `keepPoses`.
     bool rangeRuleChanged_ = false;
     bool lightsEdited_ = false;                           ///< Lights were added, removed or replaced.
     std::vector<std::uint32_t> lightPlaces_;              ///< Of each light in `lights`; empty: its index.

@@ -290,6 +290,24 @@ void GpuCages::evaluateStale(VertexScope scope) {
     }
 }
 
+void GpuCages::keep() {
+    for (Instance& instance : instances_) {
+        instance.keptPoints.clear();
+        if (instance.isRemoved || sharedSurfaces_[instance.cage] == instance.surface) continue;
+        const std::span<const glm::vec3> points = surfaces_[instance.surface]->points();
+        instance.keptPoints.assign(points.begin(), points.end());
+    }
+}
+
+std::vector<glm::vec3> GpuCages::keptPositions(std::uint32_t index) {
+    const Instance& instance = instances_[index];
+    const LimitSurface& surface = *surfaces_[instance.surface];
+    const std::vector<glm::vec3>& rest = scene_.cages[instance.cage].positions;
+    const std::span<const glm::vec3> kept(instance.keptPoints.empty() ? rest : instance.keptPoints);
+    if (std::ranges::equal(kept, surface.points())) return {};
+    return surface.positionsAt(kept, evaluator_);
+}
+
 CageLines GpuCages::lines(CageLineKind kind, std::uint32_t cageInstance, std::uint32_t instance) {
     return surfaces_[instances_[cageInstance].surface]->lines(kind, instance);
 }

@@ -45,6 +45,7 @@ class GpuCages {
         bool hidden = false;
         bool isMarked = false;                   ///< To be posed.
         bool isRemoved = false;                  ///< The place is free.
+        std::vector<glm::vec3> keptPoints = {};  ///< Empty: those of the cage at rest.
     };
     std::span<const Instance> instances() const { return instances_; }
     const LimitSurface& surface(std::uint32_t index) const { return *surfaces_[index]; }
@@ -73,6 +74,12 @@ class GpuCages {
         int width = 0, height = 0;  ///< Pixels.
     };
     std::span<const std::uint32_t> update(const View& view, VertexScope scope, const gl::Buffer& drawRecords);
+
+    /// Remembers the points of all instances.
+    void keep();
+    /// The positions of an instance's refined cage, at its present level, for the points of the last `keep`;
+    /// empty where the points are the same.
+    std::vector<glm::vec3> keptPositions(std::uint32_t instance);
 
     /// Lines of the cage `instances()[cageInstance]`, for the instance `instance` of the scene.
     CageLines lines(CageLineKind kind, std::uint32_t cageInstance, std::uint32_t instance);

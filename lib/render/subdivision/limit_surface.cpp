@@ -76,6 +76,16 @@ void LimitSurface::evaluate(EvaluatorBackend& evaluator) {
     ++version_;
 }
 
+std::vector<glm::vec3> LimitSurface::positionsAt(std::span<const glm::vec3> points,
+                                                 EvaluatorBackend& evaluator) const {
+    gl::Buffer pointBuffer("previous cage points", gl::BufferUsage::dynamic);
+    pointBuffer.upload(points);
+    LimitBuffers buffers;
+    buffers.surface.reserve(LimitBuffers::surfaceBytes(vertexCount()));
+    evaluator.evaluate({*table_, points, pointBuffer, {}, buffers});
+    return buffers.surface.read<glm::vec3>(0, vertexCount());
+}
+
 std::vector<glm::vec3> LimitSurface::readPositions() const {
     return buffers_.surface.read<glm::vec3>(0, vertexCount());
 }
@@ -85,7 +95,8 @@ std::vector<std::uint32_t> LimitSurface::readIndices(const IndexRange& range) co
 }
 
 std::vector<glm::vec2> LimitSurface::readUvs() const {
-    return table_->uvs() == nullptr ? std::vector<glm::vec2>{} : table_->uvs()->read<glm::vec2>(0, vertexCount());
+    return table_->uvs() == nullptr ? std::vector<glm::vec2>{}
+                                    : table_->uvs()->read<glm::vec2>(0, vertexCount());
 }
 
 CageLines LimitSurface::lines(CageLineKind kind, std::uint32_t instance) {

@@ -49,6 +49,9 @@ class LimitSurface {
     /// How often the vertices have been computed.
     std::uint64_t version() const { return version_; }
 
+    /// The positions of the vertices where the points of the cage are these: computed and read back.
+    std::vector<glm::vec3> positionsAt(std::span<const glm::vec3> points, EvaluatorBackend& evaluator) const;
+
     // Read back from the device, as of the last `evaluate`.
 
     std::vector<glm::vec3> readPositions() const;
