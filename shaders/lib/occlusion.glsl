@@ -182,7 +182,7 @@ float transmittance(vec3 from, vec3 way, float tMin, float tMax) {
         }
         uint node = child;
         if (isLeaf) {
-            int texel = 1 + int(child & OCCLUSION_LEAF_FIRST_MASK) * OCCLUSION_INSTANCE_TEXELS;
+            int texel = (1 + int(child & OCCLUSION_LEAF_FIRST_MASK)) * OCCLUSION_INSTANCE_TEXELS;
             node = texelFetch(occlusionInstances, texel + 3).x;
             if (node == OCCLUSION_NONE) continue;
             vec4 x = uintBitsToFloat(texelFetch(occlusionInstances, texel));

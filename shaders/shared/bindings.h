@@ -42,7 +42,7 @@ const int ENVIRONMENT_PICTURE_UNIT = 0;     // RGBA32F: the picture, for the bac
 // Texture units of the lighting passes with shadows, shaders/lib/occlusion.glsl.
 const int OCCLUSION_NODES_UNIT = 8;      // RGBA32UI buffer: OCCLUSION_NODE_TEXELS a node
 const int OCCLUSION_TRIANGLES_UNIT = 9;  // RGBA32UI buffer: OCCLUSION_TRIANGLE_TEXELS a triangle
-const int OCCLUSION_INSTANCES_UNIT = 10; // RGBA32UI buffer: a texel, then OCCLUSION_INSTANCE_TEXELS an instance
+const int OCCLUSION_INSTANCES_UNIT = 10; // RGBA32UI buffer: OCCLUSION_INSTANCE_TEXELS an instance, after the first ones
 const int OCCLUSION_CUTOUTS_UNIT = 11;   // RGBA32UI buffer: OCCLUSION_CUTOUT_TEXELS a triangle that masks or blends by alpha
 const int OCCLUSION_ALPHAS_UNIT = 12;    // R32UI buffer: images of alpha, four texels a word
 

@@ -19,15 +19,15 @@ class EmbreeScene {
     EmbreeScene& operator=(const EmbreeScene&) = delete;
     ~EmbreeScene();
 
-    /// Sets mesh `index`. Where the triangles are those of
-    /// before, its tree is refitted. Throws `Error` (limit) when memory does not hold it.
+    /// Sets mesh `index`. Where the triangles are those of before, its tree is refitted. Throws `Error`
+    /// (limit) when memory does not hold it.
     void setMesh(std::uint32_t index, std::shared_ptr<const OcclusionMesh> mesh);
     /// Sets instance `index`, of a mesh that is set. An instance whose matrix is singular, or not finite,
     /// hides nothing.
     void setInstance(std::uint32_t index, const OcclusionInstance& instance);
     /// Lets an instance hide nothing until it is set again. One that was never set stays absent.
     void disableInstance(std::uint32_t index);
-    /// Brings the upper tree up to date.
+    /// Brings the trees over the instances up to date, at a cost in proportion to what has changed.
     void commit();
 
     /// Memory of all trees, bytes.

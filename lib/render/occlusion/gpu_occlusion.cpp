@@ -17,6 +17,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace candela {
 
@@ -99,7 +100,7 @@ void encodeNode(const WideNode& node, unsigned count, const std::array<std::uint
     texels[5] = {child[4], child[5], child[6], child[7]};
 }
 
-/// All nodes of a tree whose first one is node `firstNode` of the buffer; `leafCode(leaf)` is a leaf as the
+/// Nodes of a tree whose first one is node `firstNode` of the buffer; `leafCode(leaf)` is a leaf as the
 /// shader reads it.
 template <typename LeafCode>
 std::vector<glm::uvec4> encodeNodes(std::span<const WideNode> nodes, std::uint32_t firstNode,
@@ -114,29 +115,25 @@ std::vector<glm::uvec4> encodeNodes(std::span<const WideNode> nodes, std::uint32
             child[count] =
                 (own & WideNode::leafFlag) != 0 ? leafCode(own & ~WideNode::leafFlag) : firstNode + own;
         }
-        encodeNode(node, count, child, &texels[i * nodeTexels]);
+        if (count > 0) encodeNode(node, count, child, &texels[i * nodeTexels]);
     });
     return texels;
 }
 
 /// A ray in the space of a mesh is rounded otherwise than in the world: the boxes of instances are wider by
 /// four units in the last place of their largest coordinate.
-std::vector<WideNode> widened(std::span<const WideNode> nodes) {
+void widen(WideNode& node) {
     constexpr float relative = 4.0f * std::numeric_limits<float>::epsilon();
-    std::vector<WideNode> result(nodes.begin(), nodes.end());
-    const auto widen = [](float* low, float* high) {
+    const auto widenAxis = [](float* low, float* high) {
         for (unsigned lane = 0; lane < WideNode::width; ++lane) {
             const float margin = relative * std::max(std::abs(low[lane]), std::abs(high[lane]));
             low[lane] -= margin;
             high[lane] += margin;
         }
     };
-    for (WideNode& node : result) {
-        widen(node.minX, node.maxX);
-        widen(node.minY, node.maxY);
-        widen(node.minZ, node.maxZ);
-    }
-    return result;
+    widenAxis(node.minX, node.maxX);
+    widenAxis(node.minY, node.maxY);
+    widenAxis(node.minZ, node.maxZ);
 }
 
 /// The inverse of the linear part, by rows; none where it is singular or not finite.
@@ -162,10 +159,10 @@ std::vector<std::uint32_t> packAlphas(const AlphaImage& image) {
     return words;
 }
 
-void requireDepth(const WideTree& tree) {
-    if (tree.depth <= unsigned{layout::OCCLUSION_MAX_DEPTH}) return;
+void requireDepth(unsigned depth) {
+    if (depth <= unsigned{layout::OCCLUSION_MAX_DEPTH}) return;
     throw Error(ErrorKind::limit, "",
-                "a tree of occlusion rays is " + std::to_string(tree.depth) + " nodes deep; shaders take " +
+                "a tree of occlusion rays is " + std::to_string(depth) + " nodes deep; shaders take " +
                     std::to_string(layout::OCCLUSION_MAX_DEPTH) + " at most");
 }
 
@@ -183,8 +180,8 @@ GpuOcclusion::GpuOcclusion()
       triangles_(GL_RGBA32UI, "occlusion triangles"),
       cutouts_(GL_RGBA32UI, "occlusion cut-outs"),
       alphas_(GL_R32UI, "occlusion alphas"),
-      instances_(GL_RGBA32UI, "occlusion instances") {
-    setInstances({}, {});
+      instances_(GL_RGBA32UI, instanceTexels, "occlusion instances") {
+    setTree({}, 0, {});
 }
 
 void GpuOcclusion::release(Mesh& mesh) {
@@ -249,7 +246,7 @@ void GpuOcclusion::setMesh(std::uint32_t index, const OcclusionMesh& from, const
     Mesh& mesh = meshes_[index];
     release(mesh);
     if (tree.empty()) return;
-    requireDepth(tree);
+    requireDepth(tree.depth);
     try {
         mesh.nodes = nodes_.allocate(static_cast<std::uint32_t>(tree.nodes.size()) * nodeTexels);
         mesh.triangles =
@@ -277,49 +274,76 @@ void GpuOcclusion::setMesh(std::uint32_t index, const OcclusionMesh& from, const
     }
 }
 
-void GpuOcclusion::setInstances(std::span<const OcclusionInstance> instances, const WideTree& tree) {
-    std::vector<glm::uvec4> texels(1 + instances.size() * instanceTexels);
-    const auto upload = [&](std::uint32_t root) {
-        texels.front().x = root;
-        instances_.upload(std::span<const glm::uvec4>(texels));
-        instanceBytes_ = texels.size() * sizeof(glm::uvec4);
-    };
-    nodes_.release(upper_);
-    upper_ = {};
-    if (tree.empty()) return upload(layout::OCCLUSION_NONE);
-    requireDepth(tree);
-    upper_ = nodes_.allocate(static_cast<std::uint32_t>(tree.nodes.size()) * nodeTexels);
-    const std::uint32_t root = upper_.first / nodeTexels;
-    requireNodes(std::uint64_t{root} + tree.nodes.size());
-    const std::vector<glm::uvec4> nodes = encodeNodes(widened(tree.nodes), root, [&](std::uint32_t leaf) {
-        assert(tree.leaves[leaf].count == 1);
-        return layout::OCCLUSION_LEAF | tree.primitives[tree.leaves[leaf].first];
-    });
-    nodes_.write(upper_, std::as_bytes(std::span(nodes)));
-    forEach(instances.size(), [&](std::size_t i) {
-        const OcclusionInstance& instance = instances[i];
-        glm::uvec4* record = &texels[1 + i * instanceTexels];
-        const std::optional<glm::mat3> rows = inverseRows(instance.worldFromLocal);
-        const bool isTraced =
-            rows && instance.mesh < meshes_.size() && meshes_[instance.mesh].nodes.count > 0;
-        record[3].x = isTraced ? meshes_[instance.mesh].nodes.first / nodeTexels : layout::OCCLUSION_NONE;
-        if (!isTraced) return;
-        for (int row = 0; row < 3; ++row)
-            record[row] = corner((*rows)[row], bits(instance.worldFromLocal[3][row]));
-    });
-    upload(root);
+void GpuOcclusion::setInstance(std::uint32_t index, const OcclusionInstance& instance) {
+    if (index + 2 > instances_.size()) instances_.grow(index + 2);
+    const std::span<glm::uvec4> record = instances_.edit(index + 1);
+    const std::optional<glm::mat3> rows = inverseRows(instance.worldFromLocal);
+    const bool isTraced = rows && instance.mesh < meshes_.size() && meshes_[instance.mesh].nodes.count > 0;
+    record[3].x = isTraced ? meshes_[instance.mesh].nodes.first / nodeTexels : layout::OCCLUSION_NONE;
+    if (!isTraced) return;
+    for (int row = 0; row < 3; ++row) {
+        record[static_cast<std::size_t>(row)] = corner((*rows)[row], bits(instance.worldFromLocal[3][row]));
+    }
+}
+
+void GpuOcclusion::setRoot(std::uint32_t node) {
+    if (instances_.size() == 0) instances_.grow(1);
+    instances_.edit(0)[0].x = node;
+    instances_.upload();
+}
+
+void GpuOcclusion::setTree(std::span<const WideNode> nodes, unsigned depth,
+                           const InstanceTree::Changes& changes) {
+    const auto needed = static_cast<std::uint32_t>(nodes.size()) * nodeTexels;
+    const bool fits = needed <= upper_.count;
+    if (!fits || nodes.empty()) nodes_.release(std::exchange(upper_, {}));
+    if (nodes.empty()) return setRoot(layout::OCCLUSION_NONE);
+    try {
+        requireDepth(depth);
+        // Room for the nodes that insertions add.
+        if (!fits) upper_ = nodes_.allocate(needed + needed / (8 * nodeTexels) * nodeTexels);
+        requireNodes(std::uint64_t{upper_.first / nodeTexels} + nodes.size());
+    } catch (...) {
+        setRoot(layout::OCCLUSION_NONE);
+        throw;
+    }
+    if (!fits || changes.all) {
+        writeNodes(nodes, 0);
+    } else {
+        // Nodes between two changed ones are sent along where that takes less than another call.
+        constexpr std::uint32_t maxGap = 16;
+        const std::vector<std::uint32_t>& changed = changes.nodes;
+        for (std::size_t first = 0, last = 0; first < changed.size(); first = last + 1) {
+            for (last = first; last + 1 < changed.size() && changed[last + 1] - changed[last] <= maxGap;)
+                ++last;
+            writeNodes(nodes.subspan(changed[first], changed[last] - changed[first] + 1), changed[first]);
+        }
+    }
+    setRoot(upper_.first / nodeTexels);
+}
+
+/// `nodes` are those from `first` on of the tree over instances.
+void GpuOcclusion::writeNodes(std::span<const WideNode> nodes, std::uint32_t first) {
+    std::vector<WideNode> widened(nodes.begin(), nodes.end());
+    for (WideNode& node : widened) widen(node);
+    const std::vector<glm::uvec4> texels =
+        encodeNodes(widened, upper_.first / nodeTexels,
+                    [](std::uint32_t instance) { return layout::OCCLUSION_LEAF | instance; });
+    nodes_.write({upper_.first + first * nodeTexels, static_cast<std::uint32_t>(texels.size())},
+                 std::as_bytes(std::span(texels)));
 }
 
 void GpuOcclusion::bind() const {
     glBindTextureUnit(layout::OCCLUSION_NODES_UNIT, nodes_.texture());
     glBindTextureUnit(layout::OCCLUSION_TRIANGLES_UNIT, triangles_.texture());
-    glBindTextureUnit(layout::OCCLUSION_INSTANCES_UNIT, instances_.name());
+    glBindTextureUnit(layout::OCCLUSION_INSTANCES_UNIT, instances_.texture().name());
     glBindTextureUnit(layout::OCCLUSION_CUTOUTS_UNIT, cutouts_.texture());
     glBindTextureUnit(layout::OCCLUSION_ALPHAS_UNIT, alphas_.texture());
 }
 
 std::uint64_t GpuOcclusion::bytes() const {
-    return nodes_.bytes() + triangles_.bytes() + cutouts_.bytes() + alphas_.bytes() + instanceBytes_;
+    return nodes_.bytes() + triangles_.bytes() + cutouts_.bytes() + alphas_.bytes() +
+           instances_.texels().size_bytes();
 }
 
 }  // namespace candela

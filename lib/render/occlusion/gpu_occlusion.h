@@ -1,6 +1,8 @@
 #pragma once
 
 #include "gl/texel_heap.h"
+#include "render/gpu_scene/record_buffer.h"
+#include "render/occlusion/instance_tree.h"
 #include "render/occlusion/occlusion_mesh.h"
 #include "render/occlusion/wide_tree.h"
 
@@ -20,15 +22,17 @@ class GpuOcclusion {
     GpuOcclusion(const GpuOcclusion&) = delete;
     GpuOcclusion& operator=(const GpuOcclusion&) = delete;
 
-    /// Sets mesh `index`; meshes in between are empty. `tree` is of its triangles. A call of `setInstances`
-    /// has to follow before rays are traced. Throws `Error` (limit) beyond what the device holds: the mesh is
-    /// empty then.
+    /// Sets mesh `index`; meshes in between are empty. `tree` is of its triangles. Calls of `setInstance` for
+    /// those that show it have to follow before rays are traced. Throws `Error` (limit) beyond what the
+    /// device holds: the mesh is empty then.
     void setMesh(std::uint32_t index, const OcclusionMesh& mesh, const WideTree& tree);
-    /// Sets all instances. `tree` is of their world-space boxes, one a leaf, and `tree.primitives` are
-    /// indices of `instances`; what is not in the tree, such as a hidden instance, casts no shadow. Nor does
-    /// an instance whose matrix is singular or not finite, or whose mesh is empty. Throws as `setMesh` does:
-    /// there are no instances then.
-    void setInstances(std::span<const OcclusionInstance> instances, const WideTree& tree);
+    /// Sets an instance, which `setTree` uploads. One whose matrix is singular or not finite, or whose mesh
+    /// is empty, casts no shadow. Throws `Error` (limit) where the device does not hold as many.
+    void setInstance(std::uint32_t index, const OcclusionInstance& instance);
+    /// Sets the tree over the instances' world-space boxes, `InstanceTree::nodes`, and uploads what has
+    /// changed of it since the last call and the instances that were set. What is not in the tree, such as a
+    /// hidden instance, casts no shadow. Throws as `setMesh` does: there are no instances then.
+    void setTree(std::span<const WideNode> nodes, unsigned depth, const InstanceTree::Changes& changes);
 
     /// Binds the textures of shaders/lib/occlusion.glsl.
     void bind() const;
@@ -49,13 +53,14 @@ class GpuOcclusion {
     void addImage(const std::shared_ptr<const AlphaImage>& image);
     void writeTriangles(const Mesh& mesh, const OcclusionMesh& from, const WideTree& tree);
     void writeCutouts(const Mesh& mesh, const OcclusionMesh& from);
+    void setRoot(std::uint32_t node);
+    void writeNodes(std::span<const WideNode> nodes, std::uint32_t first);
 
     gl::TexelHeap nodes_, triangles_, cutouts_, alphas_;
-    gl::BufferTexture instances_;
-    std::size_t instanceBytes_ = 0;
+    RecordBuffer<glm::uvec4> instances_;  ///< The first record has the root; then one an instance.
     std::vector<Mesh> meshes_;
     std::map<const AlphaImage*, Image> images_;
-    gl::TexelRange upper_;  ///< Nodes of the tree over instances.
+    gl::TexelRange upper_;  ///< Nodes of the tree over instances, with room for more.
 };
 
 }  // namespace candela

@@ -84,14 +84,16 @@ void OcclusionScene::update(GpuScene::State& scene) {
     // Instances that are new come in the order of their indices.
     std::ranges::sort(changed);
     instances_.resize(scene.instances.size());
+    instanceViews_.resize(scene.instances.size());
     if (imagesVersion_ != scene.imagesVersion) alphaImages_.clear();
     imagesVersion_ = scene.imagesVersion;
     for (const std::uint32_t index : changed) updateUsers(scene, index);
     updateMeshes(scene);
     for (const std::uint32_t index : changed) updateInstance(scene, index);
+    if (meshesChanged_) listUsersOfNewMeshes(changed);
     if (!changed.empty() || meshesChanged_) {
         embree_.commit();
-        updateView();
+        placeInstances(changed);
     }
     updateMilliseconds_ = millisecondsSince(start);
 }
@@ -135,7 +137,7 @@ void OcclusionScene::release(std::uint32_t index) {
     entry.blocks.clear();
     entry.blends = false;
     entry.mesh = nothing;
-    entry.isNewToShaders = true;
+    entry.isNew = entry.isNewToShaders = true;
     embree_.setMesh(index, nothing);
     meshesChanged_ = true;
 }
@@ -178,7 +180,7 @@ void OcclusionScene::build(const GpuScene::State& scene, std::uint32_t index) {
     fillTriangleBlocks(entry.tree, triangles, entry.blocks);
     entry.blends = std::ranges::any_of(mesh->cutouts, &CutoutTriangle::dims);
     entry.mesh = mesh;
-    entry.isNewToShaders = true;
+    entry.isNew = entry.isNewToShaders = true;
     embree_.setMesh(index, mesh);
     entry.buildMilliseconds = millisecondsSince(start);
 }
@@ -187,48 +189,56 @@ void OcclusionScene::updateInstance(const GpuScene::State& scene, std::uint32_t 
     InstanceEntry& instance = instances_[index];
     if (instance.mesh == noMesh) {
         instance.casts = false;
-        placeInstance(instance);
         embree_.disableInstance(index);
         return;
     }
     instance.casts =
         !scene.instances.isHidden(index) && scene.sceneState.nodes[scene.instances[index].node].castsShadow;
     instance.worldFromLocal = worldFromLocal(scene, index);
-    placeInstance(instance);
     embree_.setInstance(index, {instance.mesh, instance.worldFromLocal, instance.casts});
 }
 
-void OcclusionScene::placeInstance(InstanceEntry& instance) const {
-    instance.bounds = {};
-    if (!instance.casts || !isInvertible(instance.worldFromLocal)) return;
-    instance.bounds = transformed(meshes_[instance.mesh].tree.bounds, instance.worldFromLocal);
-    writeRows(instance.localFromWorld, glm::inverse(instance.worldFromLocal));
+/// The boxes of their meshes are other ones.
+void OcclusionScene::listUsersOfNewMeshes(std::vector<std::uint32_t>& instances) {
+    for (std::uint32_t i = 0; i < instances_.size(); ++i) {
+        if (instances_[i].mesh != noMesh && meshes_[instances_[i].mesh].isNew) instances.push_back(i);
+    }
+    for (MeshEntry& mesh : meshes_) mesh.isNew = false;
+    std::ranges::sort(instances);
+    const auto repeated = std::ranges::unique(instances);
+    instances.erase(repeated.begin(), repeated.end());
 }
 
-/// The tree over instances is built anew: that takes less than refitting would cost rays.
-void OcclusionScene::updateView() {
-    std::vector<Bounds> boxes(instances_.size());
-    for (std::size_t i = 0; i < instances_.size(); ++i) {
-        // Those of a mesh that has changed have other boxes.
-        if (meshesChanged_) placeInstance(instances_[i]);
-        boxes[i] = instances_[i].bounds;
+void OcclusionScene::placeInstances(std::span<const std::uint32_t> instances) {
+    std::vector<InstanceTree::Change> boxes;
+    boxes.reserve(instances.size());
+    for (const std::uint32_t index : instances) {
+        InstanceEntry& instance = instances_[index];
+        boxes.push_back({index, placeInstance(index)});
+        const bool blends = isTraceable(boxes.back().box) && meshes_[instance.mesh].blends;
+        blending_ = blending_ - (instance.blends ? 1 : 0) + (blends ? 1 : 0);
+        instance.blends = blends;
+        if (!instance.isNewToShaders) newToShaders_.push_back(index);
+        instance.isNewToShaders = true;
     }
-    top_ = buildWideTree(boxes, 1);
-    instancesAreNewToShaders_ = true;
-    instanceViews_.clear();
-    bool blends = false;
-    for (const WideTree::Leaf& leaf : top_.leaves) {
-        const InstanceEntry& instance = instances_[top_.primitives[leaf.first]];
-        const MeshEntry& mesh = meshes_[instance.mesh];
-        OcclusionInstanceView& view = instanceViews_.emplace_back();
-        std::ranges::copy(instance.localFromWorld, view.localFromWorld);
-        view.nodes = mesh.tree.nodes.data();
-        view.blocks = mesh.blocks.data();
-        view.opaqueCount = static_cast<std::uint32_t>(mesh.mesh->opaqueCount());
-        blends = blends || mesh.blends;
-    }
-    view_ = {top_.empty() ? nullptr : top_.nodes.data(), instanceViews_.data(), &embree_,
-             EmbreeScene::tracePacket, blends};
+    top_.update(boxes);
+    view_ = {top_.empty() ? nullptr : top_.nodes().data(), instanceViews_.data(), &embree_,
+             EmbreeScene::tracePacket, blending_ > 0};
+}
+
+/// Returns its world-space box, which is empty where it hides nothing.
+Bounds OcclusionScene::placeInstance(std::uint32_t index) {
+    const InstanceEntry& instance = instances_[index];
+    if (!instance.casts || !isInvertible(instance.worldFromLocal)) return {};
+    const MeshEntry& mesh = meshes_[instance.mesh];
+    const Bounds box = transformed(mesh.tree.bounds, instance.worldFromLocal);
+    if (!isTraceable(box)) return {};
+    OcclusionInstanceView& view = instanceViews_[index];
+    writeRows(view.localFromWorld, glm::inverse(instance.worldFromLocal));
+    view.nodes = mesh.tree.nodes.data();
+    view.blocks = mesh.blocks.data();
+    view.opaqueCount = static_cast<std::uint32_t>(mesh.mesh->opaqueCount());
+    return box;
 }
 
 void OcclusionScene::updateShaderForm() {
@@ -239,18 +249,20 @@ void OcclusionScene::updateShaderForm() {
         if (!entry.isNewToShaders || !entry.mesh) continue;
         shaderForm_->setMesh(i, *entry.mesh, entry.tree);
         entry.isNewToShaders = false;
-        instancesAreNewToShaders_ = true;
     }
-    if (instancesAreNewToShaders_) {
-        std::vector<OcclusionInstance> instances;
-        for (const InstanceEntry& instance : instances_) {
-            const std::uint32_t mesh = instance.mesh == noMesh ? 0 : instance.mesh;
-            instances.push_back({mesh, instance.worldFromLocal, instance.casts});
-        }
-        shaderForm_->setInstances(instances, top_);
-        instancesAreNewToShaders_ = false;
-    }
+    if (!newToShaders_.empty()) updateShaderInstances();
     updateMilliseconds_ += millisecondsSince(start);
+}
+
+void OcclusionScene::updateShaderInstances() {
+    for (const std::uint32_t index : newToShaders_) {
+        const InstanceEntry& instance = instances_[index];
+        const std::uint32_t mesh = instance.mesh == noMesh ? 0 : instance.mesh;
+        shaderForm_->setInstance(index, {mesh, instance.worldFromLocal, instance.casts});
+    }
+    shaderForm_->setTree(top_.nodes(), top_.depth(), top_.takeChanges());
+    for (const std::uint32_t index : newToShaders_) instances_[index].isNewToShaders = false;
+    newToShaders_.clear();
 }
 
 OcclusionReport OcclusionScene::report() const {
@@ -263,7 +275,7 @@ OcclusionReport OcclusionScene::report() const {
         report.bytes +=
             entry.tree.bytes() + entry.blocks.size() * sizeof(TriangleBlock) + entry.mesh->bytes();
     }
-    report.instances = instanceViews_.size();
+    report.instances = top_.size();
     report.updateMilliseconds = updateMilliseconds_;
     return report;
 }

@@ -3,6 +3,7 @@
 #include "render/gpu_scene/draw_list.h"
 #include "render/occlusion/embree_scene.h"
 #include "render/occlusion/gpu_occlusion.h"
+#include "render/occlusion/instance_tree.h"
 #include "render/occlusion/mesh_readback.h"
 #include "render/occlusion/occlusion_view.h"
 #include "render/occlusion/wide_tree.h"
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,6 +39,8 @@ class OcclusionScene {
     const OcclusionView& view() const { return view_; }
     /// As of the last `updateShaderForm`; null before.
     const GpuOcclusion* shaderForm() const { return shaderForm_ ? &*shaderForm_ : nullptr; }
+    /// Over the instances that cast shadows.
+    const InstanceTree& instanceTree() const { return top_; }
     OcclusionReport report() const;
 
   private:
@@ -50,6 +54,7 @@ class OcclusionScene {
         std::uint64_t alphaVersion = 0;  ///< Of the materials that mask or blend.
         bool readsAlpha = false;         ///< A part has such a material.
         bool blends = false;             ///< A part has one that lets a part of a ray through.
+        bool isNew = false;              ///< Has changed by the `update` in progress.
         bool isNewToShaders = true;      ///< Has changed since `updateShaderForm`.
         double buildMilliseconds = 0.0;
         std::shared_ptr<const OcclusionMesh> mesh;
@@ -64,10 +69,9 @@ class OcclusionScene {
         std::uint32_t mesh = noMesh;  ///< None yet, or the instance has been removed.
         glm::mat4 worldFromLocal{1.0f};
         bool casts = false;
-        Bounds bounds;  ///< World; empty where it hides nothing.
-        float localFromWorld[12]{};
+        bool blends = false;          ///< It casts a shadow that lets a part of the light through.
+        bool isNewToShaders = false;  ///< As of `MeshEntry`.
     };
-    void placeInstance(InstanceEntry& instance) const;
 
     std::uint32_t meshOf(const GpuScene::State& scene, std::uint32_t instance);
     void updateUsers(const GpuScene::State& scene, std::uint32_t instance);
@@ -75,17 +79,21 @@ class OcclusionScene {
     void updateMeshes(const GpuScene::State& scene);
     void build(const GpuScene::State& scene, std::uint32_t index);
     void updateInstance(const GpuScene::State& scene, std::uint32_t index);
-    void updateView();
+    void listUsersOfNewMeshes(std::vector<std::uint32_t>& instances);
+    void placeInstances(std::span<const std::uint32_t> instances);
+    Bounds placeInstance(std::uint32_t index);
+    void updateShaderInstances();
 
     EmbreeScene embree_;
     std::vector<MeshEntry> meshes_;
     std::map<MeshKey, std::uint32_t> meshIndices_;
     std::vector<InstanceEntry> instances_;              ///< All of the scene.
-    WideTree top_;                                      ///< Over those that cast shadows.
-    std::vector<OcclusionInstanceView> instanceViews_;  ///< One for each leaf of `top_`.
+    std::vector<OcclusionInstanceView> instanceViews_;  ///< Of all; those that cast shadows are filled.
+    InstanceTree top_;                                  ///< Over those that cast shadows.
+    std::size_t blending_ = 0;                          ///< Instances that blend.
     OcclusionView view_{};
     std::optional<GpuOcclusion> shaderForm_;
-    bool instancesAreNewToShaders_ = true;  ///< As `MeshEntry::isNewToShaders`.
+    std::vector<std::uint32_t> newToShaders_;  ///< Instances.
     AlphaImages alphaImages_;
     std::uint64_t imagesVersion_ = 0;  ///< Of the scene's, to which `alphaImages_` belong.
     bool meshesChanged_ = false;       ///< By the last `updateMeshes`.

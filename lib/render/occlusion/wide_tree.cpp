@@ -6,12 +6,9 @@
 #include <candela/threads.h>
 
 #include <embree3/rtcore.h>
-#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -20,38 +17,6 @@
 namespace candela {
 
 namespace {
-
-constexpr float farthest = std::numeric_limits<float>::max();
-constexpr Bounds inverted{glm::vec3(farthest), glm::vec3(-farthest)};
-
-void enclose(Bounds& bounds, const Bounds& other) {
-    bounds.min = glm::min(bounds.min, other.min);
-    bounds.max = glm::max(bounds.max, other.max);
-}
-
-/// False for an empty box and for one that is not finite.
-bool isTraceable(const Bounds& box) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(box.min[axis] <= box.max[axis]) || !(std::abs(box.min[axis]) <= farthest) ||
-            !(std::abs(box.max[axis]) <= farthest))
-            return false;
-    }
-    return true;
-}
-
-void setBounds(WideNode& node, unsigned lane, const Bounds& bounds) {
-    node.minX[lane] = bounds.min.x;
-    node.minY[lane] = bounds.min.y;
-    node.minZ[lane] = bounds.min.z;
-    node.maxX[lane] = bounds.max.x;
-    node.maxY[lane] = bounds.max.y;
-    node.maxZ[lane] = bounds.max.z;
-}
-
-void setMissing(WideNode& node, unsigned lane) {
-    setBounds(node, lane, inverted);
-    node.child[lane] = WideNode::noChild;
-}
 
 struct ReleaseDevice {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
@@ -139,8 +104,8 @@ void setNodeChildren(void* node, void** children, unsigned childCount, void*) {
 void setNodeBounds(void* node, const RTCBounds** bounds, unsigned childCount, void*) {
     for (unsigned lane = 0; lane < childCount; ++lane) {
         const RTCBounds& box = *bounds[lane];
-        setBounds(static_cast<BuiltNode*>(node)->node, lane,
-                  {{box.lower_x, box.lower_y, box.lower_z}, {box.upper_x, box.upper_y, box.upper_z}});
+        setChildBounds(static_cast<BuiltNode*>(node)->node, lane,
+                       {{box.lower_x, box.lower_y, box.lower_z}, {box.upper_x, box.upper_y, box.upper_z}});
     }
 }
 
@@ -174,7 +139,7 @@ class Flattening {
     void addNodeOfLeaf(const void* leaf) {
         WideNode& node = tree_.nodes.emplace_back();
         for (unsigned lane = 1; lane < WideNode::width; ++lane) setMissing(node, lane);
-        setBounds(node, 0, tree_.bounds);
+        setChildBounds(node, 0, tree_.bounds);
         node.child[0] = addLeaf(leafAt(leaf));
     }
 
@@ -228,7 +193,7 @@ RTCBuildArguments buildArguments(std::size_t count, unsigned maxLeaf) {
 struct BuildInput {
     std::unique_ptr<RTCBuildPrimitive[]> primitives;
     std::size_t count = 0;
-    Bounds bounds = inverted;
+    Bounds bounds = invertedBounds;
 };
 
 /// `boxOf(i)` is the box of primitive i.
@@ -239,14 +204,14 @@ BuildInput buildInput(std::size_t count, const BoxOf& boxOf) {
     std::mutex mutex;
     bool anyLeftOut = false;
     ThreadPool::shared()->run((count + run - 1) / run, [&](std::size_t part, unsigned) {
-        Bounds bounds = inverted;
+        Bounds bounds = invertedBounds;
         bool leavesOut = false;
         for (std::size_t i = part * run; i < std::min(count, (part + 1) * run); ++i) {
             Bounds box = boxOf(i);
             if (isTraceable(box)) {
                 enclose(bounds, box);
             } else {
-                box = inverted;
+                box = invertedBounds;
                 leavesOut = true;
             }
             input.primitives[i] = {box.min.x, box.min.y, box.min.z, 0,
@@ -288,17 +253,11 @@ WideTree build(std::size_t count, unsigned maxLeaf, const BoxOf& boxOf) {
     return tree;
 }
 
-Bounds boundsOf(const WideNode& node) {
-    Bounds bounds = inverted;
-    for (unsigned lane = 0; lane < WideNode::width; ++lane) enclose(bounds, childBounds(node, lane));
-    return bounds;
-}
-
 /// Children follow their parents, so that one pass backwards reads finished boxes only.
 template <typename BoxOf>
 void refitTree(WideTree& tree, const BoxOf& boxOf) {
     const auto leafBounds = [&](const WideTree::Leaf& leaf) {
-        Bounds bounds = inverted;
+        Bounds bounds = invertedBounds;
         for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
             const Bounds box = boxOf(tree.primitives[i]);
             if (isTraceable(box)) enclose(bounds, box);
@@ -308,9 +267,9 @@ void refitTree(WideTree& tree, const BoxOf& boxOf) {
     for (auto node = tree.nodes.rbegin(); node != tree.nodes.rend(); ++node) {
         for (unsigned lane = 0; lane < WideNode::width && node->child[lane] != WideNode::noChild; ++lane) {
             const std::uint32_t child = node->child[lane];
-            setBounds(*node, lane,
-                      candela::isLeaf(child) ? leafBounds(tree.leaves[child & ~WideNode::leafFlag])
-                                             : boundsOf(tree.nodes[child]));
+            setChildBounds(*node, lane,
+                           candela::isLeaf(child) ? leafBounds(tree.leaves[child & ~WideNode::leafFlag])
+                                                  : boundsOf(tree.nodes[child]));
         }
     }
     if (!tree.empty()) tree.bounds = boundsOf(tree.nodes.front());
@@ -332,11 +291,6 @@ void fillBlock(const WideTree& tree, const WideTree::Leaf& leaf, const TriangleS
 
 }  // namespace
 
-Bounds childBounds(const WideNode& node, unsigned lane) {
-    return {{node.minX[lane], node.minY[lane], node.minZ[lane]},
-            {node.maxX[lane], node.maxY[lane], node.maxZ[lane]}};
-}
-
 std::size_t WideTree::bytes() const {
     return nodes.size() * sizeof(WideNode) + leaves.size() * sizeof(Leaf) +
            primitives.size() * sizeof(std::uint32_t);
@@ -346,7 +300,7 @@ Bounds TriangleSpan::bounds(std::size_t triangle) const {
     const glm::uvec3& corners = triangles[triangle];
     const glm::vec3 &a = positions[corners.x], &b = positions[corners.y], &c = positions[corners.z];
     // glm::min would drop a NaN.
-    if (!(a + b + c == a + b + c)) return inverted;
+    if (!(a + b + c == a + b + c)) return invertedBounds;
     return {glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c)};
 }
 

@@ -4,10 +4,13 @@
 
 #include <candela/scene.h>
 
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -17,8 +20,53 @@ inline bool isLeaf(std::uint32_t child) {
     return (child & WideNode::leafFlag) != 0;
 }
 
+/// What a missing child has, and the union of no boxes.
+inline constexpr Bounds invertedBounds{glm::vec3(std::numeric_limits<float>::max()),
+                                       glm::vec3(-std::numeric_limits<float>::max())};
+
+/// Makes a box hold another one.
+inline void enclose(Bounds& bounds, const Bounds& other) {
+    bounds.min = glm::min(bounds.min, other.min);
+    bounds.max = glm::max(bounds.max, other.max);
+}
+
+/// May rays meet it? False for an empty box and for one that is not finite.
+inline bool isTraceable(const Bounds& box) {
+    constexpr float farthest = std::numeric_limits<float>::max();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(box.min[axis] <= box.max[axis]) || !(std::abs(box.min[axis]) <= farthest) ||
+            !(std::abs(box.max[axis]) <= farthest))
+            return false;
+    }
+    return true;
+}
+
 /// The box of a child.
-Bounds childBounds(const WideNode& node, unsigned lane);
+inline Bounds childBounds(const WideNode& node, unsigned lane) {
+    return {{node.minX[lane], node.minY[lane], node.minZ[lane]},
+            {node.maxX[lane], node.maxY[lane], node.maxZ[lane]}};
+}
+
+inline void setChildBounds(WideNode& node, unsigned lane, const Bounds& bounds) {
+    node.minX[lane] = bounds.min.x;
+    node.minY[lane] = bounds.min.y;
+    node.minZ[lane] = bounds.min.z;
+    node.maxX[lane] = bounds.max.x;
+    node.maxY[lane] = bounds.max.y;
+    node.maxZ[lane] = bounds.max.z;
+}
+
+inline void setMissing(WideNode& node, unsigned lane) {
+    setChildBounds(node, lane, invertedBounds);
+    node.child[lane] = WideNode::noChild;
+}
+
+/// The union of the boxes of the children.
+inline Bounds boundsOf(const WideNode& node) {
+    Bounds bounds = invertedBounds;
+    for (unsigned lane = 0; lane < WideNode::width; ++lane) enclose(bounds, childBounds(node, lane));
+    return bounds;
+}
 
 /// A bounding volume hierarchy with up to eight children a node, over primitives of which only the boxes
 /// count.

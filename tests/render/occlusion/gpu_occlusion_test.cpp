@@ -155,6 +155,8 @@ TEST_F(GpuOcclusionTest, AfterMovesAndChangesItAnswersAsAFreshOne) {
     TestScene scene = mixedScene(20);
     GpuOcclusion structure;
     upload(structure, scene);
+    InstanceTree upper;
+    setInstances(structure, scene, upper);
     std::vector<WideTree> trees;
     for (const OcclusionMesh& mesh : scene.meshes) trees.push_back(buildWideTree(trianglesOf(mesh)));
     const std::vector<Ray> rays = randomRays(22, 20000, 12.0f);
@@ -175,7 +177,7 @@ TEST_F(GpuOcclusionTest, AfterMovesAndChangesItAnswersAsAFreshOne) {
             refit(trees[changed], trianglesOf(mesh));
         }
         structure.setMesh(changed, mesh, trees[changed]);
-        setInstances(structure, scene);
+        setInstances(structure, scene, upper);
         if (step % 8 != 7) continue;
         GpuOcclusion fresh;
         upload(fresh, scene);

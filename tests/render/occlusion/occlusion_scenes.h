@@ -114,8 +114,18 @@ inline TriangleSpan trianglesOf(const OcclusionMesh& mesh) {
     return {mesh.positions, mesh.triangles};
 }
 
+/// `tree` is the one of the scene before, or an empty one.
+inline void setInstances(GpuOcclusion& structure, const TestScene& scene, InstanceTree& tree) {
+    std::vector<InstanceTree::Change> boxes;
+    for (const Bounds& box : scene.boxes()) boxes.push_back({static_cast<std::uint32_t>(boxes.size()), box});
+    tree.update(boxes);
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) structure.setInstance(i, scene.instances[i]);
+    structure.setTree(tree.nodes(), tree.depth(), tree.takeChanges());
+}
+
 inline void setInstances(GpuOcclusion& structure, const TestScene& scene) {
-    structure.setInstances(scene.instances, buildWideTree(scene.boxes(), 1));
+    InstanceTree tree;
+    setInstances(structure, scene, tree);
 }
 
 inline void upload(GpuOcclusion& structure, const TestScene& scene) {
