@@ -7,21 +7,42 @@
 
 namespace candela {
 
-void DrawList::placeRecords(std::span<const std::uint32_t> instances) {
-    struct Place {
-        std::uint32_t draw, number;
-    };
-    std::vector<Place> places;
-    places.reserve(draws_.size());
+/// All draws with their numbers, in the order of their records. Few have been added or removed since the last
+/// call, as a rule: those that are new are merged into the order of the others.
+std::vector<DrawList::Place> DrawList::sortedPlaces(std::span<const std::uint32_t> instances) {
+    constexpr std::uint32_t none = 0xffffffffu;
+    std::vector<std::uint32_t> numbers(draws_.size(), none);
+    std::uint32_t count = 0;
     for (const std::uint32_t instance : instances) {
         const DrawSpan span = instance < spans_.size() ? spans_[instance] : DrawSpan{};
-        for (std::uint32_t i = 0; i < span.count; ++i)
-            places.push_back({span.first + i, static_cast<std::uint32_t>(places.size())});
+        for (std::uint32_t i = 0; i < span.count; ++i) numbers[span.first + i] = count++;
     }
-    std::ranges::stable_sort(places, {}, [&](const Place& place) {
-        const Draw& draw = draws_[place.draw];
-        return std::tuple(draw.geometry, draw.meshOrder, draw.indexInMesh, draw.material);
-    });
+    const auto isBefore = [&](const Place& a, const Place& b) {
+        const auto key = [&](const Place& place) {
+            const Draw& draw = draws_[place.draw];
+            return std::tuple(draw.geometry, draw.meshOrder, draw.indexInMesh, draw.material, place.number);
+        };
+        return key(a) < key(b);
+    };
+    std::vector<Place> places;
+    places.reserve(count);
+    for (const std::uint32_t draw : drawOfRecord_) {
+        if (draws_[draw].placed && numbers[draw] != none) places.push_back({draw, numbers[draw]});
+    }
+    const auto middle = static_cast<std::ptrdiff_t>(places.size());
+    for (std::uint32_t draw = 0; draw < draws_.size(); ++draw) {
+        if (numbers[draw] != none && !draws_[draw].placed) places.push_back({draw, numbers[draw]});
+    }
+    std::sort(places.begin() + middle, places.end(), isBefore);
+    // Surfaces of cages may have become others.
+    if (!std::is_sorted(places.begin(), places.begin() + middle, isBefore))
+        std::sort(places.begin(), places.begin() + middle, isBefore);
+    std::inplace_merge(places.begin(), places.begin() + middle, places.end(), isBefore);
+    return places;
+}
+
+void DrawList::placeRecords(std::span<const std::uint32_t> instances) {
+    const std::vector<Place> places = sortedPlaces(instances);
     std::vector<std::array<std::uint32_t, 3>> records;
     records.reserve(places.size());
     numberOfRecord_.clear();
@@ -29,6 +50,7 @@ void DrawList::placeRecords(std::span<const std::uint32_t> instances) {
     for (const Place& place : places) {
         Draw& draw = draws_[place.draw];
         draw.command.baseInstance = static_cast<std::uint32_t>(records.size());
+        draw.placed = true;
         records.push_back({draw.instance, draw.material, place.number});
         numberOfRecord_.push_back(place.number);
         drawOfRecord_.push_back(place.draw);
@@ -44,7 +66,8 @@ void DrawList::sortGroups() {
         if (group.changed)
             std::erase_if(group.draws,
                           [&, current = &group](std::uint32_t i) { return draws_[i].group != current; });
-        std::ranges::sort(group.draws, {}, [&](std::uint32_t i) { return draws_[i].command.baseInstance; });
+        const auto recordOf = [&](std::uint32_t i) { return draws_[i].command.baseInstance; };
+        if (!std::ranges::is_sorted(group.draws, {}, recordOf)) std::ranges::sort(group.draws, {}, recordOf);
     }
 }
 

@@ -306,6 +306,7 @@ class DrawList {
         bool mirrored = false;
         bool pending = false;  ///< Waits for `group`.
         bool removed = false;
+        bool placed = false;  ///< Has a record.
         Group* group = nullptr;
     };
     /// What of a draw's vertices its key depends on, and the index of its `MaterialKeys`.
@@ -328,6 +329,10 @@ class DrawList {
     std::span<Draw> takeDraws(std::uint32_t instance, std::size_t count);
     void finishDraw(Draw& draw);
     void forgetOfMaterial(std::uint32_t material);
+    struct Place {
+        std::uint32_t draw, number;
+    };
+    std::vector<Place> sortedPlaces(std::span<const std::uint32_t> instances);
     void sortGroups();
     PipelineKey materialKey(const Material& material, const VertexKind& vertices, GpuImages& images);
     std::uint32_t lobeSet(const LobeTextures& textures);

@@ -46,6 +46,13 @@ float maxScale(const glm::mat4& m) {
     return std::sqrt(glm::dot(x, x) + glm::dot(y, y) + glm::dot(z, z));
 }
 
+/// None where it is not finite.
+std::optional<Bounds> boxOf(const BoundingSphere& sphere) {
+    const glm::vec3 reach(sphere.radius);
+    const Bounds box{sphere.center - reach, sphere.center + reach};
+    return allFinite(box.min) && allFinite(box.max) ? std::optional(box) : std::nullopt;
+}
+
 }  // namespace
 
 BoundingSphere boundingSphere(std::span<const glm::vec3> points) {
@@ -128,6 +135,7 @@ std::uint32_t GpuInstances::take(const Instance& instance) {
 
 void GpuInstances::remove(std::uint32_t& ofNode) {
     const std::uint32_t index = std::exchange(ofNode, none);
+    leaveBounds(index);
     instances_[index].isRemoved = true;
     hidden_[index] = true;
     markChanged(index);
@@ -147,7 +155,9 @@ std::vector<std::uint32_t> GpuInstances::inNodeOrder() const {
 
 void GpuInstances::place(std::uint32_t index, const glm::mat4& worldFromLocal, const BoundingSphere& local,
                          std::optional<Winding> winding) {
+    leaveBounds(index);
     spheres_[index] = worldSphere(worldFromLocal, local);
+    joinBounds(index);
     markChanged(index);
     const std::span<glm::vec4> record = records_.edit(index);
     const glm::mat4 rows = glm::transpose(worldFromLocal);
@@ -166,16 +176,29 @@ std::vector<std::uint32_t> GpuInstances::takeChanged() {
     return std::exchange(changed_, {});
 }
 
-Bounds GpuInstances::bounds() const {
-    Bounds box;
-    for (std::size_t i = 0; i < spheres_.size(); ++i) {
-        if (instances_[i].isRemoved) continue;
-        const BoundingSphere& sphere = spheres_[i];
-        const glm::vec3 reach(sphere.radius);
-        const Bounds own{sphere.center - reach, sphere.center + reach};
-        if (allFinite(own.min) && allFinite(own.max)) box.add(own);
+/// Without what it touches, a box of others may be smaller.
+void GpuInstances::leaveBounds(std::uint32_t index) {
+    const std::optional<Bounds> own = boxOf(spheres_[index]);
+    if (!own || boundsAreStale_) return;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (own->min[axis] <= bounds_.min[axis] || own->max[axis] >= bounds_.max[axis])
+            boundsAreStale_ = true;
     }
-    return box;
+}
+
+void GpuInstances::joinBounds(std::uint32_t index) {
+    const std::optional<Bounds> own = boxOf(spheres_[index]);
+    if (own && !boundsAreStale_) bounds_.add(*own);
+}
+
+const Bounds& GpuInstances::bounds() {
+    if (!boundsAreStale_) return bounds_;
+    bounds_ = {};
+    boundsAreStale_ = false;
+    for (std::uint32_t i = 0; i < spheres_.size(); ++i) {
+        if (!instances_[i].isRemoved) joinBounds(i);
+    }
+    return bounds_;
 }
 
 float GpuInstances::farthestDepth(const Frustum& frustum) const {

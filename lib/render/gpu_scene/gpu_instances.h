@@ -83,8 +83,9 @@ class GpuInstances {
                std::optional<Winding> winding = {});
     /// As of the last `place`.
     Winding winding(std::uint32_t index) const { return windings_[index]; }
-    /// A world-space box that holds all instances, hidden ones included.
-    Bounds bounds() const;
+    /// A world-space box that holds all instances, hidden ones included. Computed anew only where an instance
+    /// that touched its sides has moved.
+    const Bounds& bounds();
     /// Uploads the records written since the last call. Returns how many those are.
     std::size_t upload() { return records_.upload(); }
 
@@ -143,6 +144,8 @@ class GpuInstances {
   private:
     static constexpr std::uint32_t none = 0xffffffffu;
 
+    void leaveBounds(std::uint32_t index);
+    void joinBounds(std::uint32_t index);
     std::uint32_t take(const Instance& instance);
     void remove(std::uint32_t& ofNode);
     static std::optional<std::uint32_t> indexOf(std::uint32_t index) {
@@ -157,6 +160,8 @@ class GpuInstances {
     std::vector<Instance> instances_;
     std::vector<std::uint32_t> meshOfNode_, cageOfNode_;
     std::vector<BoundingSphere> spheres_;  ///< World.
+    Bounds bounds_;                        ///< Of all spheres, unless stale.
+    bool boundsAreStale_ = true;
     std::vector<Winding> windings_;
     std::vector<bool> hasElements_;  ///< Lines or points.
     std::vector<bool> hidden_, isChanged_;

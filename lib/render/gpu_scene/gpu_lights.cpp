@@ -198,6 +198,7 @@ void GpuLights::assignRanges(const RangeRule& rule) {
     }
     if (sample_ != 0) placeSpheres(sample_);
     rangelessMoved_ = false;
+    assigned_ = rule;
 }
 
 void GpuLights::writeDirectional(std::span<glm::vec4> record, const WorldLight& light) const {

@@ -37,6 +37,10 @@ struct LightReaches {
 struct RangeRule {
     Bounds region;         ///< Where surfaces may be, world space.
     double maxLoss = 0.0;  ///< As `rangeIrradiance` takes it.
+
+    bool operator==(const RangeRule& other) const {
+        return region.min == other.region.min && region.max == other.region.max && maxLoss == other.maxLoss;
+    }
 };
 
 /// When lights are uploaded.
@@ -68,6 +72,8 @@ class GpuLights {
     bool hasRangeless() const { return !rangeless_.empty(); }
     /// Has a light without a range moved since the last `assignRanges`?
     bool rangelessMoved() const { return rangelessMoved_; }
+    /// Do the lights without a range have those of the rule?
+    bool areAssigned(const RangeRule& rule) const { return !rangelessMoved_ && assigned_ == rule; }
     /// Gives the lights without a range the ranges of the rule.
     void assignRanges(const RangeRule& rule);
     /// Uploads the lights changed since the last call, or marks them for `records`. Returns how many those
@@ -120,6 +126,7 @@ class GpuLights {
     std::vector<std::uint32_t> rangeless_;  ///< Records of the lights without a range.
     std::vector<bool> isRangeless_;         ///< Of each point or spot record; empty where all have a range.
     bool rangelessMoved_ = false;
+    RangeRule assigned_;  ///< Of the last `assignRanges`.
     /// A light with a radius.
     struct Sphere {
         std::uint32_t index;  ///< In the last `set`.

@@ -13,7 +13,6 @@
 #include "scene/model/material_textures.h"
 #include "scene/validate/scene_rules.h"
 
-#include <candela/brdf.h>
 #include <candela/error.h>
 
 #include <algorithm>
@@ -66,16 +65,6 @@ const GpuSceneOptions& checked(const GpuSceneOptions& options) {
 
 GpuMeshes::Detail meshDetail(const Scene& scene, const GpuSceneOptions& options) {
     return options.vertexDetail == VertexDetail::always ? GpuMeshes::Detail::everything : detailOf(scene);
-}
-
-/// How much brighter than diffuse white the peak of a material's specular lobe is: F D G / (4 (n·l)(n·v)) at
-/// normal incidence over 1 / pi, 1 or more. A texture of roughness may hold any.
-double lobeHeight(const Material& material) {
-    if (material.unlit) return 1.0;
-    const double roughness = material.metallicRoughnessTexture ? 0.0 : material.roughness;
-    const double alpha = std::max(roughness * roughness, minAlpha);
-    const double f0 = material.metallic > 0.0f ? 1.0 : 0.04;
-    return std::max(1.0, f0 / (4.0 * alpha * alpha));
 }
 
 }  // namespace
@@ -193,12 +182,6 @@ void GpuScene::State::addMeshDraws(std::uint32_t instance, std::uint32_t mesh, c
     draws.addMesh(instance, geometry, mesh, meshParts[mesh], place, scene.materials, images);
 }
 
-RangeRule GpuScene::State::rangeRule() const {
-    double highest = 1.0;
-    for (const Material& material : sceneState.materials) highest = std::max(highest, lobeHeight(material));
-    return {instances.bounds(), options.rangeLoss / highest};
-}
-
 void GpuScene::State::listNodeLights() {
     lightsFollowNodes_ = true;
     nodeLights_.clear();
@@ -291,7 +274,7 @@ void GpuScene::State::update() {
     if (lightsEdited_) resetLights();
     const bool changed =
         !moved.empty() || !posed.empty() || !deformed.empty() || rangeRuleChanged_ || lights.rangelessMoved();
-    if (lights.hasRangeless() && changed) lights.assignRanges(rangeRule());
+    if (lights.hasRangeless() && changed) updateRanges();
     rangeRuleChanged_ = false;
     lastUpdate.nodes = moved.size();
     lastUpdate.cages = posed.size();

@@ -200,7 +200,8 @@ struct GpuScene::State {
     void selectVisible(const Frustum& frustum, DrawSelection& selection) const;
     void createTriangleFilter(const Context& context);
     void addDraws(const Scene& scene);
-    RangeRule rangeRule() const;
+    RangeRule rangeRule();
+    void updateRanges();
     void addMeshDraws(std::uint32_t instance, std::uint32_t mesh, const Scene& scene);
     void listNodeLights();
     void moveNode(std::uint32_t node);

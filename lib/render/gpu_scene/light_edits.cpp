@@ -5,14 +5,26 @@
 #include "scene/model/animation.h"
 #include "scene/validate/scene_rules.h"
 
+#include <candela/brdf.h>
 #include <candela/error.h>
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 
 namespace candela {
 
 namespace {
+
+/// How much brighter than diffuse white the peak of a material's specular lobe is: F D G / (4 (n·l)(n·v)) at
+/// normal incidence over 1 / pi, 1 or more. A texture of roughness may hold any.
+double lobeHeight(const Material& material) {
+    if (material.unlit) return 1.0;
+    const double roughness = material.metallicRoughnessTexture ? 0.0 : material.roughness;
+    const double alpha = std::max(roughness * roughness, minAlpha);
+    const double f0 = material.metallic > 0.0f ? 1.0 : 0.04;
+    return std::max(1.0, f0 / (4.0 * alpha * alpha));
+}
 
 /// Can `GpuLights::change` make one light the other?
 bool haveRecordsAlike(const Light& a, const Light& b) {
@@ -125,6 +137,17 @@ void GpuScene::State::resetLights() {
     lights.set(placed, rangeRule());
     lights.setSample(sample);
     lightsEdited_ = false;
+}
+
+RangeRule GpuScene::State::rangeRule() {
+    double highest = 1.0;
+    for (const Material& material : sceneState.materials) highest = std::max(highest, lobeHeight(material));
+    return {instances.bounds(), options.rangeLoss / highest};
+}
+
+void GpuScene::State::updateRanges() {
+    const RangeRule rule = rangeRule();
+    if (!lights.areAssigned(rule)) lights.assignRanges(rule);
 }
 
 }  // namespace candela
