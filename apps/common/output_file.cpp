@@ -124,20 +124,34 @@ void writeDisplayedFrame(const std::filesystem::path& path, int width, int heigh
                       display.encoding());
 }
 
+std::vector<candela::ExrChannelType> radianceChannels(const std::vector<candela::Aov>& aovs,
+                                                      candela::ExrPixelType pixels) {
+    std::vector<candela::ExrChannelType> channels;
+    for (const char* name : {"R", "G", "B", "A"}) channels.push_back({name, pixels});
+    for (const candela::Aov& aov : aovs) {
+        const auto type = needsFloats(aov.name) ? candela::ExrPixelType::float32 : pixels;
+        for (const std::string& name : aov.channels) channels.push_back({name, type});
+    }
+    return channels;
+}
+
+RadiancePlanes::RadiancePlanes(const candela::HdrImage& radiance, const std::vector<candela::Aov>& aovs)
+    : planes_(splitPlanes(radiance.rgba)) {
+    for (const std::vector<float>& plane : planes_) values_.emplace_back(plane);
+    for (const candela::Aov& aov : aovs)
+        for (const std::vector<float>& values : aov.values) values_.emplace_back(values);
+}
+
 std::vector<std::byte> encodeRadiance(const std::string& name, const candela::HdrImage& radiance,
                                       const std::vector<candela::Aov>& aovs,
                                       const candela::Chromaticities& chromaticities,
                                       const std::vector<candela::ExrAttribute>& attributes,
                                       const RadianceEncoding& encoding) {
-    const std::array<std::vector<float>, 4> planes = splitPlanes(radiance.rgba);
+    const std::vector<candela::ExrChannelType> types = radianceChannels(aovs, encoding.pixels);
+    const RadiancePlanes planes(radiance, aovs);
     std::vector<candela::ExrChannel> channels;
-    constexpr std::array names{"R", "G", "B", "A"};
-    for (std::size_t i = 0; i < planes.size(); ++i)
-        channels.push_back({names[i], planes[i], encoding.pixels});
-    for (const candela::Aov& aov : aovs)
-        for (std::size_t i = 0; i < aov.channels.size(); ++i)
-            channels.push_back({aov.channels[i], aov.values[i],
-                                needsFloats(aov.name) ? candela::ExrPixelType::float32 : encoding.pixels});
+    for (std::size_t i = 0; i < types.size(); ++i)
+        channels.push_back({types[i].name, planes.values()[i], types[i].type});
     return candela::encodeExr(name, static_cast<std::uint32_t>(radiance.width),
                               static_cast<std::uint32_t>(radiance.height), channels, chromaticities,
                               attributes, encoding.exr);

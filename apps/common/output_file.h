@@ -1,12 +1,14 @@
 #pragma once
 
 #include <candela/color.h>
-#include <candela/image_file.h>
+#include <candela/image_stream.h>
 #include <candela/renderer.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,25 @@ struct RadianceEncoding {
     /// Of the channels that are no depth, position or count: `half` would lose what these are for.
     candela::ExrPixelType pixels = candela::ExrPixelType::float32;
     candela::ExrOptions exr = {};
+};
+
+/// The channels of an EXR of radiance and AOVs, in their order; of the AOVs only the names are read.
+std::vector<candela::ExrChannelType> radianceChannels(const std::vector<candela::Aov>& aovs,
+                                                      candela::ExrPixelType pixels);
+
+/// The values of these channels: R, G, B and A of the radiance as a plane each, then those of the AOVs, which
+/// have to outlive it.
+class RadiancePlanes {
+  public:
+    RadiancePlanes(const candela::HdrImage& radiance, const std::vector<candela::Aov>& aovs);
+    RadiancePlanes(const RadiancePlanes&) = delete;
+    RadiancePlanes& operator=(const RadiancePlanes&) = delete;
+
+    std::span<const std::span<const float>> values() const { return values_; }
+
+  private:
+    std::array<std::vector<float>, 4> planes_;
+    std::vector<std::span<const float>> values_;
 };
 
 /// Radiance and AOVs as an EXR. `name` is what errors name. Throws as `candela::encodeExr`.

@@ -1,6 +1,6 @@
 #include "frame_writer.h"
 
-#include "parted_picture.h"
+#include "picture_band.h"
 
 #include <candela/panorama.h>
 
@@ -57,7 +57,8 @@ FrameWriter::FrameWriter(const candela::Context& context, candela::Renderer& ren
       options_(options),
       isSoftware_(context.isSoftware()),
       samples_(options.samplingSettings().count),
-      parts_(candela::pictureParts(options.width, options.height, options.partSide())) {
+      parts_(candela::pictureParts(options.width, options.height, options.frameSize().width,
+                                   options.frameSize().height)) {
     if (samples_ > 1)
         accumulator_.emplace(context, candela::AccumulatorOptions{options.aovs, options.aovFilter});
 }
@@ -86,54 +87,108 @@ void FrameWriter::drawSamples(const SampleSource& source, const Piece& piece, Fr
     addPasses(accumulator_->passTimes(), timing.passes);  // waits for the last frame to end
 }
 
-void FrameWriter::drawPiece(const SampleSource& source, const Piece& piece, FrameTiming& timing) {
-    if (accumulator_) return drawSamples(source, piece, timing);
-    view_ = source.viewOf(0);
-    frame_.emplace(renderer_.render(scene_, piece.view.value_or(view_), piece.settings));
-    if (display_) pixels_ = frame_->displayPicture(*display_);
-    addPasses(frame_->passTimes(), timing.passes);  // waits for the frame to end
+void FrameWriter::begin() {
+    exposure_ = {};
+    layerCounts_ = {};
+    counters_ = {};
+    panorama_.reset();
+    panoramaAovs_.clear();
 }
 
-void FrameWriter::drawParts(const SampleSource& source, FrameTiming& timing) {
-    const candela::FrameSettings whole = settings(source);
-    PartedPicture picture(options_.width, options_.height);
-    counts_ = {};
-    for (const candela::PicturePart& part : parts_) {
-        drawPiece(source, {part.settings(whole), std::nullopt}, timing);
-        counts_ = sum(counts_, countsOf(withoutMargins(part, radiance())));
-        picture.add(part, takePiece());
+void FrameWriter::drawPiece(const SampleSource& source, const Piece& piece, FrameTiming& timing) {
+    const auto start = std::chrono::steady_clock::now();
+    if (accumulator_) {
+        drawSamples(source, piece, timing);
+    } else {
+        view_ = source.viewOf(0);
+        frame_.emplace(renderer_.render(scene_, piece.view.value_or(view_), piece.settings));
+        if (display_) pixels_ = frame_->displayPicture(*display_);
+        addPasses(frame_->passTimes(), timing.passes);  // waits for the frame to end
     }
-    whole_ = picture.take();
+    timing.milliseconds +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const candela::LayerCounts layers = frame_->layerCounts();
+    layerCounts_.layers = std::max(layerCounts_.layers, layers.layers);
+    layerCounts_.fragmentsBeyond += layers.fragmentsBeyond;
+    if (isOfPieces() && options_.stats) addCounters();
+}
+
+void FrameWriter::addCounters() {
+    const candela::PairCounts added = frame_->countPairs();
+    candela::PairCounts& pairs = counters_.pairs;
+    pairs.lightsVisible = std::max(pairs.lightsVisible, added.lightsVisible);
+    pairs.lightListBytes = std::max(pairs.lightListBytes, added.lightListBytes);
+    pairs.pairsLit += added.pairsLit;
+    pairs.pairsEvaluated += added.pairsEvaluated;
+    pairs.lightsDropped += added.lightsDropped;
+    const candela::ShadowCounts before =
+        counters_.shadows ? counters_.shadows->rays : candela::ShadowCounts{};
+    // Debug views show no light.
+    if (options_.debug.view != candela::DebugView::none) return;
+    counters_.shadows = shadowStats(*frame_, scene_, options_.shadows);
+    if (!counters_.shadows) return;
+    candela::ShadowCounts& rays = counters_.shadows->rays;
+    rays.raysAsked += before.raysAsked;
+    rays.raysTraced += before.raysTraced;
+    rays.raysSaved += before.raysSaved;
+}
+
+PictureCounters FrameWriter::counters() {
+    if (!isOfPieces()) addCounters();
+    return std::exchange(counters_, {});
+}
+
+FrameTiming FrameWriter::drawBands(const SampleSource& source, const BandSink& bands) {
+    begin();
+    FrameTiming timing;
+    const candela::FrameSettings whole = settings(source);
+    for (std::size_t first = 0; first < parts_.size();) {
+        PictureBand band(options_.width, parts_[first]);
+        std::size_t i = first;
+        for (; i < parts_.size() && parts_[i].y == parts_[first].y; ++i) {
+            drawPiece(source, {parts_[i].settings(whole), std::nullopt}, timing);
+            exposure_ = sum(exposure_, countsOf(withoutMargins(parts_[i], radiance())));
+            band.add(parts_[i], takePiece());
+        }
+        bands(band.take());
+        first = i;
+    }
+    return timing;
 }
 
 void FrameWriter::drawPanorama(const SampleSource& source, FrameTiming& timing) {
     const candela::PanoramaFaces faces = candela::panoramaFaces(source.viewOf(0), options_.width);
-    panorama_.reset();
     Piece piece{settings(source), std::nullopt};
     piece.settings.width = piece.settings.height = faces.size;
     std::array<candela::HdrImage, 6> pictures;
+    std::array<std::vector<candela::Aov>, 6> aovs;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         piece.view = faces.views[i];
         drawPiece(source, piece, timing);
         pictures[i] = radiance();
+        if (!options_.aovs.empty()) aovs[i] = frameAovs();
     }
+    const auto start = std::chrono::steady_clock::now();
     panorama_ = candela::panorama(pictures, options_.width);
+    panoramaAovs_ = candela::panoramaAovs(aovs, options_.width);
     if (display_) pixels_ = candela::displayPicture(*panorama_, *display_);
+    timing.milliseconds +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 FrameTiming FrameWriter::draw(const SampleSource& source) {
-    const auto start = std::chrono::steady_clock::now();
+    begin();
     FrameTiming timing;
     if (options_.panorama) {
         drawPanorama(source, timing);
-    } else if (parts_.size() > 1) {
-        drawParts(source, timing);
     } else {
         drawPiece(source, {settings(source), std::nullopt}, timing);
     }
-    timing.milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return timing;
+}
+
+std::vector<candela::Aov> FrameWriter::frameAovs() const {
+    return accumulator_ ? accumulator_->aovs() : frame_->aovs(options_.aovs);
 }
 
 candela::HdrImage FrameWriter::radiance() const {
@@ -142,7 +197,7 @@ candela::HdrImage FrameWriter::radiance() const {
 }
 
 candela::ExposureCounts FrameWriter::exposureCounts(const DrawnPicture& picture) const {
-    if (parts_.size() > 1) return counts_;
+    if (isParted()) return exposure_;
     return countsOf(display_ ? radiance() : picture.radiance);
 }
 
@@ -158,18 +213,18 @@ candela::ExposureCounts FrameWriter::countsOf(const candela::HdrImage& radiance)
 void FrameWriter::takeRadiance(DrawnPicture& picture) const {
     picture.chromaticities = color_.chromaticities();
     picture.radiance = radiance();
-    if (!accumulator_) {
-        if (!options_.aovs.empty()) picture.aovs = frame_->aovs(options_.aovs);
-        return;
+    if (panorama_) {
+        picture.aovs = panoramaAovs_;
+    } else if (!options_.aovs.empty()) {
+        picture.aovs = frameAovs();
     }
-    picture.aovs = accumulator_->aovs();
+    if (!accumulator_) return;
     picture.attributes.push_back({"samples", std::to_string(samples_)});
     for (const std::string& aov : options_.aovs)
         picture.attributes.push_back({"filter." + aov, candela::toString(accumulator_->filterOf(aov))});
 }
 
 DrawnPicture FrameWriter::take() {
-    if (whole_) return *std::exchange(whole_, std::nullopt);
     DrawnPicture picture = takePiece();
     picture.width = options_.width;
     picture.height = options_.height;

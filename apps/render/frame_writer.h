@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/shadow_stats.h"
 #include "options.h"
 #include "picture_file.h"
 
@@ -33,6 +34,17 @@ struct SampleSource {
     std::optional<candela::CameraView> previousView = {};  ///< Of the frame before, for the AOV `motion`.
 };
 
+/// Takes the next rows of a picture, from the top.
+using BandSink = std::function<void(DrawnPicture band)>;
+
+/// What the frames of a picture have counted.
+struct PictureCounters {
+    /// Sums over the frames, margins of parts and overlaps of faces included; of `lightsVisible` and
+    /// `lightListBytes` the largest.
+    candela::PairCounts pairs;
+    std::optional<ShadowStats> shadows;  ///< None without shadows.
+};
+
 /// Draws pictures of one or more samples and reads them back in the form that the options' format needs.
 class FrameWriter {
   public:
@@ -41,11 +53,20 @@ class FrameWriter {
                 const candela::ColorConfig& color, const std::optional<candela::DisplayTransform>& display,
                 const Options& options);
 
+    /// Of a picture that is not drawn in parts; `take` returns it.
     FrameTiming draw(const SampleSource& source);
-    /// The frame drawn last, of the last sample; `draw` comes first.
+    /// Is the picture drawn in parts? Then memory does not hold it, and `drawBands` draws it.
+    bool isParted() const { return parts_.size() > 1; }
+    /// Hands rows of parts to `bands` as soon as they are drawn. The times are those of the drawing alone.
+    FrameTiming drawBands(const SampleSource& source, const BandSink& bands);
+    /// The frame drawn last, of the last sample; `draw` or `drawBands` comes first.
     const candela::Frame& frame() const { return *frame_; }
     /// The view of the first sample, which is the picture's without lens and shutter.
     const candela::CameraView& view() const { return view_; }
+    /// Of the picture drawn last: the most layers of a frame, and all fragments beyond.
+    const candela::LayerCounts& layerCounts() const { return layerCounts_; }
+    /// Of the picture drawn last, for --stats. Counts what has not been counted yet.
+    PictureCounters counters();
     /// What a user should know of the picture drawn last; `picture` is what `take` returned of it. For an
     /// EXR, which takes no exposure, all that is lit counts as over black and nothing as over white.
     candela::ExposureCounts exposureCounts(const DrawnPicture& picture) const;
@@ -60,10 +81,13 @@ class FrameWriter {
     };
     void drawPiece(const SampleSource& source, const Piece& piece, FrameTiming& timing);
     void drawSamples(const SampleSource& source, const Piece& piece, FrameTiming& timing);
-    void drawParts(const SampleSource& source, FrameTiming& timing);
+    void begin();
+    bool isOfPieces() const { return options_.panorama || isParted(); }
+    void addCounters();
     void drawPanorama(const SampleSource& source, FrameTiming& timing);
     candela::FrameSettings settings(const SampleSource& source) const;
     candela::HdrImage radiance() const;
+    std::vector<candela::Aov> frameAovs() const;
     DrawnPicture takePiece();
     candela::ExposureCounts countsOf(const candela::HdrImage& radiance) const;
     void takeRadiance(DrawnPicture& picture) const;
@@ -80,8 +104,10 @@ class FrameWriter {
     candela::CameraView view_;
     std::vector<std::uint8_t> pixels_;
     std::vector<candela::PicturePart> parts_;  ///< One where the picture is drawn as a whole.
-    /// Of a picture of several frames, which is whole when the last one has been drawn.
-    std::optional<DrawnPicture> whole_;
-    candela::ExposureCounts counts_;             ///< Of its parts together.
-    std::optional<candela::HdrImage> panorama_;  ///< Drawn last.
+    // Of the picture drawn last.
+    candela::ExposureCounts exposure_;  ///< Of parts together.
+    candela::LayerCounts layerCounts_;
+    PictureCounters counters_;  ///< Of pieces together.
+    std::optional<candela::HdrImage> panorama_;
+    std::vector<candela::Aov> panoramaAovs_;
 };

@@ -30,11 +30,12 @@ constexpr const char* encodeThreads =
     "Default: 0, as many as --threads";
 constexpr const char* panorama =
     "Draw all directions around the camera: an equirectangular picture, twice as\n"
-    "wide as high, from the faces of a cube. Default --size: 2048x1024";
+    "wide as high, from the faces of a cube; the AOV Z is the distance from the eye\n"
+    "there. Default --size: 2048x1024";
 constexpr const char* tile =
     "Draw the picture in parts, whose frames have sides of at most N pixels, 64 to\n"
-    "16384; it is the same. Default: as a whole up to 16384 pixels a side and 2^27\n"
-    "in all, larger ones in parts of 4096";
+    "16384; it is the same. Memory holds the rows of two parts. Default: as a whole\n"
+    "up to 2^25 pixels and 16384 a side, larger ones in parts of 8192x1024";
 constexpr const char* aovFilter =
     "How the samples of an AOV become one value: average, first (the sample in the\n"
     "pixel's middle), or auto: first for Z, P, ids and motion, average for all\n"

@@ -20,6 +20,10 @@ namespace {
 constexpr double maxDistance = 1.0e9;
 constexpr std::int64_t maxRays = 4096;
 constexpr int maxFrameSide = 16384;
+/// 8K UHD fits. Software devices take some 60 bytes a pixel.
+constexpr std::int64_t maxWholePixels = std::int64_t{1} << 25;
+/// Of larger pictures: low, so that memory holds few rows.
+constexpr int partWidth = 8192, partHeight = 1024;
 constexpr std::pair defaultPanorama{2048, 1024};
 
 ListKind parseListKind(const std::string& text) {
@@ -145,12 +149,15 @@ void finishFrames(const CLI::App& app, Options& options) {
         if (app.count("--size") == 0) std::tie(options.width, options.height) = defaultPanorama;
         if (options.width != 2 * options.height || options.width < 4)
             throw UsageError("--panorama needs a picture twice as wide as high, and 4 pixels wide or more");
-        if (!options.aovs.empty()) throw UsageError("--panorama has no AOVs: leave out --aov");
+        // That of "all" is left out.
+        const auto motion = std::ranges::find(options.aovs, "motion");
+        if (motion != options.aovs.end() && options.aovs.size() < candela::Renderer::aovNames().size())
+            throw UsageError("--panorama has no AOV motion, whose ways are of a plane");
+        if (motion != options.aovs.end()) options.aovs.erase(motion);
         if (!options.debug.isDefault()) throw UsageError("--panorama can not be combined with --show");
         if (options.tile) throw UsageError("--panorama can not be combined with --tile");
     }
     if (!options.panorama && !options.isParted()) return;
-    if (options.stats) throw UsageError("--stats measures one frame, not pictures of several");
     using enum candela::DebugView;
     for (const candela::DebugView view : {depth, lightCount, shadowedCount}) {
         if (options.debug.view != view) continue;
@@ -180,12 +187,13 @@ void resolve(const CLI::App& app, const std::optional<std::string>& aovs, Option
 
 }  // namespace
 
-int Options::partSide() const {
-    if (tile) return *tile;
-    if (panorama) return std::max({width, height, candela::minPartSide});  // Its faces are whole.
-    constexpr std::int64_t maxWhole = std::int64_t{1} << 27;
-    const bool isHeld = std::max(width, height) <= maxFrameSide && std::int64_t{width} * height <= maxWhole;
-    return isHeld ? maxFrameSide : 4096;
+Options::FrameSize Options::frameSize() const {
+    if (tile) return {*tile, *tile};
+    // The faces of a panorama are whole.
+    const bool isWhole = panorama || (std::max(width, height) <= maxFrameSide &&
+                                      std::int64_t{width} * height <= maxWholePixels);
+    if (isWhole) return {std::max(width, candela::minPartSide), std::max(height, candela::minPartSide)};
+    return {partWidth, partHeight};
 }
 
 candela::SamplingSettings Options::samplingSettings() const {

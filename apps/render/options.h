@@ -108,9 +108,12 @@ struct Options : SceneOptions {
     std::optional<std::uint64_t> shardIndex() const {
         return shard.count > 1 ? std::optional(shard.index) : std::nullopt;
     }
-    /// The same where the command line has none: pictures that devices hold are drawn as a whole.
-    int partSide() const;
-    bool isParted() const { return std::max(width, height) > partSide(); }
+    /// The largest frames of a picture, that of a whole one included.
+    struct FrameSize {
+        int width = 0, height = 0;
+    };
+    FrameSize frameSize() const;
+    bool isParted() const { return width > frameSize().width || height > frameSize().height; }
     /// How many samples are drawn of a pixel and where; one of a debug view.
     candela::SamplingSettings samplingSettings() const;
 };

@@ -52,13 +52,17 @@ std::vector<std::byte> encodePicture(const std::string& name, DrawnPicture pictu
 }
 
 void OrderedOutput::write(std::uint64_t index, std::span<const std::byte> bytes) {
+    write(index, [&] { writeAll(STDOUT_FILENO, bytes); });
+}
+
+void OrderedOutput::write(std::uint64_t index, const std::function<void()>& writing) {
     std::unique_lock lock(mutex_);
     turned_.wait(lock, [&] { return turn_ == index; });
     ++turn_;
     turned_.notify_all();
-    writeAll(STDOUT_FILENO, bytes);
+    writing();
 }
 
 void OrderedOutput::leaveOut(std::uint64_t index) {
-    write(index, {});
+    write(index, std::span<const std::byte>());
 }

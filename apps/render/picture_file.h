@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <span>
 #include <string>
@@ -39,6 +40,8 @@ class OrderedOutput {
     /// Waits until all pictures before `index` have been written or left out, and writes. Throws
     /// `candela::Error` (environment).
     void write(std::uint64_t index, std::span<const std::byte> bytes);
+    /// The same of what `writing` writes.
+    void write(std::uint64_t index, const std::function<void()>& writing);
     /// Waits likewise and writes nothing.
     void leaveOut(std::uint64_t index);
 

@@ -226,10 +226,9 @@ int renderFrames(const Options& options) {
     if (!stats.timings.empty()) addFrame(stats, frameWriter.frame());
     if (options.stats && !stats.timings.empty()) {
         report.work("counting pairs of pixel and light");
-        // Debug views show no light.
-        if (options.debug.view == candela::DebugView::none)
-            stats.shadows = shadowStats(frameWriter.frame(), gpuScene, options.shadows);
-        stats.pairs = frameWriter.frame().countPairs();
+        const PictureCounters counters = frameWriter.counters();
+        stats.pairs = counters.pairs;
+        stats.shadows = counters.shadows;
     }
     if (options.stats) writeStats(options, stats);
     sayResult(report, options,

@@ -1,5 +1,6 @@
 #include "sequence.h"
 
+#include "band_writer.h"
 #include "common/output_file.h"
 #include "common/timing.h"
 #include "encoder_pool.h"
@@ -57,6 +58,7 @@ class Sequence {
         std::uint64_t turn = 0;  ///< On standard output.
         double drawMilliseconds = 0.0;
         DrawnPicture drawn;
+        std::unique_ptr<BandWriter> bands = {};  ///< Of a picture that is drawn in parts.
         std::optional<Placeholder> placeholder;
     };
 
@@ -65,9 +67,12 @@ class Sequence {
     }
     void drawPicture(const PlannedPicture& picture);
     void draw(Work& work);
+    void drawWhole(Work& work, const SampleSource& source);
+    void drawBands(Work& work, const SampleSource& source);
     void encode(Work& work);
-    void write(const Work& work, std::span<const std::byte> bytes);
-    void addMetadata(Work& work) const;
+    /// Returns the bytes of the file. `hasTurn` becomes false once standard output has been waited for.
+    std::uint64_t write(Work& work, bool& hasTurn);
+    void addMetadata(const Work& work, DrawnPicture& picture) const;
     /// Of the exception that is being handled.
     void fail(const PlannedPicture& picture);
     bool isStopped();
@@ -92,8 +97,8 @@ SequenceResult Sequence::run() {
     const Interruption interruption;
     const std::uint64_t count = source_.plan.count();
     report_.begin(count);
-    // One picture is encoded by all threads, of several each by one.
-    if (count == 1) encoding_.exr.threads = encoderThreads();
+    // One picture is encoded by all threads, of several each by one. Bands follow each other.
+    if (count == 1 || source_.writer.isParted()) encoding_.exr.threads = encoderThreads();
     for (std::uint64_t i = 0; i < count && !isStopped(); ++i) {
         const PlannedPicture picture = source_.plan[i];
         try {
@@ -144,20 +149,37 @@ void Sequence::draw(Work& work) {
                                   return samples.view(sample);
                               },
                               samples.moves(), previousView};
+    if (source_.writer.isParted()) {
+        drawBands(work, source);
+    } else {
+        drawWhole(work, source);
+    }
+    work.drawMilliseconds = result_.timings.back().milliseconds;
+    layerNotes_.add(source_.writer.layerCounts());
+    if (!options_.quiet && options_.debug.view == candela::DebugView::none)
+        pictureNotes_.add(source_.writer.exposureCounts(work.drawn));
+}
+
+void Sequence::drawWhole(Work& work, const SampleSource& source) {
     // Compiles and allocates.
     if (options_.stats && result_.timings.empty()) source_.writer.draw(source);
     const int drawings = options_.stats && !options_.isSequence() ? statsDrawings : 1;
     for (int drawing = 0; drawing < drawings; ++drawing)
         result_.timings.push_back(source_.writer.draw(source));
-    work.drawMilliseconds = result_.timings.back().milliseconds;
-    layerNotes_.add(source_.writer.frame().layerCounts());
     work.drawn = source_.writer.take();
-    if (!options_.quiet && options_.debug.view == candela::DebugView::none)
-        pictureNotes_.add(source_.writer.exposureCounts(work.drawn));
-    if (options_.format == PictureFormat::exr) addMetadata(work);
+    if (options_.format == PictureFormat::exr) addMetadata(work, work.drawn);
 }
 
-void Sequence::addMetadata(Work& work) const {
+/// Once, with --stats too: such pictures take long.
+void Sequence::drawBands(Work& work, const SampleSource& source) {
+    work.bands = std::make_unique<BandWriter>(work.picture.path, options_.height, options_.format, encoding_);
+    result_.timings.push_back(source_.writer.drawBands(source, [&](DrawnPicture band) {
+        if (options_.format == PictureFormat::exr) addMetadata(work, band);
+        work.bands->add(std::move(band));
+    }));
+}
+
+void Sequence::addMetadata(const Work& work, DrawnPicture& picture) const {
     ExrMetadata metadata;
     metadata.view = source_.writer.view();
     metadata.origin = source_.scene.origin;
@@ -167,9 +189,9 @@ void Sequence::addMetadata(Work& work) const {
     metadata.framesPerSecond = options_.sampling.framesPerSecond;
     metadata.camera = source_.plan.cameras()[work.picture.camera].name;
     metadata.workingSpace = source_.color.workingSpace();
-    metadata.chromaticities = work.drawn.chromaticities;
+    metadata.chromaticities = picture.chromaticities;
     for (candela::ExrAttribute& attribute : exrMetadata(metadata))
-        work.drawn.attributes.push_back(std::move(attribute));
+        picture.attributes.push_back(std::move(attribute));
 }
 
 /// On an encoder's thread.
@@ -178,13 +200,8 @@ void Sequence::encode(Work& work) {
     try {
         PictureResult result{work.picture, source_.plan.cameras()[work.picture.camera].name,
                              work.drawMilliseconds, 0.0, 0};
-        result.encodeMilliseconds = measureMilliseconds([&] {
-            const std::vector<std::byte> bytes =
-                encodePicture(work.picture.name(), std::move(work.drawn), options_.format, encoding_);
-            result.bytes = bytes.size();
-            hasTurn = false;
-            write(work, bytes);
-        });
+        result.encodeMilliseconds = measureMilliseconds([&] { result.bytes = write(work, hasTurn); });
+        if (work.bands) result.encodeMilliseconds += work.bands->milliseconds();
         work.placeholder.reset();
         report_.written(result);
     } catch (const std::exception&) {
@@ -193,9 +210,25 @@ void Sequence::encode(Work& work) {
     }
 }
 
-void Sequence::write(const Work& work, std::span<const std::byte> bytes) {
-    if (work.picture.path.empty()) return standardOutput_.write(work.turn, bytes);
-    candela::writeWholeFile(work.picture.path, bytes);
+std::uint64_t Sequence::write(Work& work, bool& hasTurn) {
+    const bool hasPath = !work.picture.path.empty();
+    if (work.bands) {
+        const std::uint64_t bytes = work.bands->end();
+        hasTurn = false;
+        if (hasPath)
+            work.bands->finish();
+        else
+            standardOutput_.write(work.turn, [&] { work.bands->finish(); });
+        return bytes;
+    }
+    const std::vector<std::byte> bytes =
+        encodePicture(work.picture.name(), std::move(work.drawn), options_.format, encoding_);
+    hasTurn = false;
+    if (hasPath)
+        candela::writeWholeFile(work.picture.path, bytes);
+    else
+        standardOutput_.write(work.turn, bytes);
+    return bytes.size();
 }
 
 void Sequence::fail(const PlannedPicture& picture) {

@@ -22,6 +22,7 @@
 #include <candela/handle.h>
 #include <candela/image.h>
 #include <candela/image_file.h>
+#include <candela/image_stream.h>
 #include <candela/import.h>
 #include <candela/light.h>
 #include <candela/material.h>

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace candela {
 
@@ -30,5 +31,11 @@ CANDELA_API PanoramaFaces panoramaFaces(const CameraView& view, int width);
 /// coverage are interpolated by the four nearest pixels of a face. Throws `Error` (badInput) when a picture
 /// has not the size of a face.
 CANDELA_API HdrImage panorama(std::span<const HdrImage, 6> faces, int width);
+
+/// The AOVs of that panorama, from those of the faces. Channels whose samples are averaged
+/// (`GBufferChannel::filter`) are interpolated as radiance is, others are those of the nearest pixel. Z is
+/// the distance from the eye, in metres, and 0 on the background. Throws `Error` (badInput) when the faces do
+/// not have the same AOVs, a channel has not the size of a face, or one is `motion`, which is of a plane.
+CANDELA_API std::vector<Aov> panoramaAovs(std::span<const std::vector<Aov>, 6> faces, int width);
 
 }  // namespace candela

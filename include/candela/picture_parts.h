@@ -25,5 +25,8 @@ inline constexpr int minPartSide = 64;
 /// most `maxSide` pixels; one without margins where the picture is no larger. Throws `Error` (badInput) when
 /// a side is not 1 to 2^20 or `maxSide` is below `minPartSide`.
 CANDELA_API std::vector<PicturePart> pictureParts(int width, int height, int maxSide);
+/// The same with limits for both sides: wide and low parts make the bands low in which a picture is encoded
+/// (candela/image_stream.h).
+CANDELA_API std::vector<PicturePart> pictureParts(int width, int height, int maxWidth, int maxHeight);
 
 }  // namespace candela

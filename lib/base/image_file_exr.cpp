@@ -1,8 +1,9 @@
 #include <candela/error.h>
-#include <candela/image_file.h>
+#include <candela/image_stream.h>
+
+#include "base/image_rows.h"
 
 #include <candela/threads.h>
-#include <candela/whole_file.h>
 
 #include <ImfChannelList.h>
 #include <ImfFloatAttribute.h>
@@ -25,6 +26,8 @@
 #include <cstring>
 #include <exception>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -52,6 +55,33 @@ class MemoryStream final : public Imf::OStream {
   private:
     std::vector<std::byte> bytes_;
     std::size_t position_ = 0;
+};
+
+/// The same of a file that is being written. It keeps the first failure: OpenEXR's destructor drops it.
+class FileStream final : public Imf::OStream {
+  public:
+    explicit FileStream(WholeFile& file) : OStream(file.name().c_str()), file_(file), start_(file.size()) {}
+
+    void write(const char data[], int size) override {
+        try {
+            file_.writeAt(start_ + position_, std::as_bytes(std::span(data, std::size_t(size))));
+        } catch (...) {
+            if (!failure_) failure_ = std::current_exception();
+            throw;
+        }
+        position_ += std::uint64_t(size);
+    }
+    std::uint64_t tellp() override { return position_; }
+    void seekp(std::uint64_t position) override { position_ = position; }
+
+    void requireNoFailure() const {
+        if (failure_) std::rethrow_exception(failure_);
+    }
+
+  private:
+    WholeFile& file_;
+    std::uint64_t start_ = 0, position_ = 0;
+    std::exception_ptr failure_;
 };
 
 Imath::V2f toImath(const glm::dvec2& xy) {
@@ -98,7 +128,8 @@ struct AttributeInsertion {
 /// hundredth.
 constexpr int zipLevel = 1;
 
-Imf::Header makeHeader(int width, int height, std::span<const ExrChannel> channels,
+template <typename Channel>
+Imf::Header makeHeader(int width, int height, std::span<const Channel> channels,
                        const Chromaticities& chromaticities, std::span<const ExrAttribute> attributes,
                        ExrCompression compression) {
     Imf::Header header(width, height);
@@ -107,7 +138,7 @@ Imf::Header makeHeader(int width, int height, std::span<const ExrChannel> channe
     Imf::addChromaticities(header,
                            Imf::Chromaticities(toImath(chromaticities.red), toImath(chromaticities.green),
                                                toImath(chromaticities.blue), toImath(chromaticities.white)));
-    for (const ExrChannel& channel : channels)
+    for (const Channel& channel : channels)
         header.channels().insert(channel.name, Imf::Channel(toImf(channel.type)));
     for (const ExrAttribute& attribute : attributes)
         std::visit(AttributeInsertion{header, attribute.name}, attribute.value);
@@ -126,17 +157,17 @@ std::vector<half> toHalf(std::span<const float> values) {
     return halves;
 }
 
-/// The values of channels as the file has them.
+/// The values of channels of rows from `firstRow` on, as the file has them.
 class PixelBuffers {
   public:
-    PixelBuffers(std::uint32_t width, std::span<const ExrChannel> channels) {
-        for (const ExrChannel& channel : channels) {
-            if (channel.type == ExrPixelType::half) {
-                halves_.push_back(toHalf(channel.values));
-                insert(channel.name, Imf::HALF, halves_.back().data(), width);
-            } else {
-                insert(channel.name, Imf::FLOAT, channel.values.data(), width);
-            }
+    PixelBuffers(std::uint32_t width, std::uint32_t firstRow) : width_(width), firstRow_(firstRow) {}
+
+    void add(const std::string& name, ExrPixelType type, std::span<const float> values) {
+        if (type == ExrPixelType::half) {
+            halves_.push_back(toHalf(values));
+            insert(name, Imf::HALF, halves_.back().data());
+        } else {
+            insert(name, Imf::FLOAT, values.data());
         }
     }
 
@@ -144,12 +175,14 @@ class PixelBuffers {
 
   private:
     template <typename Value>
-    void insert(const std::string& name, Imf::PixelType type, const Value* values, std::uint32_t width) {
-        // OpenEXR has one type for reading and writing; an output file only reads it.
-        char* base = reinterpret_cast<char*>(const_cast<Value*>(values));
-        buffer_.insert(name, Imf::Slice(type, base, sizeof(Value), sizeof(Value) * width));
+    void insert(const std::string& name, Imf::PixelType type, const Value* values) {
+        const std::size_t rowBytes = sizeof(Value) * width_;
+        // OpenEXR has one type for reading and writing; an output file only reads it. It counts from row 0.
+        const auto base = reinterpret_cast<std::uintptr_t>(values) - std::uintptr_t{firstRow_} * rowBytes;
+        buffer_.insert(name, Imf::Slice(type, reinterpret_cast<char*>(base), sizeof(Value), rowBytes));
     }
 
+    std::uint32_t width_, firstRow_;
     std::vector<std::vector<half>> halves_;
     Imf::FrameBuffer buffer_;
 };
@@ -179,20 +212,45 @@ void requireNames(std::span<const Part> parts, const std::string& kind, const st
         throw Error(ErrorKind::badInput, path, "two EXR " + kind + "s have the name '" + *repeated + "'");
 }
 
-void requireFits(const std::string& path, std::uint32_t width, std::uint32_t height,
-                 std::span<const ExrChannel> channels) {
+template <typename Channel>
+void requireHeader(const std::string& name, std::uint32_t width, std::uint32_t height,
+                   std::span<const Channel> channels, std::span<const ExrAttribute> attributes,
+                   const ExrOptions& options) {
     constexpr std::uint32_t maxSide = std::numeric_limits<int>::max();
-    const std::string size = std::to_string(width) + " x " + std::to_string(height);
     if (width < 1 || height < 1 || width > maxSide || height > maxSide)
-        throw Error(ErrorKind::badInput, path,
-                    "an EXR can not have " + size + " pixels; 1 to 2147483647 along each side were expected");
-    if (channels.empty()) throw Error(ErrorKind::badInput, path, "an EXR needs at least one channel");
-    requireNames(channels, "channel", path);
+        throw Error(ErrorKind::badInput, name,
+                    "an EXR can not have " + std::to_string(width) + " x " + std::to_string(height) +
+                        " pixels; 1 to 2147483647 along each side were expected");
+    if (channels.empty()) throw Error(ErrorKind::badInput, name, "an EXR needs at least one channel");
+    requireNames(channels, "channel", name);
+    requireNames(attributes, "attribute", name);
+    if (options.threads >= 1 && options.threads <= maxThreadCount) return;
+    throw Error(ErrorKind::badInput, name,
+                "an EXR can not be encoded by " + std::to_string(options.threads) + " threads; 1 to " +
+                    std::to_string(maxThreadCount) + " were expected");
+}
+
+void requireValues(const std::string& name, std::uint32_t width, std::uint32_t height,
+                   std::span<const ExrChannel> channels) {
     for (const ExrChannel& channel : channels) {
         if (channel.values.size() == std::uint64_t{width} * height) continue;
-        throw Error(ErrorKind::badInput, path,
+        throw Error(ErrorKind::badInput, name,
                     "EXR channel '" + channel.name + "' has " + std::to_string(channel.values.size()) +
-                        " values for " + size + " pixels; one per pixel was expected");
+                        " values for " + std::to_string(width) + " x " + std::to_string(height) +
+                        " pixels; one per pixel was expected");
+    }
+}
+
+/// Calls `body`, which calls OpenEXR. Its own errors name the file.
+template <typename Body>
+void encoding(const std::string& name, const Body& body) {
+    try {
+        body();
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& failure) {
+        throw Error(ErrorKind::environment, name,
+                    std::string("can not be encoded as EXR: ") + failure.what());
     }
 }
 
@@ -206,25 +264,19 @@ const char* toString(ExrCompression compression) {
 std::vector<std::byte> encodeExr(const std::string& name, std::uint32_t width, std::uint32_t height,
                                  std::span<const ExrChannel> channels, const Chromaticities& chromaticities,
                                  std::span<const ExrAttribute> attributes, const ExrOptions& options) {
-    requireFits(name, width, height, channels);
-    requireNames(attributes, "attribute", name);
-    if (options.threads < 1 || options.threads > maxThreadCount)
-        throw Error(ErrorKind::badInput, name,
-                    "an EXR can not be encoded by " + std::to_string(options.threads) + " threads; 1 to " +
-                        std::to_string(maxThreadCount) + " were expected");
+    requireHeader(name, width, height, channels, attributes, options);
+    requireValues(name, width, height, channels);
     MemoryStream stream(name);
-    try {
-        const PixelBuffers buffers(width, channels);
+    encoding(name, [&] {
+        PixelBuffers buffers(width, 0);
+        for (const ExrChannel& channel : channels) buffers.add(channel.name, channel.type, channel.values);
         Imf::OutputFile file(
             stream,
             makeHeader(int(width), int(height), channels, chromaticities, attributes, options.compression),
             poolThreads(options.threads));
         file.setFrameBuffer(buffers.frameBuffer());
         file.writePixels(int(height));
-    } catch (const std::exception& failure) {
-        throw Error(ErrorKind::environment, name,
-                    std::string("can not be encoded as EXR: ") + failure.what());
-    }
+    });
     return stream.takeBytes();
 }
 
@@ -233,6 +285,75 @@ void writeExr(const std::filesystem::path& path, std::uint32_t width, std::uint3
               std::span<const ExrAttribute> attributes, const ExrOptions& options) {
     writeWholeFile(path,
                    encodeExr(path.string(), width, height, channels, chromaticities, attributes, options));
+}
+
+struct ExrStream::State {
+    State(WholeFile& into, const Imf::Header& header, int threads)
+        : name(into.name()), stream(into), file(std::in_place, stream, header, threads) {}
+
+    std::string name;
+    std::vector<ExrChannelType> channels;
+    std::uint32_t width = 0, height = 0;
+    std::uint32_t rows = 0;  ///< Written.
+    FileStream stream;
+    std::optional<Imf::OutputFile> file;
+};
+
+ExrStream::ExrStream(WholeFile& file, std::uint32_t width, std::uint32_t height,
+                     std::span<const ExrChannelType> channels, const Chromaticities& chromaticities,
+                     std::span<const ExrAttribute> attributes, const ExrOptions& options) {
+    requireHeader(file.name(), width, height, channels, attributes, options);
+    encoding(file.name(), [&] {
+        state_ = std::make_unique<State>(
+            file,
+            makeHeader(int(width), int(height), channels, chromaticities, attributes, options.compression),
+            poolThreads(options.threads));
+    });
+    state_->channels.assign(channels.begin(), channels.end());
+    state_->width = width;
+    state_->height = height;
+}
+
+ExrStream::ExrStream(ExrStream&&) noexcept = default;
+ExrStream& ExrStream::operator=(ExrStream&&) noexcept = default;
+ExrStream::~ExrStream() = default;
+
+ExrStream::State& ExrStream::state() const {
+    return requireOpen(state_.get());
+}
+
+void ExrStream::write(std::span<const std::span<const float>> values) {
+    State& open = state();
+    if (values.size() != open.channels.size())
+        throw Error(ErrorKind::badInput, open.name,
+                    "rows of " + std::to_string(values.size()) + " channels are written into an EXR of " +
+                        std::to_string(open.channels.size()));
+    for (const std::span<const float> channel : values) {
+        requireRows(open.name, channel.size(), open.width, open.height - open.rows);
+        if (channel.size() == values.front().size()) continue;
+        throw Error(ErrorKind::badInput, open.name, "the channels have different numbers of rows");
+    }
+    const auto count = static_cast<std::uint32_t>(values.front().size() / open.width);
+    orEnd(state_, [&] {
+        encoding(open.name, [&] {
+            PixelBuffers buffers(open.width, open.rows);
+            for (std::size_t i = 0; i < values.size(); ++i)
+                buffers.add(open.channels[i].name, open.channels[i].type, values[i]);
+            open.file->setFrameBuffer(buffers.frameBuffer());
+            open.file->writePixels(static_cast<int>(count));
+        });
+    });
+    open.rows += count;
+}
+
+void ExrStream::finish() {
+    State& open = state();
+    requireNoRowsLeft(open.name, open.height - open.rows);
+    orEnd(state_, [&] {
+        open.file.reset();  // Writes the table of lines.
+        open.stream.requireNoFailure();
+    });
+    state_.reset();
 }
 
 }  // namespace candela

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -14,6 +15,7 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace candela {
 namespace {
@@ -57,6 +59,9 @@ class Descriptor {
     int number_ = -1;
 };
 
+/// Bytes that are copied at once.
+constexpr std::size_t copiedBytes = std::size_t{1} << 20;
+
 /// Writes all bytes; false, with errno set, if that failed.
 bool writeAll(int descriptor, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
@@ -66,6 +71,31 @@ bool writeAll(int descriptor, std::span<const std::byte> bytes) {
         bytes = bytes.subspan(std::size_t(written));
     }
     return true;
+}
+
+/// Writes all bytes from `position` on; false, with errno set, if that failed.
+bool writeAllAt(int descriptor, std::uint64_t position, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written =
+            ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(position));
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        bytes = bytes.subspan(std::size_t(written));
+        position += std::size_t(written);
+    }
+    return true;
+}
+
+/// Writes all that `from` holds; false, with errno set, if that failed.
+bool copyAll(int from, int to) {
+    std::vector<std::byte> bytes(copiedBytes);
+    for (std::uint64_t position = 0;;) {
+        const ssize_t read = ::pread(from, bytes.data(), bytes.size(), static_cast<off_t>(position));
+        if (read < 0 && errno == EINTR) continue;
+        if (read <= 0) return read == 0;
+        if (!writeAll(to, std::span(bytes).first(std::size_t(read)))) return false;
+        position += std::size_t(read);
+    }
 }
 
 /// Flushes the bytes to the disk; also true where the file system does not support it.
@@ -101,10 +131,10 @@ class TemporaryFile {
   public:
     /// Creates the file in `folder`. `target` is what errors name.
     TemporaryFile(const fs::path& folder, const fs::path& target) : target_(target), folder_(folder) {
-        descriptor_ = Descriptor(::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666));
+        descriptor_ = Descriptor(::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666));
         if (descriptor_.isOpen()) return;
         const bool named = tryNames([&](const fs::path& name) {
-            descriptor_ = Descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+            descriptor_ = Descriptor(::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
             return descriptor_.isOpen();
         });
         if (!named) failWithReason(target_, "can not write in the folder '" + folder.string() + "'", errno);
@@ -120,12 +150,15 @@ class TemporaryFile {
             failWithReason(target_, "can not keep its mode", errno);
     }
 
-    void write(std::span<const std::byte> bytes) {
-        if (!writeAll(descriptor_.number(), bytes) || !synchronise(descriptor_.number()))
+    void writeAt(std::uint64_t position, std::span<const std::byte> bytes) {
+        if (!writeAllAt(descriptor_.number(), position, bytes))
             failWithReason(target_, "can not write the file", errno);
     }
 
+    int descriptor() const { return descriptor_.number(); }
+
     void moveTo(const fs::path& place) {
+        if (!synchronise(descriptor_.number())) failWithReason(target_, "can not write the file", errno);
         if (path_.empty() && link(place)) return close();
         // Only a file with a name can replace another.
         if (path_.empty() && !tryNames([&](const fs::path& name) { return link(name); }))
@@ -186,9 +219,14 @@ std::optional<fs::path> followLinks(const fs::path& path) {
 }
 
 /// Appends, so that a descriptor shared with others (`>> log`) is not overwritten.
-void writeInPlace(const fs::path& path, std::span<const std::byte> bytes) {
+Descriptor openInPlace(const fs::path& path) {
     Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_APPEND | O_NOCTTY | O_CLOEXEC));
     if (!descriptor.isOpen()) failWithReason(path, "can not open the file for writing", errno);
+    return descriptor;
+}
+
+void writeInPlace(const fs::path& path, std::span<const std::byte> bytes) {
+    Descriptor descriptor = openInPlace(path);
     if (!writeAll(descriptor.number(), bytes) || !descriptor.close())
         failWithReason(path, "can not write the file", errno);
 }
@@ -205,27 +243,119 @@ fs::path folderOf(const fs::path& path, const fs::path& place) {
     return folder;
 }
 
-}  // namespace
+/// Where a file goes.
+struct Target {
+    fs::path path;                    ///< What errors name.
+    fs::path place;                   ///< After all links.
+    bool isSpecial = false;           ///< No ordinary file: it is written in place.
+    std::optional<mode_t> mode = {};  ///< Of the file that is replaced.
+    fs::path folder = {};
+};
 
-void writeWholeFile(const fs::path& path, std::span<const std::byte> bytes) {
+Target targetOf(const fs::path& path) {
     if (path.empty()) fail(path, "a file to write has no name");
-    const FileSizeSignalBlock block;
     const std::optional<fs::path> place = followLinks(path);
-    if (!place) return writeInPlace(path, bytes);
-
+    if (!place) return {path, path, true};
     struct stat status {};
     const bool exists = ::stat(place->c_str(), &status) == 0;
     if (exists && S_ISDIR(status.st_mode)) fail(path, "is a folder, expected a file to write");
-    if (exists && !S_ISREG(status.st_mode)) return writeInPlace(*place, bytes);
-    const fs::path folder = folderOf(path, *place);
+    if (exists && !S_ISREG(status.st_mode)) return {path, *place, true};
+    Target target{path, *place, false, std::nullopt, folderOf(path, *place)};
+    if (!exists) return target;
     // Renaming would replace a file that is protected against writing.
-    if (exists && ::faccessat(AT_FDCWD, place->c_str(), W_OK, AT_EACCESS) != 0)
+    if (::faccessat(AT_FDCWD, place->c_str(), W_OK, AT_EACCESS) != 0)
         failWithReason(path, "can not overwrite the file", errno);
+    target.mode = status.st_mode & 0777;
+    return target;
+}
 
-    TemporaryFile file(folder, path);
-    if (exists) file.setPermissions(status.st_mode & 0777);
-    file.write(bytes);
-    file.moveTo(*place);
+fs::path temporaryFolder(const fs::path& target) {
+    std::error_code error;
+    const fs::path folder = fs::temp_directory_path(error);
+    if (error) failWithReason(target, "there is no folder for temporary files", error.value());
+    return folder;
+}
+
+}  // namespace
+
+void writeWholeFile(const fs::path& path, std::span<const std::byte> bytes) {
+    const Target target = targetOf(path);
+    const FileSizeSignalBlock block;
+    if (target.isSpecial) return writeInPlace(target.place, bytes);
+    TemporaryFile file(target.folder, path);
+    if (target.mode) file.setPermissions(*target.mode);
+    file.writeAt(0, bytes);
+    file.moveTo(target.place);
+}
+
+struct WholeFile::State {
+    State(Target to, const fs::path& folder)
+        : target(std::move(to)), name(target.path.string()), file(folder, target.path) {}
+
+    Target target;
+    std::string name;
+    int descriptor = -1;  ///< Of the caller, where the file has no path.
+    TemporaryFile file;
+    std::uint64_t size = 0;
+};
+
+WholeFile::WholeFile(const fs::path& path) {
+    Target target = targetOf(path);
+    const fs::path folder = target.isSpecial ? temporaryFolder(path) : target.folder;
+    state_ = std::make_unique<State>(std::move(target), folder);
+    if (state_->target.mode) state_->file.setPermissions(*state_->target.mode);
+}
+
+WholeFile::WholeFile(int descriptor, const std::string& name)
+    : state_(std::make_unique<State>(Target{name, name, true}, temporaryFolder(name))) {
+    state_->descriptor = descriptor;
+}
+
+WholeFile::WholeFile(WholeFile&&) noexcept = default;
+WholeFile& WholeFile::operator=(WholeFile&&) noexcept = default;
+WholeFile::~WholeFile() = default;
+
+WholeFile::State& WholeFile::open() const {
+    if (state_) return *state_;
+    throw Error(ErrorKind::badInput, "", "a file is written to that is finished already, or was moved from");
+}
+
+void WholeFile::write(std::span<const std::byte> bytes) {
+    writeAt(size(), bytes);
+}
+
+void WholeFile::writeAt(std::uint64_t position, std::span<const std::byte> bytes) {
+    State& state = open();
+    if (position > state.size)
+        throw Error(ErrorKind::badInput, state.name,
+                    "byte " + std::to_string(position) + " is written where the file has " +
+                        std::to_string(state.size));
+    const FileSizeSignalBlock block;
+    state.file.writeAt(position, bytes);
+    state.size = std::max(state.size, position + bytes.size());
+}
+
+void WholeFile::finish() {
+    State& state = open();
+    const FileSizeSignalBlock block;
+    if (!state.target.isSpecial) {
+        state.file.moveTo(state.target.place);
+    } else {
+        Descriptor opened;
+        if (state.descriptor < 0) opened = openInPlace(state.target.place);
+        const int to = opened.isOpen() ? opened.number() : state.descriptor;
+        if (!copyAll(state.file.descriptor(), to) || (opened.isOpen() && !opened.close()))
+            failWithReason(state.target.path, "can not write the file", errno);
+    }
+    state_.reset();
+}
+
+std::uint64_t WholeFile::size() const {
+    return open().size;
+}
+
+const std::string& WholeFile::name() const {
+    return open().name;
 }
 
 }  // namespace candela

@@ -253,5 +253,60 @@ TEST(WholeFile, anOpenDescriptorIsAppendedTo) {
     EXPECT_EQ(folder.entries(), 1);
 }
 
+std::span<const std::byte> bytesOf(const std::string& text) {
+    return std::as_bytes(std::span(text));
+}
+
+TEST(WholeFile, isWrittenPieceByPieceAndThereAtItsEnd) {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "a";
+    write(path, "before");
+    WholeFile file(path);
+    file.write(bytesOf("some "));
+    file.write(bytesOf("pieces"));
+    file.writeAt(0, bytesOf("more"));
+    file.writeAt(9, bytesOf("es longer"));
+    EXPECT_EQ(file.size(), 18u);
+    EXPECT_THROW(file.writeAt(19, bytesOf("x")), Error);
+    EXPECT_EQ(read(path), "before");
+    file.finish();
+    EXPECT_EQ(read(path), "more pieces longer");
+    EXPECT_EQ(folder.entries(), 1);
+    EXPECT_THROW(file.write(bytesOf("x")), Error);
+    EXPECT_THROW(file.finish(), Error);
+    WholeFile dropped(path);
+    dropped.write(bytesOf("nothing of this"));
+    dropped = WholeFile(folder.path() / "b");
+    EXPECT_EQ(read(path), "more pieces longer");
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(WholeFile, piecesGoIntoAPipeAndADescriptorAtTheEnd) {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "pipe";
+    ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+    // More than is copied at once.
+    const std::string text = std::string(3'000'000, 'a') + "end";
+    std::string received;
+    std::thread reader([&] { received = read(path); });
+    WholeFile file(path);
+    file.write(bytesOf(text));
+    file.writeAt(1, bytesOf("b"));
+    file.finish();
+    reader.join();
+    EXPECT_EQ(received.size(), text.size());
+    EXPECT_EQ(received.substr(0, 3), "aba");
+    EXPECT_EQ(received.substr(3'000'000), "end");
+    std::FILE* log = std::fopen((folder.path() / "log").c_str(), "a");
+    ASSERT_NE(log, nullptr);
+    WholeFile appended(::fileno(log), "the log");
+    EXPECT_EQ(appended.name(), "the log");
+    appended.write(bytesOf("once"));
+    EXPECT_EQ(read(folder.path() / "log"), "");
+    appended.finish();
+    EXPECT_EQ(read(folder.path() / "log"), "once");
+    std::fclose(log);
+}
+
 }  // namespace
 }  // namespace candela

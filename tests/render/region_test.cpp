@@ -223,6 +223,18 @@ TEST_F(RegionTest, partsCoverThePictureOnceAndFitTheDevice) {
         EXPECT_EQ(std::ranges::count(covered, 1), std::ptrdiff_t(covered.size()));
     }
     EXPECT_EQ(pictureParts(64, 50, 64).size(), 1u);
+    // 20 rows of 48 pixels, of frames of 80 with two margins of 16, and one of the 40 that are left.
+    const std::vector<PicturePart> low = pictureParts(1000, 1000, 1000, 80);
+    ASSERT_EQ(low.size(), 21u);
+    int y = 0;
+    for (const PicturePart& part : low) {
+        EXPECT_EQ(part.frameWidth, 1000);
+        EXPECT_LE(part.frameHeight, 80);
+        EXPECT_EQ(part.y, y);
+        y += part.height;
+    }
+    EXPECT_EQ(y, 1000);
+    EXPECT_THROW(pictureParts(100, 100, 100, 63), Error);
     EXPECT_THROW(pictureParts(0, 5, 64), Error);
     EXPECT_THROW(pictureParts(100, 100, 63), Error);
 }

@@ -33,6 +33,7 @@ const std::map<std::string, std::string> layerOfHeader = {
     {"export.h", "base"},
     {"image.h", "base"},
     {"image_file.h", "base"},
+    {"image_stream.h", "base"},
     {"nearest_name.h", "base"},
     {"version.h", "base"},
     {"whole_file.h", "base"},

@@ -42,19 +42,23 @@ FrameSettings PicturePart::settings(const FrameSettings& picture) const {
 }
 
 std::vector<PicturePart> pictureParts(int width, int height, int maxSide) {
+    return pictureParts(width, height, maxSide, maxSide);
+}
+
+std::vector<PicturePart> pictureParts(int width, int height, int maxWidth, int maxHeight) {
     constexpr int most = 1 << 20;
     if (width < 1 || height < 1 || width > most || height > most) {
         throw Error(ErrorKind::badInput, "",
                     "parts of a picture of " + std::to_string(width) + "x" + std::to_string(height) +
                         " pixels are asked for; sides have to be 1 to " + std::to_string(most));
     }
-    if (maxSide < minPartSide) {
+    if (const int least = std::min(maxWidth, maxHeight); least < minPartSide) {
         throw Error(ErrorKind::badInput, "",
-                    "parts of " + std::to_string(maxSide) + " pixels a side are asked for; expected " +
+                    "parts of " + std::to_string(least) + " pixels a side are asked for; expected " +
                         std::to_string(minPartSide) + " or more");
     }
-    const std::vector<Span> columns = spansOf(width, maxSide);
-    std::vector<Span> rows = spansOf(height, maxSide);
+    const std::vector<Span> columns = spansOf(width, maxWidth);
+    std::vector<Span> rows = spansOf(height, maxHeight);
     std::ranges::reverse(rows);  // from the top
     std::vector<PicturePart> parts;
     for (const Span& row : rows) {

@@ -74,6 +74,46 @@ TEST(PanoramaTest, refusesWhatIsNoPanorama) {
     EXPECT_THROW(panorama(empty, 64), Error);
 }
 
+/// Depths of the faces of a cube of planes at a distance: constant, so that distances are known.
+TEST(PanoramaTest, depthsBecomeDistancesAndIdsStayWhole) {
+    constexpr int width = 128;
+    constexpr float distance = 2.5f;
+    const int size = panoramaFaces(CameraView{}, width).size;
+    const std::size_t count = std::size_t(size) * std::size_t(size);
+    std::array<std::vector<Aov>, 6> faces;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        faces[i] = {{"Z", {"Z"}, {std::vector<float>(count, distance)}},
+                    {"node_id", {"node_id"}, {std::vector<float>(count, float(i + 1))}},
+                    {"N", {"N.X", "N.Y", "N.Z"}, std::vector(3, std::vector<float>(count, 0.25f))}};
+    const std::vector<Aov> aovs = panoramaAovs(faces, width);
+    ASSERT_EQ(aovs.size(), 3u);
+    ASSERT_EQ(aovs[2].channels, faces[0][2].channels);
+    for (int y = 0; y < width / 2; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const std::size_t pixel = std::size_t(y) * width + std::size_t(x);
+            const glm::dvec3 size3 = glm::abs(directionOf(x, y, width));
+            const double expected = distance / std::max({size3.x, size3.y, size3.z});
+            // Of the nearest pixel of the face, half a pixel away at most in each direction: the distance
+            // grows by at most sqrt(2) a unit of the face, whose pixels are at most 2 / (width / pi) wide.
+            ASSERT_NEAR(aovs[0].values[0][pixel], expected, distance * std::sqrt(2.0) * pi / width)
+                << x << ", " << y;
+            const float id = aovs[1].values[0][pixel];
+            ASSERT_TRUE(id >= 1.0f && id <= 6.0f && id == std::round(id));
+            ASSERT_FLOAT_EQ(aovs[2].values[1][pixel], 0.25f);
+        }
+    }
+    // Ahead is the fifth face.
+    EXPECT_EQ(aovs[1].values[0][32 * width + 64], 5.0f);
+    std::array<std::vector<Aov>, 6> wrong = faces;
+    wrong[3].pop_back();
+    EXPECT_THROW(panoramaAovs(wrong, width), Error);
+    wrong = faces;
+    wrong[2][0].values[0].pop_back();
+    EXPECT_THROW(panoramaAovs(wrong, width), Error);
+    for (std::vector<Aov>& face : wrong) face = {{"motion", {"motion.X", "motion.Y"}, {}}};
+    EXPECT_THROW(panoramaAovs(wrong, width), Error);
+}
+
 class PanoramaPictureTest : public DrawingTest {};
 
 TEST_F(PanoramaPictureTest, facesMeetWithoutASeam) {

@@ -1,4 +1,4 @@
-#include "parted_picture.h"
+#include "picture_band.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -24,12 +24,14 @@ void copyPart(const candela::PicturePart& part, std::size_t channels, const std:
 
 }  // namespace
 
-PartedPicture::PartedPicture(int width, int height) {
+PictureBand::PictureBand(int width, const candela::PicturePart& first) : top_(first.y) {
     picture_.width = width;
-    picture_.height = height;
+    picture_.height = first.height;
 }
 
-void PartedPicture::add(const candela::PicturePart& part, const DrawnPicture& drawn) {
+void PictureBand::add(const candela::PicturePart& inPicture, const DrawnPicture& drawn) {
+    candela::PicturePart part = inPicture;
+    part.y -= top_;
     const int width = picture_.width;
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(picture_.height);
     picture_.encoding = drawn.encoding;

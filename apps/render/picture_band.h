@@ -8,18 +8,20 @@
 
 #include <utility>
 
-/// Puts the parts of a picture together.
-class PartedPicture {
+/// Puts a row of parts of a picture together.
+class PictureBand {
   public:
-    PartedPicture(int width, int height);
+    /// `width` is that of the picture, `first` any part of the row.
+    PictureBand(int width, const candela::PicturePart& first);
 
     /// `drawn` is the frame of the part, margins included. All parts have the same channels.
     void add(const candela::PicturePart& part, const DrawnPicture& drawn);
-    /// The picture, once, after all parts.
+    /// The rows of the picture, once, after all parts.
     DrawnPicture take() { return std::move(picture_); }
 
   private:
     DrawnPicture picture_;
+    int top_;  ///< In the picture.
 };
 
 /// A part of radiance without its margins.
