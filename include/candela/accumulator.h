@@ -5,6 +5,7 @@
 #include <candela/export.h>
 #include <candela/frame_data.h>
 #include <candela/frame_settings.h>
+#include <candela/pending.h>
 #include <candela/sampling.h>
 
 #include <cstdint>
@@ -36,8 +37,8 @@ struct AccumulatorOptions {
 };
 
 /// The mean of frames: of the samples of a picture (candela/sampling.h). It can be shown after any frame, and
-/// is finer after the next one. The mean is taken of scene-linear radiance. The sum stays on the device, or in
-/// memory where lighting runs on the CPU; it is in single precision and in two levels of 256 frames each,
+/// is finer after the next one. The mean is taken of scene-linear radiance. The sum stays on the device, or
+/// in memory where lighting runs on the CPU; it is in single precision and in two levels of 256 frames each,
 /// whose rounding is at most 3.1e-5 of the mean. Every function throws `Error` (environment) when the context
 /// is not current on the calling thread, and (badInput) after a move.
 class CANDELA_API Accumulator {
@@ -77,6 +78,14 @@ class CANDELA_API Accumulator {
     /// Reads the mean radiance back. A is the share of the samples in which a surface covers the pixel; RGB
     /// is associated with it, the background being black.
     HdrImage radiance() const;
+    /// `displayPicture` and `radiance` without waiting for them, as those of `Frame`.
+    PendingPicture readDisplayPicture(const DisplayTransform& transform) const;
+    PendingRadiance readRadiance() const;
+    /// The mean as a texture, "radiance", and as it is shown, "display", as `Frame::textures` and
+    /// `Frame::displayTexture` hand them out. Their names and their content are valid until a frame is added
+    /// or `reset`, that of "display" until the next call of a function that shows the mean.
+    FrameTexture radianceTexture() const;
+    FrameTexture displayTexture(const DisplayTransform& transform) const;
     /// The AOVs of the options, in their order.
     std::vector<Aov> aovs() const;
     /// How the samples of one of these have become one value, never `automatic`. Throws `Error` (badInput)

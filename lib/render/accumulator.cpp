@@ -8,6 +8,8 @@
 #include "render/display/display_target.h"
 #include "render/display/memory_display.h"
 #include "render/gbuffer/readback.h"
+#include "render/host/pending_pictures.h"
+#include "render/host/pixel_transfer.h"
 #include "render/renderer_state.h"
 
 #include <candela/error.h>
@@ -15,8 +17,12 @@
 #include <candela/sampling.h>
 
 #include <algorithm>
+#include <array>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace candela {
 
@@ -81,6 +87,10 @@ struct Accumulator::State {
     }
 
     void addAovs(const Frame& frame);
+    /// Shows the mean in a complete framebuffer.
+    void show(const DisplayTransform& transform, const FrameTarget& target);
+    /// The mean as it is shown in an own target.
+    const DisplayTarget& shownTarget(const DisplayTransform& transform);
 
     std::shared_ptr<gl::ContextBinding> binding;
     AccumulatorOptions options;
@@ -211,18 +221,27 @@ int Accumulator::height() const {
     return filled().sums->height();
 }
 
+void Accumulator::State::show(const DisplayTransform& transform, const FrameTarget& target) {
+    const gl::PassTimer::Scope pass(timer, "display");
+    if (const MemoryPicture mean = meanInMemory(*sums, place);
+        !mean.radiance.empty() && MemoryDisplay::suits(target)) {
+        memoryDisplay.render(mean, transform, target);
+    } else {
+        display.render({sums->mean(), sums->width(), sums->height(), transform, target, place});
+    }
+}
+
+const DisplayTarget& Accumulator::State::shownTarget(const DisplayTransform& transform) {
+    if (!displayTarget) displayTarget.emplace(sums->width(), sums->height());
+    show(transform, {.framebuffer = displayTarget->framebuffer.name()});
+    return *displayTarget;
+}
+
 void Accumulator::display(const DisplayTransform& transform, const FrameTarget& target) const {
     State& state = filled();
     const gl::StateGuard guard(*state.binding, user);
     requireTarget(target);
-    const gl::PassTimer::Scope pass(state.timer, "display");
-    SampleSums& sums = *state.sums;
-    if (const MemoryPicture mean = meanInMemory(sums, state.place);
-        !mean.radiance.empty() && MemoryDisplay::suits(target)) {
-        state.memoryDisplay.render(mean, transform, target);
-    } else {
-        state.display.render({sums.mean(), sums.width(), sums.height(), transform, target, state.place});
-    }
+    state.show(transform, target);
 }
 
 std::vector<std::uint8_t> Accumulator::displayPicture(const DisplayTransform& transform) const {
@@ -232,9 +251,7 @@ std::vector<std::uint8_t> Accumulator::displayPicture(const DisplayTransform& tr
         const gl::PassTimer::Scope pass(state.timer, "display");
         return state.memoryDisplay.codes(mean, transform);
     }
-    if (!state.displayTarget) state.displayTarget.emplace(state.sums->width(), state.sums->height());
-    display(transform, {.framebuffer = state.displayTarget->framebuffer.name()});
-    return state.displayTarget->read();
+    return state.shownTarget(transform).read();
 }
 
 HdrImage Accumulator::radiance() const {
@@ -247,6 +264,55 @@ HdrImage Accumulator::radiance() const {
                                          : std::vector<float>(mean.radiance.begin(), mean.radiance.end())};
     flipRows(image.rgba, width, height);
     return image;
+}
+
+PendingPicture Accumulator::readDisplayPicture(const DisplayTransform& transform) const {
+    State& state = filled();
+    const gl::StateGuard guard(*state.binding, user);
+    const MemoryPicture mean = meanInMemory(*state.sums, state.place);
+    if (!mean.radiance.empty()) return showLater(state.binding, mean, transform);
+    return transferPicture(state.binding, state.shownTarget(transform));
+}
+
+PendingRadiance Accumulator::readRadiance() const {
+    State& state = filled();
+    const gl::StateGuard guard(*state.binding, user);
+    const int width = state.sums->width(), height = state.sums->height();
+    const auto turned = [width, height](std::vector<float> rgba) {
+        flipRows(rgba, width, height);
+        return HdrImage{width, height, std::move(rgba)};
+    };
+    if (const MemoryPicture mean = meanInMemory(*state.sums, state.place); !mean.radiance.empty()) {
+        std::vector<float> copy(mean.radiance.begin(), mean.radiance.end());
+        return computeLater<HdrImage>(
+            state.binding, [turned, copy = std::move(copy)]() mutable { return turned(std::move(copy)); });
+    }
+    const auto transfer = std::make_shared<PixelTransfer>();
+    transfer->start(
+        std::array{PixelTransfer::Source{state.sums->mean(), GL_RGBA, GL_FLOAT, width, height, 16}});
+    return makePending<HdrImage>(
+        state.binding, [transfer] { return transfer->isReady(); },
+        [transfer, turned] { return turned(elementsOf<float>(transfer->read(0))); });
+}
+
+FrameTexture Accumulator::radianceTexture() const {
+    State& state = filled();
+    const gl::StateGuard guard(*state.binding, user);
+    return {"radiance",
+            state.sums->mean().name(),
+            GL_TEXTURE_2D,
+            GL_RGBA32F,
+            state.sums->width(),
+            state.sums->height(),
+            "mean radiance in the working space; alpha: the share of the samples that surfaces cover"};
+}
+
+FrameTexture Accumulator::displayTexture(const DisplayTransform& transform) const {
+    State& state = filled();
+    const gl::StateGuard guard(*state.binding, user);
+    const DisplayTarget& shown = state.shownTarget(transform);
+    return {"display",    shown.texture.name(),        GL_TEXTURE_2D, GL_RGBA8, shown.width,
+            shown.height, "code values of the display"};
 }
 
 std::vector<Aov> Accumulator::aovs() const {

@@ -5,15 +5,12 @@
 #include "render/frame_request.h"
 #include "render/frame_uniforms.h"
 #include "render/gbuffer/readback.h"
-#include "render/host/pending.h"
+#include "render/host/pending_pictures.h"
 #include "render/host/pixel_transfer.h"
 #include "render/renderer_state.h"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <cstring>
-#include <future>
 #include <map>
 #include <string>
 #include <utility>
@@ -52,25 +49,6 @@ std::string depthMeaning(const CameraView& view) {
         return "reversed depth, linear: (far - Z) / (far - near), 0 on the background";
     return view.farPlane ? "reversed depth: (near / Z - near / far) / (1 - near / far), 0 on the background"
                          : "reversed depth: near / Z, 0 on the background";
-}
-
-/// A picture that another thread computes without OpenGL.
-template <typename Picture, typename Compute>
-Pending<Picture> computeLater(const std::shared_ptr<gl::ContextBinding>& binding, Compute compute) {
-    // A function has to be copyable, which the future of a result that is moved is not.
-    const auto computed =
-        std::make_shared<std::future<Picture>>(std::async(std::launch::async, std::move(compute)));
-    return makePending<Picture>(
-        binding,
-        [computed] { return computed->wait_for(std::chrono::seconds(0)) == std::future_status::ready; },
-        [computed] { return computed->get(); });
-}
-
-template <typename T>
-std::vector<T> elementsOf(const std::vector<std::byte>& bytes) {
-    std::vector<T> elements(bytes.size() / sizeof(T));
-    std::memcpy(elements.data(), bytes.data(), bytes.size());
-    return elements;
 }
 
 }  // namespace
@@ -179,25 +157,9 @@ PendingPicture Frame::readDisplayPicture(const DisplayTransform& transform) cons
     const gl::StateGuard guard(*state.binding, user);
     const MemoryPicture picture = state.pictureInMemory();
     if (!picture.radiance.empty() && !hasLines(state.frame->settings.overlays)) {
-        return computeLater<std::vector<std::uint8_t>>(state.binding, [radiance = std::vector<float>(
-                                                                           picture.radiance.begin(),
-                                                                           picture.radiance.end()),
-                                                                       picture, transform] {
-            return MemoryDisplay().codes({radiance, picture.width, picture.height, picture.place}, transform);
-        });
+        return showLater(state.binding, picture, transform);
     }
-    const DisplayTarget& shown = state.shownTarget(transform);
-    const auto transfer = std::make_shared<PixelTransfer>();
-    const int width = shown.width, height = shown.height;
-    transfer->start(
-        std::array{PixelTransfer::Source{shown.texture, GL_RGBA, GL_UNSIGNED_BYTE, width, height, 4}});
-    return makePending<std::vector<std::uint8_t>>(
-        state.binding, [transfer] { return transfer->isReady(); },
-        [transfer, width, height] {
-            auto pixels = elementsOf<std::uint8_t>(transfer->read(0));
-            flipRows(pixels, width, height);
-            return pixels;
-        });
+    return transferPicture(state.binding, state.shownTarget(transform));
 }
 
 PendingRadiance Frame::readRadiance() const {

@@ -4,6 +4,7 @@
 #include "gl/texture.h"
 
 #include <cstddef>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -36,5 +37,13 @@ class PixelTransfer {
     std::vector<std::size_t> offsets_;  ///< Of the sources, and the end.
     GLsync fence_ = nullptr;
 };
+
+/// The bytes of a source as numbers.
+template <typename T>
+std::vector<T> elementsOf(const std::vector<std::byte>& bytes) {
+    std::vector<T> elements(bytes.size() / sizeof(T));
+    std::memcpy(elements.data(), bytes.data(), bytes.size());
+    return elements;
+}
 
 }  // namespace candela

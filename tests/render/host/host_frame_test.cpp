@@ -4,6 +4,7 @@
 
 #include "render/display/display_target.h"
 
+#include <candela/accumulator.h>
 #include <candela/image_file.h>
 
 #include <array>
@@ -164,6 +165,41 @@ TEST_F(HostFrameTest, picturesThatAreReadLaterAreThoseOfTheirFrame) {
         while (!asked.ready()) {
         }
         EXPECT_EQ(asked.get().rgba, frame.radiance().rgba);
+    }
+}
+
+TEST_F(HostFrameTest, theMeanOfSamplesIsReadLaterAndHandedOutAsTextures) {
+    const LitScene lit = wallAndSphere();
+    GpuScene scene = upload(lit.scene, lit.lights);
+    for (const TileBackend backend : {TileBackend::cpu, TileBackend::compute}) {
+        Accumulator accumulator(context());
+        expectRefused([&] { accumulator.readRadiance(); }, "before a frame was added");
+        const auto add = [&](std::uint32_t first, std::uint32_t end) {
+            accumulator.addSamples(renderer(), scene, lit.view, frameSettings(backend), {.count = 6}, first,
+                                   end);
+        };
+        add(0, 3);
+        PendingPicture picture = accumulator.readDisplayPicture(transform());
+        PendingRadiance radiance = accumulator.readRadiance();
+        const std::vector<std::uint8_t> expectedPicture = accumulator.displayPicture(transform());
+        const std::vector<float> expectedRadiance = accumulator.radiance().rgba;
+        const FrameTexture mean = accumulator.radianceTexture();
+        EXPECT_EQ(mean.name, "radiance");
+        EXPECT_EQ(mean.internalFormat, GLenum(GL_RGBA32F));
+        EXPECT_EQ(floatsOf(mean.texture, GL_RGBA, 4), expectedRadiance);
+        const FrameTexture shown = accumulator.displayTexture(transform());
+        EXPECT_EQ(shown.name, "display");
+        EXPECT_EQ(shown.width, width);
+        std::vector<std::uint8_t> codes(4 * pixels);
+        glGetTextureImage(shown.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(codes.size()), codes.data());
+        flipRows(codes, width, height);
+        EXPECT_EQ(codes, expectedPicture);
+        // Copies: further samples do not change them.
+        add(3, 6);
+        EXPECT_NE(accumulator.radiance().rgba, expectedRadiance);
+        EXPECT_EQ(picture.get(), expectedPicture) << toString(backend);
+        EXPECT_EQ(radiance.get().rgba, expectedRadiance) << toString(backend);
+        const PendingPicture dropped = accumulator.readDisplayPicture(transform());
     }
 }
 
