@@ -90,10 +90,14 @@ class Record {
     }
 
     /// The keywords with their types, for the signatures in the stubs.
-    std::string keywords() const {
+    std::string keywords() const { return keywordsWithout({}); }
+
+    /// The same without some.
+    std::string keywordsWithout(const std::vector<std::string>& left) const {
         std::string result;
         for (const Field<T>& field : fields_)
-            result += ", " + std::string(field.name) + ": " + inputType(field.type) + " = ...";
+            if (std::ranges::find(left, field.name) == left.end())
+                result += ", " + std::string(field.name) + ": " + inputType(field.type) + " = ...";
         return result;
     }
 

@@ -62,11 +62,6 @@ void FrameData::requireLast() const {
 
 namespace {
 
-nb::object imageArray(HdrImage image) {
-    return arrayOf(std::move(image.rgba),
-                   {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width), 4});
-}
-
 /// An AOV as an array: (H, W) of one channel, without a copy, else (H, W, channels).
 nb::object aovArray(const FrameHandle& self, std::size_t index) {
     const std::shared_ptr<std::vector<Aov>> all = self.data->aovs;
@@ -141,7 +136,7 @@ FrameHandle& addSamples(FrameHandle& self, std::uint32_t count, nb::handle progr
                 *frame.renderer->renderer, *frame.scene->scene, frame.view, frame.settings.frame, sampling,
                 first, until));
             frame.samples = until;
-            passProgress(progress, until, end);
+            passProgress({progress}, until, end);
         }
         if (!frame.aovs->empty())
             frame.aovs = std::make_shared<std::vector<Aov>>(frame.renderer->accumulator->aovs());
@@ -251,11 +246,14 @@ void bindReading(nb::class_<FrameHandle>& cls) {
 void bindFrames(nb::module_& module) {
     bindValue<PixelProbe>(module, "What a pixel of a frame shows.");
     bindValue<PickedSurface>(module, "A surface that a rectangle of a frame shows.");
+    bindPendingArrays(module);
     nb::class_<FrameHandle> cls(
         module, "Frame",
         "A picture that was drawn. Arrays that were read stay; what is read later needs its "
         "Renderer not to have drawn another one since.");
     bindReading(cls);
+    bindPendingReads(cls);
+    bindFrameTextures(module, cls);
     cls.def("save", &save, nb::arg("path"), nb::arg("shown"),
             nb::sig(kept(std::string("def save(self, path: str | os.PathLike[str], *, ") + shownKeywords +
                          ") -> None")),
@@ -268,23 +266,6 @@ void bindFrames(nb::module_& module) {
                      "None) -> Frame"),
              "Draws further samples and adds them to the mean: a picture that can be shown at once and gets "
              "finer. Returns the frame.")
-        .def(
-            "display",
-            [](const FrameHandle& self, std::uint32_t framebuffer, int x, int y, const nb::kwargs& shown) {
-                const DisplayTransform transform = transformOf(self, shown);
-                reading(self, [&](FrameData& frame) {
-                    const FrameTarget target{framebuffer, x, y};
-                    if (frame.accumulates)
-                        frame.renderer->accumulator->display(transform, target);
-                    else
-                        frame.frame->display(transform, target);
-                });
-            },
-            nb::arg("framebuffer") = 0, nb::arg("x") = 0, nb::arg("y") = 0, nb::arg("shown"),
-            nb::sig(kept(std::string("def display(self, framebuffer: int = 0, x: int = 0, y: int = 0, *, ") +
-                         shownKeywords + ") -> None")),
-            "Shows it in a framebuffer of a host's context (`Context.adopt_current`); x, y: its lower left "
-            "corner.")
         .def_prop_ro(
             "width", [](const FrameHandle& self) { return self.data->settings.frame.width; }, "Pixels.")
         .def_prop_ro(

@@ -2,7 +2,9 @@
 
 #include "renderer.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,10 +21,26 @@ auto reading(const FrameHandle& self, const Use& use) {
 /// Within `reading`: the frame's radiance, or the mean of its samples.
 HdrImage radianceOf(FrameData& frame);
 
+/// Radiance as an array of (height, width, 4).
+nb::object imageArray(HdrImage image);
+
+/// Makes RGB pixels of RGBA ones.
+void removeAlpha(std::vector<std::uint8_t>& pixels);
+
+/// Binds what a host takes of a frame: its textures, and what shows it.
+void bindFrameTextures(nb::module_& module, nb::class_<FrameHandle>& cls);
+/// Binds what is read without waiting.
+void bindPendingArrays(nb::module_& module);
+void bindPendingReads(nb::class_<FrameHandle>& cls);
+
 /// How a picture is shown: the keywords of `rgba`, `rgb`, `save` and `display` in signatures.
 extern const char* const shownKeywords;
 
-/// The transform of these keywords; measures the exposure where it is 'auto'.
+/// The transform of these keywords; `measured` gives the exposure where it is 'auto'.
+DisplayTransform transformBy(const ColorConfig& color, const nb::kwargs& keywords,
+                             const std::function<double()>& measured);
+
+/// The transform of these keywords for a frame; measures the exposure where it is 'auto'.
 DisplayTransform transformOf(const FrameHandle& self, const nb::kwargs& keywords);
 /// The exposure that is measured, stops; 0 where nothing is lit.
 double autoExposureOf(const FrameHandle& self);

@@ -61,14 +61,30 @@ std::vector<std::uint8_t> displayed(const FrameHandle& self, const DisplayTransf
 
 }  // namespace
 
-DisplayTransform transformOf(const FrameHandle& self, const nb::kwargs& keywords) {
+nb::object imageArray(HdrImage image) {
+    return arrayOf(std::move(image.rgba),
+                   {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width), 4});
+}
+
+void removeAlpha(std::vector<std::uint8_t>& pixels) {
+    for (std::size_t i = 0; i < pixels.size() / 4; ++i)
+        std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>(4 * i), 3,
+                    pixels.begin() + static_cast<std::ptrdiff_t>(3 * i));
+    pixels.resize(pixels.size() / 4 * 3);
+}
+
+DisplayTransform transformBy(const ColorConfig& color, const nb::kwargs& keywords,
+                             const std::function<double()>& measured) {
     Shown shown = shownBy(keywords);
     const bool isAutomatic = nb::isinstance<nb::str>(shown.exposure);
     if (isAutomatic && !shown.exposure.equal(nb::str("auto")))
         failConversion("exposure", "stops or 'auto'", shown.exposure);
-    shown.options.exposure =
-        isAutomatic ? autoExposureOf(self) : Convert<double>::from(shown.exposure, "exposure");
-    return self.data->renderer->color.displayTransform(shown.options);
+    shown.options.exposure = isAutomatic ? measured() : Convert<double>::from(shown.exposure, "exposure");
+    return color.displayTransform(shown.options);
+}
+
+DisplayTransform transformOf(const FrameHandle& self, const nb::kwargs& keywords) {
+    return transformBy(self.data->renderer->color, keywords, [&] { return autoExposureOf(self); });
 }
 
 nb::object rgba(const FrameHandle& self, const nb::kwargs& keywords) {
@@ -80,10 +96,7 @@ nb::object rgba(const FrameHandle& self, const nb::kwargs& keywords) {
 nb::object rgb(const FrameHandle& self, const nb::kwargs& keywords) {
     const FrameSettings& settings = self.data->settings.frame;
     std::vector<std::uint8_t> pixels = displayed(self, transformOf(self, keywords));
-    for (std::size_t i = 0; i < pixels.size() / 4; ++i)
-        std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>(4 * i), 3,
-                    pixels.begin() + static_cast<std::ptrdiff_t>(3 * i));
-    pixels.resize(pixels.size() / 4 * 3);
+    removeAlpha(pixels);
     return arrayOf(std::move(pixels),
                    {static_cast<std::size_t>(settings.height), static_cast<std::size_t>(settings.width), 3});
 }

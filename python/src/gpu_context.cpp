@@ -93,6 +93,15 @@ ContextPtr Session::checked(const ContextPtr& context, const char* user) {
 
 Session::Session(const ContextPtr& context, const char* user)
     : data_(checked(context, user)), lock_(data_->mutex) {
+    enter(user);
+}
+
+Session::Session(const ContextPtr& context, const char* user, std::try_to_lock_t)
+    : data_(checked(context, user)), lock_(data_->mutex, std::try_to_lock) {
+    if (lock_) enter(user);
+}
+
+void Session::enter(const char* user) {
     if (!data_->context)
         throw Error(ErrorKind::badInput, "", std::string(user) + " is used after its context was closed");
     current_.emplace(*data_->context);
@@ -101,6 +110,7 @@ Session::Session(const ContextPtr& context, const char* user)
 }
 
 Session::~Session() {
+    if (!lock_) return;
     data_->emptyDiscarded();
     data_->user = std::thread::id();
 }

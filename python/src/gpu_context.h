@@ -53,14 +53,18 @@ class Session {
     /// when the context is closed, or this thread uses it already: a callback or a signal handler of a call
     /// does.
     Session(const ContextPtr& context, const char* user);
+    /// The same without waiting: where another thread uses the context, the session is false.
+    Session(const ContextPtr& context, const char* user, std::try_to_lock_t);
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
     ~Session();
 
+    explicit operator bool() const { return lock_.owns_lock(); }
     const Context& context() const { return *data_->context; }
 
   private:
     static ContextPtr checked(const ContextPtr& context, const char* user);
+    void enter(const char* user);
 
     ContextPtr data_;
     nb::gil_scoped_release release_;

@@ -74,22 +74,26 @@ Environment addedStudio(const Scene& scene) {
 
 }  // namespace
 
+void warnPolygons() {
+    warnUser(
+        "no plugin that refines subdivision cages was found (opensubdiv does): their polygons are drawn");
+}
+
 GpuScenePtr upload(const ContextPtr& context, const ColorConfig& color, const SceneHandle& handle,
                    const nb::kwargs& keywords) {
     UploadOptions options;
     for (const auto& [name, value] : keywords) readOption(options, nb::str(name).c_str(), value);
     options.scene.workingFromRec709 = color.workingFromRec709();
     const Scene& scene = handle.data->scene;
-    if (!scene.cages.empty())
-        options.scene.subdivider = (options.plugins ? *options.plugins : defaultPlugins()).subdivider();
-    if (!scene.cages.empty() && !options.scene.subdivider)
-        warnUser(
-            "no plugin that refines subdivision cages was found (opensubdiv does): their polygons are drawn");
+    // Also where there are none yet: cages may be added.
+    options.scene.subdivider = (options.plugins ? *options.plugins : defaultPlugins()).subdivider();
+    if (!scene.cages.empty() && !options.scene.subdivider) warnPolygons();
 
     auto data = std::make_shared<GpuSceneData>(context);
     data->source = handle.data;
     data->version = handle.data->version;
     data->isAnimated = candela::isAnimated(scene);
+    data->subdivides = options.scene.subdivider.has_value();
     bool addsStudio = false;
     {
         const SceneReader reader(*handle.data);
@@ -135,12 +139,14 @@ void setLights(const GpuSceneHandle& self, nb::object positions, const nb::kwarg
 nb::dict reportOf(const GpuSceneHandle& self) {
     LightReport lights;
     CageReport cages;
+    DeformationReport deformed;
     OcclusionReport occlusion;
     std::uint64_t triangles = 0;
     std::uint32_t materials = 0;
     edited(self, [&](GpuScene& scene) {
         lights = scene.lightReport();
         cages = scene.cageReport();
+        deformed = scene.deformationReport();
         occlusion = scene.occlusionReport();
         triangles = scene.triangleCount();
         materials = scene.materialCount();
@@ -155,6 +161,8 @@ nb::dict reportOf(const GpuSceneHandle& self) {
     report["cages"] = cages.cages;
     report["cage_levels"] = nb::make_tuple(cages.minLevel, cages.maxLevel);
     report["cages_coarser_than_asked"] = cages.lodClamped;
+    report["deformed_meshes"] = deformed.meshes;
+    report["deformed_vertices"] = deformed.vertices;
     report["occlusion_bytes"] = occlusion.bytes;
     report["occlusion_build_milliseconds"] = occlusion.buildMilliseconds;
     return report;
@@ -169,6 +177,10 @@ void bindAnimationEdits(nb::class_<GpuSceneHandle>& cls) {
                self.data->time = seconds;
            },
            nb::arg("seconds"), "Poses all that is animated.")
+        .def(
+            "keep_poses", [](Self self) { edited(self, [](GpuScene& scene) { scene.keepPoses(); }); },
+            "Remembers where all nodes are, for the AOV motion, which shows the way from there. Before the "
+            "first call nothing moves but the camera (`previous_camera`).")
         .def(
             "play_animations",
             [](Self self, const std::vector<std::uint32_t>& animations) {

@@ -29,7 +29,8 @@ struct GpuSceneData {
     std::optional<Bounds> box;  ///< Of the automatic view, once it was asked for.
     std::optional<CachedView> lastView;
     bool isAnimated = false;
-    double time = 0.0;  ///< Seconds, at which it is posed.
+    bool subdivides = false;  ///< There is a plugin that refines cages.
+    double time = 0.0;        ///< Seconds, at which it is posed.
 
     explicit GpuSceneData(ContextPtr used) : context(std::move(used)), scene(context) {}
     ~GpuSceneData() {
@@ -54,6 +55,9 @@ void edited(const GpuSceneHandle& self, const Edit& edit) {
 
 /// Binds what changes elements of a `GpuScene`.
 void bindGpuSceneEdits(nb::module_& module, nb::class_<GpuSceneHandle>& cls);
+
+/// Warns that cages are drawn as polygons.
+void warnPolygons();
 
 /// Uploads with the keywords of `options` (`uploadKeywords`).
 GpuScenePtr upload(const ContextPtr& context, const ColorConfig& color, const SceneHandle& scene,

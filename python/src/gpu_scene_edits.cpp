@@ -179,7 +179,8 @@ void bindNodes(nb::class_<GpuSceneHandle>& cls) {
             "Replaces the points of the cage of a node, (N, 3), metres, in the node's frame.");
     bindAdd<Node>(
         cls, "add_node", [](GpuScene& scene, const Node& node) { return scene.addNode(node); },
-        "Adds a node. Its parent and mesh are indices of handles, or those of the uploaded scene.");
+        "Adds a node. Its parent, mesh, cage and skin are indices of handles, or those of the uploaded "
+        "scene. A mesh may be deformed, a cage may not.");
     bindRemove<Node>(
         cls, "remove_node", [](GpuScene& scene, NodeHandle node) { scene.removeNode(node); },
         "Removes a node, all below it, and their lights.");
@@ -209,6 +210,27 @@ void bindMeshEdits(nb::class_<GpuSceneHandle>& cls) {
         signature<Mesh>("set_positions",
                         ", positions: numpy.typing.ArrayLike, normals: numpy.typing.ArrayLike | None = None"),
         "Moves the vertices of a mesh: positions and normals (N, 3), None: these stay.");
+}
+
+void bindCageEdits(nb::class_<GpuSceneHandle>& cls) {
+    cls.def(
+        "add_cage",
+        [](Self self, const Element<Cage>& added) {
+            if (!self.data->subdivides) warnPolygons();
+            const Cage cage = added.read();  // Python may change the element meanwhile.
+            CageHandle handle;
+            edited(self, [&](GpuScene& scene) { handle = scene.addCage(cage); });
+            return handle;
+        },
+        nb::arg("element"), nb::sig("def add_cage(self, element: Cage) -> CageHandle"),
+        "Adds a subdivision cage, which nodes that are added later may show.");
+    bindReplace<Cage>(
+        cls, "replace_cage",
+        [](GpuScene& scene, CageHandle handle, const Cage& cage) { scene.replaceCage(handle, cage); },
+        "Replaces a cage at all nodes that show it; not one that a skin or morph targets deform.");
+    bindRemove<Cage>(
+        cls, "remove_cage", [](GpuScene& scene, CageHandle cage) { scene.removeCage(cage); },
+        "Removes a cage that no node shows any more.");
 }
 
 void bindImageEdits(nb::class_<GpuSceneHandle>& cls) {
@@ -242,11 +264,13 @@ void bindImageEdits(nb::class_<GpuSceneHandle>& cls) {
 void bindGpuSceneEdits(nb::module_& module, nb::class_<GpuSceneHandle>& cls) {
     bindHandle<Node>(module);
     bindHandle<Mesh>(module);
+    bindHandle<Cage>(module);
     bindHandle<Material>(module);
     bindHandle<Image>(module);
     bindHandle<Light>(module);
     bindNodes(cls);
     bindMeshEdits(cls);
+    bindCageEdits(cls);
     bindImageEdits(cls);
     bindAdd<Material>(
         cls, "add_material",

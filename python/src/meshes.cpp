@@ -17,6 +17,10 @@ template <>
 struct Convert<Crease> : ConvertClass<Crease> {};
 template <>
 struct Convert<Corner> : ConvertClass<Corner> {};
+template <>
+struct Convert<VariantMaterial> : ConvertClass<VariantMaterial> {};
+template <>
+struct Convert<CageVariant> : ConvertClass<CageVariant> {};
 
 namespace {
 
@@ -122,6 +126,26 @@ const Record<Submesh>& recordOf<Submesh>() {
 }
 
 template <>
+const Record<VariantMaterial>& recordOf<VariantMaterial>() {
+    static const Record<VariantMaterial> record =
+        Record<VariantMaterial>("VariantMaterial")
+            .field("submesh", &VariantMaterial::submesh, "Index into `Mesh.submeshes`.")
+            .field("variant", &VariantMaterial::variant, "Index into `Scene.variants`; None: without one.")
+            .field("material", &VariantMaterial::material,
+                   "Index into `Scene.materials`; None: a default material.");
+    return record;
+}
+
+template <>
+const Record<CageVariant>& recordOf<CageVariant>() {
+    static const Record<CageVariant> record =
+        Record<CageVariant>("CageVariant")
+            .field("variant", &CageVariant::variant, "Index into `Scene.variants`; None: without one.")
+            .field("face_materials", &CageVariant::faceMaterials, "As `Cage.face_materials`.");
+    return record;
+}
+
+template <>
 const Record<MorphTarget>& recordOf<MorphTarget>() {
     static const Record<MorphTarget> record =
         Record<MorphTarget>("MorphTarget")
@@ -142,6 +166,7 @@ const Record<Mesh>& recordOf<Mesh>() {
             .field("uv0", &Mesh::uv0,
                    "Texture coordinates, (0, 0) is the upper left of an image: (N, 2) or empty.")
             .field("uv1", &Mesh::uv1, "The second set, (N, 2) or empty.")
+            .field("further_uvs", &Mesh::furtherUvs, "The sets from 2 on, (N, 2) each; 16 at most.")
             .custom("colors", floatArray,
                     "Linear Rec.709 and alpha, which multiply the base colour: (N, 4), (N, 3) or empty.",
                     setVertexColors,
@@ -154,6 +179,9 @@ const Record<Mesh>& recordOf<Mesh>() {
             .field("submeshes", &Mesh::submeshes,
                    "Ranges of the indices with a material each; empty: all are triangles with the default "
                    "material.")
+            .field("variant_materials", &Mesh::variantMaterials,
+                   "Of submeshes that have other materials in variants, with the one without a variant; "
+                   "`Scene.add_variant` adds them.")
             .field("influence_count", &Mesh::influenceCount, "Joints for each vertex; 0: no skin moves it.")
             .field("joints", &Mesh::joints, "Indices into `Skin.joints`, influence_count for each vertex.")
             .field("joint_weights", &Mesh::jointWeights, "Of sum 1 for each vertex.")
@@ -187,6 +215,11 @@ const Record<Cage>& recordOf<Cage>() {
             .field("scheme", &Cage::scheme, "How it is subdivided; 'loop' takes triangles only.")
             .field("boundary_interpolation", &Cage::boundaryInterpolation,
                    "How the surface ends where the cage does.")
+            .field("face_varying_interpolation", &Cage::faceVaryingInterpolation,
+                   "Where texture coordinates are linear, by OpenSubdiv's names.")
+            .field("crease_method", &Cage::creaseMethod, "How sharpness falls from level to level.")
+            .field("triangle_subdivision", &Cage::triangleSubdivision,
+                   "The weights of triangles in 'catmull_clark'.")
             .field("positions", &Cage::positions, "Metres, (N, 3).")
             .field("face_sizes", &Cage::faceSizes, "Corners of each face, 3 or more, (F,).")
             .field("face_vertices", &Cage::faceVertices, "Vertices of the corners, face after face.")
@@ -196,7 +229,10 @@ const Record<Cage>& recordOf<Cage>() {
             .field("corners", &Cage::corners, "Sharp vertices.")
             .field("holes", &Cage::holes, "Faces without a surface.")
             .field("face_materials", &Cage::faceMaterials,
-                   "Index into `Scene.materials` for each face; empty: none.")
+                   "Index into `Scene.materials` or None for each face; empty: none.")
+            .field("variants", &Cage::variants,
+                   "Where faces have other materials in variants, with those without a variant; "
+                   "`Scene.add_variant` adds them.")
             .field("level", &Cage::level, "Refine to this level, 1 to 8; None: by the size on the screen.")
             .field("influence_count", &Cage::influenceCount, "Joints for each vertex; 0: no skin moves it.")
             .field("joints", &Cage::joints, "Indices into `Skin.joints`, influence_count for each vertex.")
@@ -283,6 +319,8 @@ void bindShapes(nb::class_<Element<Mesh>>& cls) {
 void bindMeshes(nb::module_& module) {
     bindElement<Image>(module, "A picture that materials refer to.");
     bindValue<Submesh>(module, "A range of a mesh's indices that is drawn with one material.");
+    bindValue<VariantMaterial>(module, "The material of a submesh in a variant of the scene.");
+    bindValue<CageVariant>(module, "The materials of the faces of a cage in a variant of the scene.");
     bindValue<MorphTarget>(module, "Moves every vertex of a mesh or a cage by its weight times the offsets.");
     auto mesh = bindElement<Mesh>(
         module,

@@ -8,6 +8,7 @@ NB_MODULE(_candela, module) {
     python::bindMaterials(module);
     python::bindMeshes(module);
     python::bindNodes(module);
+    python::bindAnimations(module);
     python::bindCameraViews(module);
     python::bindEnvironments(module);
     python::bindScenes(module);

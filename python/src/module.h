@@ -9,6 +9,7 @@ void bindErrors(nanobind::module_& module);
 void bindMaterials(nanobind::module_& module);
 void bindMeshes(nanobind::module_& module);
 void bindNodes(nanobind::module_& module);
+void bindAnimations(nanobind::module_& module);
 void bindCameraViews(nanobind::module_& module);
 void bindEnvironments(nanobind::module_& module);
 void bindScenes(nanobind::module_& module);

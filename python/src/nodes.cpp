@@ -6,9 +6,6 @@
 
 namespace candela::python {
 
-template <>
-struct Convert<AnimationChannel> : ConvertClass<AnimationChannel> {};
-
 namespace {
 
 glm::mat4 matrixOf(const Node& node) {
@@ -110,36 +107,10 @@ const Record<Light>& recordOf<Light>() {
     return record;
 }
 
-template <>
-const Record<AnimationChannel>& recordOf<AnimationChannel>() {
-    static const Record<AnimationChannel> record =
-        Record<AnimationChannel>("AnimationChannel")
-            .field("node", &AnimationChannel::node, "Index into `Scene.nodes`.")
-            .field("path", &AnimationChannel::path, "What changes.")
-            .field("interpolation", &AnimationChannel::interpolation, "Between keys.")
-            .field("times", &AnimationChannel::times, "Seconds, strictly increasing, (K,).")
-            .field("values", &AnimationChannel::values,
-                   "3 numbers for each key, 4 (x, y, z, w) for rotations, flat.")
-            .field("morph_target", &AnimationChannel::morphTarget, "The only target whose weight changes.");
-    return record;
-}
-
-template <>
-const Record<Animation>& recordOf<Animation>() {
-    static const Record<Animation> record =
-        Record<Animation>("Animation")
-            .field("name", &Animation::name, "The animation's name.")
-            .field("channels", &Animation::channels, "What it moves.")
-            .field("plays", &Animation::plays, "False: the scene is posed as if it were not there.");
-    return record;
-}
-
 void bindNodes(nb::module_& module) {
     bindElement<Node>(module, "A node of the hierarchy. Parents precede their children in the scene.");
     bindElement<Camera>(module, "A camera of a scene. It looks along -Z of its node's frame with +Y up.");
     bindElement<Light>(module, "A light of a scene. `Scene.add_lights` adds many from arrays.");
-    bindValue<AnimationChannel>(module, "The values of one property of one node over time.");
-    bindElement<Animation>(module, "Channels that play together.");
 }
 
 }  // namespace candela::python

@@ -1,6 +1,7 @@
 #include "renderer.h"
 
 #include "module.h"
+#include "render_request.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -17,122 +18,6 @@ struct RendererHandle {
     RendererPtr data;
 };
 
-/// Samples that are drawn in one call, after which signals are looked at.
-constexpr std::uint32_t samplesTogether = 16;
-
-/// What `render` was asked for.
-struct Request {
-    RenderSettings settings;
-    std::vector<std::string> aovs;
-    std::optional<double> time;
-    nb::object progress = nb::none();
-    nb::kwargs upload = nb::steal<nb::kwargs>(PyDict_New());
-};
-
-bool isUploadOption(const std::string& name) {
-    return std::string(uploadKeywords).find(" " + name + ":") != std::string::npos;
-}
-
-Request requestOf(const nb::kwargs& options) {
-    Request request;
-    if (options.contains("settings") && !options["settings"].is_none())
-        request.settings = ConvertClass<RenderSettings>::from(options["settings"], "settings");
-    for (const auto& [key, value] : options) {
-        const std::string name = nb::str(key).c_str();
-        if (name == "aovs") {
-            if (nb::isinstance<nb::str>(value)) failConversion("aovs", "a sequence of names", value);
-            for (const std::string& aov : Convert<std::vector<std::string>>::from(value, "aovs"))
-                request.aovs.push_back(channelName(aov));
-        } else if (name == "time") {
-            request.time = Convert<std::optional<double>>::from(value, "time");
-        } else if (name == "previous_camera") {
-            request.settings.frame.previousView = Convert<std::optional<CameraView>>::from(value, name);
-        } else if (name == "progress") {
-            request.progress = nb::borrow(value);
-        } else if (isUploadOption(name)) {
-            request.upload[key] = value;
-        } else if (name != "settings") {
-            recordOf<RenderSettings>().set(request.settings, name, value);
-        }
-    }
-    // A debug view shows data of the first sample.
-    if (request.settings.frame.debugView != DebugView::none) request.settings.samples = 1;
-    if (request.settings.frame.width < 1 || request.settings.frame.height < 1)
-        throw Error(ErrorKind::badInput, "", "the picture's width and height must be 1 pixel or more");
-    checkSampling(request.settings.sampling());
-    return request;
-}
-
-/// The scene on the device: a `Scene` is uploaded, and again when it has changed.
-GpuScenePtr uploadedScene(RendererData& renderer, nb::handle scene, const Request& request) {
-    if (nb::isinstance<GpuSceneHandle>(scene)) {
-        if (request.upload.size() > 0)
-            throw Error(ErrorKind::badInput, "",
-                        "options of the upload belong to Renderer.upload, as the scene is a GpuScene");
-        return nb::cast<GpuSceneHandle&>(scene).data;
-    }
-    if (!nb::isinstance<SceneHandle>(scene)) failConversion("scene", "a Scene or a GpuScene", scene);
-    const auto& handle = nb::cast<SceneHandle&>(scene);
-    const std::string with = nb::repr(request.upload).c_str();
-    if (renderer.uploaded && renderer.uploaded->source == handle.data &&
-        renderer.uploaded->version == handle.data->version && renderer.uploadedWith == with)
-        return renderer.uploaded;
-    renderer.uploaded.reset();
-    renderer.uploaded = upload(renderer.context, renderer.color, handle, request.upload);
-    renderer.uploadedWith = with;
-    return renderer.uploaded;
-}
-
-/// The views of all samples where the shutter sees motion; otherwise one.
-std::vector<CameraView> viewsOf(FrameData& frame, nb::handle camera, double time) {
-    const SamplingSettings sampling = frame.settings.sampling();
-    const FrameSettings& settings = frame.settings.frame;
-    const auto whole = settings.region.value_or(PictureRegion{settings.width, settings.height});
-    const float aspect = static_cast<float>(whole.width) / static_cast<float>(whole.height);
-    const bool moves = sampling.shutter > 0.0 && frame.scene->isAnimated;
-    std::vector<CameraView> views;
-    for (std::uint32_t sample = 0; sample < (moves ? sampling.count : 1); ++sample)
-        views.push_back(viewOf(*frame.scene, camera, sampleTime(time, sampling, sample), aspect));
-    return views;
-}
-
-void drawSamples(FrameData& frame, const std::vector<CameraView>& views, double time,
-                 const AccumulatorOptions& options, nb::handle progress) {
-    RendererData& renderer = *frame.renderer;
-    const Session session(renderer.context, "Renderer");
-    GpuScene& scene = *frame.scene->scene;
-    if (!renderer.renderer) renderer.renderer.emplace(session.context());
-    frame.number = ++renderer.number;
-    if (frame.scene->isAnimated && time != frame.scene->time) scene.setTime(time);
-    frame.scene->time = time;
-    const SamplingSettings sampling = frame.settings.sampling();
-    if (sampling.count == 1) {
-        frame.frame.emplace(renderer.renderer->render(scene, views[0], frame.settings.frame));
-        if (!options.aovs.empty()) *frame.aovs = frame.frame->aovs(options.aovs);
-        return;
-    }
-    if (!renderer.accumulator || renderer.accumulated.aovs != options.aovs ||
-        renderer.accumulated.aovFilter != options.aovFilter) {
-        renderer.accumulator.emplace(session.context(), options);
-        renderer.accumulated = options;
-    }
-    renderer.accumulator->reset();
-    frame.accumulates = true;
-    const std::uint32_t together = views.size() > 1 ? 1 : samplesTogether;
-    for (std::uint32_t first = 0; first < sampling.count; first += together) {
-        const std::uint32_t end = std::min(first + together, sampling.count);
-        if (views.size() > 1) scene.setTime(sampleTime(time, sampling, first));
-        const CameraView& view = views[std::min<std::size_t>(first, views.size() - 1)];
-        frame.frame.emplace(renderer.accumulator->addSamples(*renderer.renderer, scene, view,
-                                                             frame.settings.frame, sampling, first, end));
-        passProgress(progress, end, sampling.count);
-    }
-    frame.samples = sampling.count;
-    // The next picture shows the scene at this picture's time.
-    if (views.size() > 1) scene.setTime(time);
-    if (!options.aovs.empty()) *frame.aovs = renderer.accumulator->aovs();
-}
-
 FrameHandle render(const RendererHandle& self, nb::handle scene, nb::handle camera,
                    const nb::kwargs& options) {
     const Request request = requestOf(options);
@@ -140,12 +25,14 @@ FrameHandle render(const RendererHandle& self, nb::handle scene, nb::handle came
     auto frame = std::make_shared<FrameData>(self.data);
     frame->scene = uploadedScene(renderer, scene, request);
     frame->settings = request.settings;
-    if (frame->scene->context != renderer.context)
-        throw Error(ErrorKind::badInput, "", "the GpuScene belongs to another context than the Renderer");
     const double time = request.time.value_or(frame->scene->time);
-    const std::vector<CameraView> views = viewsOf(*frame, camera, time);
+    const std::vector<CameraView> views = viewsOf(*frame->scene, frame->settings, camera, time);
     frame->view = views.front();
-    drawSamples(*frame, views, time, {request.aovs, request.settings.aovFilter}, request.progress);
+    {
+        const Session session(renderer.context, "Renderer");
+        drawSamples(session, *frame, views, time, {request.aovs, request.settings.aovFilter},
+                    {request.progress});
+    }
     return {std::move(frame)};
 }
 
@@ -166,13 +53,24 @@ const char* renderSignature() {
         recordOf<RenderSettings>().keywords() + std::string(uploadKeywords).substr(3) + ") -> Frame");
 }
 
+const char* panoramaSignature() {
+    return kept(
+        "def render_panorama(self, scene: Scene | GpuScene, camera: CameraView | int | str | None = None, *, "
+        "width: int = 2048, time: float | None = None, settings: RenderSettings | None = None, progress: "
+        "typing.Callable[[float], object] | None = None" +
+        recordOf<RenderSettings>().keywordsWithout(withoutPanorama) + std::string(uploadKeywords).substr(3) +
+        ") -> numpy.typing.NDArray[numpy.float32]");
+}
+
 }  // namespace
 
-void passProgress(nb::handle progress, std::uint32_t done, std::uint32_t count) {
+void passProgress(const Progress& progress, std::uint32_t done, std::uint32_t count) {
     const nb::gil_scoped_acquire acquire;
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
-    if (progress.is_none()) return;
-    if (progress(static_cast<double>(done) / count).is(Py_False))
+    if (progress.callback.is_none()) return;
+    const double share = static_cast<double>(done) / count;
+    const double whole = (static_cast<double>(progress.part) + share) / static_cast<double>(progress.parts);
+    if (progress.callback(whole).is(Py_False))
         throw Error(ErrorKind::cancelled, "", "the picture was cancelled");
 }
 
@@ -223,6 +121,21 @@ void bindRenderers(nb::module_& module) {
              "out; these are the attributes of RenderSettings and the options of `upload` (of a Scene). "
              "progress: called "
              "with the share done; returning False cancels.")
+        .def(
+            "render_panorama",
+            [](const RendererHandle& self, nb::handle scene, nb::handle camera, int width,
+               const nb::kwargs& options) {
+                return renderPanorama(self.data, scene, camera, width, options);
+            },
+            nb::arg("scene"), nb::arg("camera") = nb::none(), nb::kw_only(), nb::arg("width") = 2048,
+            nb::arg("options"), nb::sig(panoramaSignature()),
+            "Draws an equirectangular picture of all directions around the eye of a view, and returns its "
+            "scene-linear radiance: (width / 2, width, 4) of float32, working space, rows from the top. "
+            "`color.display_picture` shows it.\n\n"
+            "The middle looks along the view axis, and up is the view's own: the middle of pixel (x, y) has "
+            "the longitude 2 pi ((x + 0.5) / width - 0.5) to the right of it, and the latitude pi (0.5 - (y "
+            "+ 0.5) / height). width: pixels, 4 or more and even. The further keywords are those of "
+            "`render`.")
         .def(
             "close", [](const RendererHandle& self) { close(*self.data); },
             "Ends its context, and frees what it holds on the device.")

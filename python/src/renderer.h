@@ -7,6 +7,7 @@
 #include <candela/color.h>
 #include <candela/renderer.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,9 +67,22 @@ struct FrameHandle {
     FramePtr data;
 };
 
+/// Python's callback, or None, of a picture that is drawn in `parts`, of which this is one.
+struct Progress {
+    nb::handle callback;
+    std::size_t part = 0, parts = 1;
+};
+
 /// Called between samples, without the GIL: lets signals through, and calls Python's callback, if there is
 /// one. Throws `Error` (cancelled) when that returns False.
-void passProgress(nb::handle progress, std::uint32_t done, std::uint32_t count);
+void passProgress(const Progress& progress, std::uint32_t done, std::uint32_t count);
+
+/// Keywords of `render` that panoramas do not have.
+extern const std::vector<std::string> withoutPanorama;
+
+/// Draws a panorama: radiance, (width / 2, width, 4) of float32.
+nb::object renderPanorama(const RendererPtr& renderer, nb::handle scene, nb::handle camera, int width,
+                          const nb::kwargs& options);
 
 /// The AOV's name in the channel table: "depth", "position" and "normal" are other names of "Z", "P" and "N".
 std::string channelName(const std::string& name);

@@ -50,16 +50,6 @@ namespace {
 // Edges of 40 degrees and more stay sharp.
 constexpr float defaultCreaseAngle = 0.698f;
 
-/// Index of the material that `add_mesh` was given.
-std::optional<std::uint32_t> materialIndex(SceneHandle& self, nb::handle material) {
-    if (material.is_none()) return std::nullopt;
-    if (!nb::isinstance<Element<Material>>(material))
-        return Convert<std::uint32_t>::from(material, "material");
-    auto& element = nb::cast<Element<Material>&>(material);
-    if (!element.own && element.scene == self.data) return static_cast<std::uint32_t>(element.index);
-    return static_cast<std::uint32_t>(ElementList<Material>(self.data).append(element));
-}
-
 /// What `add_mesh` is given.
 struct MeshArguments {
     Element<Mesh> mesh{nullptr, 0, std::make_shared<Mesh>()};
@@ -277,21 +267,6 @@ void bindChanges(nb::class_<SceneHandle>& cls) {
             "Adds point lights of saturated colours over the surfaces. range: metres, None: twice their mean "
             "spacing; intensity: candela each, None: range squared / 10.")
         .def(
-            "select_variant",
-            [](SceneHandle& self, nb::object variant) {
-                Scene& scene = self.data->edit();
-                if (!nb::isinstance<nb::str>(variant))
-                    return selectVariant(scene,
-                                         Convert<std::optional<std::uint32_t>>::from(variant, "variant"));
-                const std::string name = nb::str(variant).c_str();
-                const auto found = std::ranges::find(scene.variants, name);
-                if (found == scene.variants.end())
-                    throw Error(ErrorKind::badInput, self.data->source, "there is no variant '" + name + "'");
-                selectVariant(scene, static_cast<std::uint32_t>(found - scene.variants.begin()));
-            },
-            nb::arg("variant").none(), nb::sig("def select_variant(self, variant: int | str | None) -> None"),
-            "Gives submeshes the materials of a variant, by index or name; None: those without a variant.")
-        .def(
             "pose_properties",
             [](SceneHandle& self, double time) { poseProperties(self.data->edit(), time); }, nb::arg("time"),
             "Sets animated properties of nodes, materials, lights and cameras as at `time`, seconds.");
@@ -342,12 +317,6 @@ void bindScenes(nb::module_& module) {
             nb::for_setter(nb::sig("def origin(self, value: numpy.typing.ArrayLike, /) -> None")),
             "Where world space lies in the space of the file, metres, (3,).")
         .def_prop_ro(
-            "variants",
-            [](const SceneHandle& self) {
-                return Convert<std::vector<std::string>>::to(self.data->scene.variants);
-            },
-            nb::sig("def variants(self) -> tuple[str, ...]"), "Names of the looks of `select_variant`.")
-        .def_prop_ro(
             "notes",
             [](const SceneHandle& self) { return Convert<std::vector<ImportNote>>::to(self.data->notes); },
             nb::sig("def notes(self) -> tuple[ImportNote, ...]"), "What the import noted, losses first.")
@@ -377,6 +346,7 @@ void bindScenes(nb::module_& module) {
         });
     bindQuestions(cls);
     bindChanges(cls);
+    bindVariants(cls);
     module.def(
         "import_scene", &importNamed, nb::arg("uri"), nb::arg("plugins") = nb::none(),
         nb::arg("strict") = false, nb::arg("progress") = nb::none(),

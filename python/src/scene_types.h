@@ -25,6 +25,13 @@ struct SceneHandle {
     ScenePtr data = std::make_shared<SceneData>();
 };
 
+/// Index of the material that an argument is: a Material, which is appended unless it is the scene's, or a
+/// number; none for None.
+std::optional<std::uint32_t> materialIndex(SceneHandle& scene, nb::handle material);
+
+/// Binds the looks of a scene.
+void bindVariants(nb::class_<SceneHandle>& cls);
+
 /// Many lights from arrays: what belongs to all is a number, what belongs to each an array.
 class LightArrays {
   public:

@@ -76,11 +76,105 @@ struct Words<BoundaryInterpolation> {
 };
 
 template <>
+struct Words<FaceVaryingInterpolation> {
+    static constexpr WordTable<FaceVaryingInterpolation, 6> words{
+        {{"none", FaceVaryingInterpolation::none},
+         {"corners_only", FaceVaryingInterpolation::cornersOnly},
+         {"corners_plus1", FaceVaryingInterpolation::cornersPlus1},
+         {"corners_plus2", FaceVaryingInterpolation::cornersPlus2},
+         {"boundaries", FaceVaryingInterpolation::boundaries},
+         {"all", FaceVaryingInterpolation::all}}};
+};
+
+template <>
+struct Words<CreaseMethod> {
+    static constexpr WordTable<CreaseMethod, 2> words{
+        {{"uniform", CreaseMethod::uniform}, {"chaikin", CreaseMethod::chaikin}}};
+};
+
+template <>
+struct Words<TriangleSubdivision> {
+    static constexpr WordTable<TriangleSubdivision, 2> words{
+        {{"catmull_clark", TriangleSubdivision::catmullClark}, {"smooth", TriangleSubdivision::smooth}}};
+};
+
+template <>
 struct Words<AnimationPath> {
     static constexpr WordTable<AnimationPath, 4> words{{{"translation", AnimationPath::translation},
                                                         {"rotation", AnimationPath::rotation},
                                                         {"scale", AnimationPath::scale},
                                                         {"morph_weights", AnimationPath::morphWeights}}};
+};
+
+template <>
+struct Words<AnimatedProperty> {
+    static constexpr WordTable<AnimatedProperty, 42> words{
+        {{"visible", AnimatedProperty::visibility},
+         {"base_color", AnimatedProperty::baseColor},
+         {"metallic", AnimatedProperty::metallic},
+         {"roughness", AnimatedProperty::roughness},
+         {"emission", AnimatedProperty::emission},
+         {"emission_strength", AnimatedProperty::emissionStrength},
+         {"normal_scale", AnimatedProperty::normalScale},
+         {"occlusion_strength", AnimatedProperty::occlusionStrength},
+         {"alpha_cutoff", AnimatedProperty::alphaCutoff},
+         {"ior", AnimatedProperty::ior},
+         {"specular", AnimatedProperty::specularFactor},
+         {"specular_color", AnimatedProperty::specularColor},
+         {"clearcoat", AnimatedProperty::clearcoatFactor},
+         {"clearcoat_roughness", AnimatedProperty::clearcoatRoughness},
+         {"clearcoat_normal_scale", AnimatedProperty::clearcoatNormalScale},
+         {"sheen_color", AnimatedProperty::sheenColor},
+         {"sheen_roughness", AnimatedProperty::sheenRoughness},
+         {"anisotropy", AnimatedProperty::anisotropyStrength},
+         {"anisotropy_rotation", AnimatedProperty::anisotropyRotation},
+         {"iridescence", AnimatedProperty::iridescenceFactor},
+         {"iridescence_ior", AnimatedProperty::iridescenceIor},
+         {"iridescence_min_thickness", AnimatedProperty::iridescenceMinThickness},
+         {"iridescence_max_thickness", AnimatedProperty::iridescenceMaxThickness},
+         {"transmission", AnimatedProperty::transmissionFactor},
+         {"thickness", AnimatedProperty::thickness},
+         {"attenuation_distance", AnimatedProperty::attenuationDistance},
+         {"attenuation_color", AnimatedProperty::attenuationColor},
+         {"dispersion", AnimatedProperty::dispersion},
+         {"diffuse_transmission", AnimatedProperty::diffuseTransmissionFactor},
+         {"diffuse_transmission_color", AnimatedProperty::diffuseTransmissionColor},
+         {"texture_offset", AnimatedProperty::textureOffset},
+         {"texture_rotation", AnimatedProperty::textureRotation},
+         {"texture_scale", AnimatedProperty::textureScale},
+         {"light_color", AnimatedProperty::lightColor},
+         {"light_intensity", AnimatedProperty::lightIntensity},
+         {"light_range", AnimatedProperty::lightRange},
+         {"inner_cone_angle", AnimatedProperty::innerConeAngle},
+         {"outer_cone_angle", AnimatedProperty::outerConeAngle},
+         {"vertical_fov", AnimatedProperty::verticalFov},
+         {"orthographic_height", AnimatedProperty::orthographicHeight},
+         {"near_plane", AnimatedProperty::nearPlane},
+         {"far_plane", AnimatedProperty::farPlane}}};
+};
+
+template <>
+struct Words<TextureSlot> {
+    static constexpr WordTable<TextureSlot, 19> words{
+        {{"base_color", TextureSlot::baseColor},
+         {"metallic_roughness", TextureSlot::metallicRoughness},
+         {"normal", TextureSlot::normal},
+         {"emission", TextureSlot::emission},
+         {"occlusion", TextureSlot::occlusion},
+         {"specular", TextureSlot::specular},
+         {"specular_color", TextureSlot::specularColor},
+         {"clearcoat", TextureSlot::clearcoat},
+         {"clearcoat_roughness", TextureSlot::clearcoatRoughness},
+         {"clearcoat_normal", TextureSlot::clearcoatNormal},
+         {"sheen_color", TextureSlot::sheenColor},
+         {"sheen_roughness", TextureSlot::sheenRoughness},
+         {"anisotropy", TextureSlot::anisotropy},
+         {"iridescence", TextureSlot::iridescence},
+         {"iridescence_thickness", TextureSlot::iridescenceThickness},
+         {"transmission", TextureSlot::transmission},
+         {"thickness", TextureSlot::thickness},
+         {"diffuse_transmission", TextureSlot::diffuseTransmission},
+         {"diffuse_transmission_color", TextureSlot::diffuseTransmissionColor}}};
 };
 
 template <>

@@ -5,6 +5,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import types
 
 import numpy as np
 import pytest
@@ -24,11 +25,17 @@ def run_example(name, *arguments):
 
 
 def test_the_stub_has_every_public_name():
-    stub = ast.parse((PACKAGE / "_candela.pyi").read_text())
+    text = (PACKAGE / "_candela.pyi").read_text()
+    assert "std::" not in text, "a type of C++ that was not converted"
+    stub = ast.parse(text)
     names = {node.name for node in stub.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
     compiled = {name for name in candela.__all__ if getattr(getattr(candela, name), "__module__", "") == "candela._candela"}
     assert compiled and compiled <= names
     assert (PACKAGE / "py.typed").exists()
+    # In the body of a class such an attribute would hide the decorator.
+    for each in ast.walk(stub):
+        if isinstance(each, ast.ClassDef):
+            assert "property" not in {member.name for member in each.body if isinstance(member, ast.FunctionDef)}, each.name
 
 
 def test_everything_public_is_documented():
@@ -53,7 +60,8 @@ def test_the_programs_of_the_documents_run(renderer, tmp_path, monkeypatch):
     given = {
         "positions": positions, "triangles": triangles, "matrix": np.eye(4), "trajectory": [np.zeros((3, 3)), np.ones((3, 3))],
         "fx": 300.0, "fy": 300.0, "cx": 320.0, "cy": 240.0, "width": 640, "height": 480, "pose": np.eye(4), "points": positions,
-        "view": candela.look_at((0, 0, 3), (0, 0, 0)),
+        "view": candela.look_at((0, 0, 3), (0, 0, 0)), "times": [0.0, 0.5], "encode": np.mean,
+        "host": types.SimpleNamespace(sample=lambda texture, width, height: None),
     }
     for page in ("README.md", "docs/python.md"):
         names = {**given}
