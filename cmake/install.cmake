@@ -1,6 +1,6 @@
 # `cmake --install`: headers, the shared library, plugins (declared in plugins/), the programs with man pages and completions, and what lets other
 # projects find them: a CMake package and a pkg-config file. The tree can be moved after installation. Components are `library` (with
-# plugins), `development` and `tools`; package.cmake makes packages of them.
+# plugins), `development`, `tools` and `python`; package.cmake makes packages of them.
 
 # GLM is the vocabulary of the public headers, so targets that link candela need it too.
 target_link_libraries(candela INTERFACE $<INSTALL_INTERFACE:glm::glm>)
@@ -23,6 +23,14 @@ foreach(program candela-render candela-view candela-bench)
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/candela ${PROJECT_BINARY_DIR}/include/candela
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development FILES_MATCHING PATTERN "*.h")
+
+if(CANDELA_HAS_PYTHON AND CANDELA_PYTHON_INSTALL_DIR)
+  install(TARGETS candela_python LIBRARY DESTINATION ${CANDELA_PYTHON_INSTALL_DIR}/candela COMPONENT python)
+  install(FILES ${PROJECT_BINARY_DIR}/python/candela/_candela.pyi
+    DESTINATION ${CANDELA_PYTHON_INSTALL_DIR}/candela COMPONENT python)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/candela DESTINATION ${CANDELA_PYTHON_INSTALL_DIR} COMPONENT python
+    FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+endif()
 
 set(candela_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/candela)
 install(EXPORT candelaTargets NAMESPACE candela:: DESTINATION ${candela_package_dir} COMPONENT development)

@@ -1,5 +1,5 @@
-# `cpack` makes Debian packages of a build of the preset `package`: the library with its plugins, what compiles against it, and the
-# programs. Components are those of install.cmake.
+# `cpack` makes Debian packages of a build of the preset `package`: the library with its plugins, what compiles against it, the
+# programs, and the module for Debian's Python, where that is built (python.cmake). Components are those of install.cmake.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME candela)
@@ -8,6 +8,7 @@ set(CPACK_PACKAGE_CONTACT "The candela authors <candela@users.noreply.github.com
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
 set(CPACK_STRIP_FILES ON)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/packaging/compress_man_pages.cmake)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
@@ -62,6 +63,20 @@ if(CANDELA_BUILD_RENDER)
     "candela-render draws pictures and sequences without a window,
 candela-view shows scenes, and candela-bench measures rendering with
 many lights.")
+endif()
+
+if(CANDELA_HAS_PYTHON AND CANDELA_PYTHON_INSTALL_DIR)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  candela_package(python python3-candela python "${candela_summary} - Python module"
+    "Draws pictures of scenes from files and NumPy arrays, and reads radiance,
+depth, normals and the like back as arrays.")
+  # The module is for this minor version of Python alone.
+  math(EXPR candela_next_python "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${candela_library_package} (= ${PROJECT_VERSION}), python3-numpy, \
+python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${candela_next_python})")
+  # Compile the files when the package is installed, and remove what was compiled before it is removed.
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    ${PROJECT_SOURCE_DIR}/packaging/python/postinst ${PROJECT_SOURCE_DIR}/packaging/python/prerm)
 endif()
 
 include(CPack)
