@@ -18,6 +18,10 @@ namespace help {
 constexpr const char* scene =
     "A file that a plugin reads (.gltf, .glb, .obj), or a procedural scene such as\n"
     "plaza:4096, the benchmark scene with that many lights";
+constexpr const char* lights =
+    "Take the lights of FILE, which a plugin reads, in place of the scene's, and its\n"
+    "cameras beside those of the scene (one of the same name replaces it): what\n"
+    "candela-view saves by File > Save lights. Nothing else of FILE is used";
 constexpr const char* scatterLights =
     "Scatter N more point lights over the scene's surfaces, on the side that their\n"
     "normals point to, the same in each run.\n"
@@ -213,6 +217,7 @@ SceneOptionReader::SceneOptionReader(CLI::App& app, SceneOptions& options, std::
 
 void SceneOptionReader::declareScene(CLI::App& app) {
     app.add_option("SCENE", options_.scene, help::scene)->type_name("")->group("Scene");
+    app.add_option("--lights", options_.lights, help::lights)->type_name("FILE")->group("Scene");
     app.add_option_function<std::string>(
            "--scatter-lights", [this](const std::string& text) { options_.scatter = parseScatter(text); },
            help::scatterLights)

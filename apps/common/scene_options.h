@@ -59,6 +59,7 @@ struct DebugViewOptions {
 struct SceneOptions {
     std::string scene;
     candela::Strictness strictness = candela::Strictness::tolerant;
+    std::optional<std::string> lights;  ///< A file whose lights replace those of the scene.
     std::optional<candela::LightScatter> scatter;
     std::vector<std::filesystem::path> pluginFolders;
     double time = 0.0;                     ///< Seconds.

@@ -1,5 +1,7 @@
 #include "commands.h"
 
+#include "common/count_text.h"
+#include "common/light_file.h"
 #include "common/scene_selection.h"
 #include "scene_contents.h"
 
@@ -10,6 +12,7 @@
 
 #include <iostream>
 #include <numbers>
+#include <utility>
 
 namespace {
 
@@ -17,9 +20,8 @@ void printAnimations(const candela::Scene& scene) {
     for (std::uint32_t i = 0; i < scene.animations.size(); ++i) {
         const candela::Animation& animation = scene.animations[i];
         const std::size_t channels = animation.channels.size() + animation.properties.size();
-        std::cout << animationLabel(scene, i) << ": " << channels
-                  << (channels == 1 ? " channel" : " channels") << ", to " << lastKeyTime(animation) << " s"
-                  << (i == 0 ? "  (default)" : "") << "\n";
+        std::cout << animationLabel(scene, i) << ": " << countText(channels, "channel") << ", to "
+                  << lastKeyTime(animation) << " s" << (i == 0 ? "  (default)" : "") << "\n";
     }
     if (scene.frameCallback)
         std::cout << "frame callback of the plugin: to " << candela::frameCallbackSpan(scene).last << " s\n";
@@ -92,8 +94,9 @@ void printEnvironment(const candela::Scene& scene) {
 
 void printSceneList(const Options& options) {
     const candela::PluginRegistry plugins(options.pluginFolders);
-    const candela::ImportedScene imported =
-        candela::importScene(plugins, options.scene, {options.strictness, {}});
+    candela::ImportedScene imported = candela::importScene(plugins, options.scene, {options.strictness, {}});
+    for (candela::ImportNote& note : takeLightFile(imported.scene, plugins, options))
+        imported.report.notes.push_back(std::move(note));
     const candela::Scene& scene = imported.scene;
     switch (*options.list) {
         case ListKind::animations:

@@ -1,5 +1,7 @@
 #include "commands.h"
 
+#include "common/count_text.h"
+#include "common/light_file.h"
 #include "common/output_file.h"
 #include "common/program.h"
 #include "common/scene_environment.h"
@@ -60,6 +62,10 @@ candela::Scene readScene(RunReport& report, const Options& options, const candel
     };
     candela::ImportedScene imported = candela::importScene(plugins, options.scene, importing);
     for (const candela::ImportNote& note : imported.report.notes) report.note(note.line());
+    for (candela::ImportNote& note : takeLightFile(imported.scene, plugins, options)) {
+        report.note(note.line());
+        imported.report.notes.push_back(std::move(note));
+    }
     if (const auto note = selectAnimations(imported.scene, options)) report.note(*note);
     selectVariant(imported.scene, options.variant, options.scene);
     stats.contents = contentCounts(imported.scene);
@@ -127,13 +133,9 @@ void writeStats(const Options& options, const Stats& stats) {
         writeText(*options.stats, text);
 }
 
-std::string plural(std::uint64_t count, const std::string& one, const std::string& several) {
-    return std::to_string(count) + " " + (count == 1 ? one : several);
-}
-
 std::string writtenNames(const std::vector<PictureResult>& results) {
     const std::filesystem::path &first = results.front().picture.path, &last = results.back().picture.path;
-    if (first.empty()) return plural(results.size(), "picture", "pictures") + " to standard output";
+    if (first.empty()) return countText(results.size(), "picture") + " to standard output";
     const std::string name =
         last.parent_path() == first.parent_path() ? last.filename().string() : last.string();
     return first.string() + (results.size() > 1 ? " to " + name : "");
@@ -143,8 +145,8 @@ std::string resultLine(const RunReport& report, const Options& options, const St
     const std::vector<PictureResult> results = report.results();
     std::ostringstream text;
     text << "wrote " << writtenNames(results) << ": " << options.scene << ", " << stats.width << "x"
-         << stats.height << ", " << plural(stats.lights, "light", "lights") << ", "
-         << plural(stats.samples, "sample", "samples") << ", " << candela::toString(stats.technique) << " on "
+         << stats.height << ", " << countText(stats.lights, "light") << ", "
+         << countText(stats.samples, "sample") << ", " << candela::toString(stats.technique) << " on "
          << stats.renderer << ", in " << std::fixed << std::setprecision(2) << report.seconds() << " s";
     if (report.skippedCount() > 0) text << "; left out " << report.skippedCount();
     return text.str();
@@ -153,7 +155,7 @@ std::string resultLine(const RunReport& report, const Options& options, const St
 /// What is said where no picture was drawn.
 std::string idleLine(const RunReport& report, const PicturePlan& plan) {
     if (plan.count() == 0) return "this shard has no picture";
-    return "left out " + plural(report.skippedCount(), "picture", "pictures") + ", wrote none";
+    return "left out " + countText(report.skippedCount(), "picture") + ", wrote none";
 }
 
 void sayResult(RunReport& report, const Options& options, const std::string& line) {

@@ -130,6 +130,7 @@ std::string renderCommandLine(const SceneOptions& options) {
     if (options.animation) command.option("--animation", *options.animation);
     if (options.variant) command.option("--variant", *options.variant);
     if (options.repeatAnimations) command.flag("--loop");
+    if (options.lights) command.option("--lights", *options.lights);
     if (options.scatter) command.option("--scatter-lights", scatterText(*options.scatter));
     if (options.strictness == candela::Strictness::strict) command.flag("--strict");
     for (const std::filesystem::path& folder : options.pluginFolders)

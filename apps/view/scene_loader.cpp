@@ -1,5 +1,6 @@
 #include "scene_loader.h"
 
+#include "common/light_file.h"
 #include "common/scene_lights.h"
 #include "common/scene_selection.h"
 
@@ -22,6 +23,7 @@ void takeOptionsOfScene(const SceneOptions& from, SceneOptions& to) {
     to.eye = from.eye;
     to.verticalFov = from.verticalFov;
     to.orthographicHeight = from.orthographicHeight;
+    to.lights = from.lights;
     to.scatter = from.scatter;
     to.animation = from.animation;
     to.variant = from.variant;
@@ -53,6 +55,8 @@ struct SceneLoader::Job {
     void read() {
         candela::ImportedScene imported = candela::importScene(
             plugins, options.scene, {options.strictness, [this](double now) { return goOn(now); }});
+        for (candela::ImportNote& note : takeLightFile(imported.scene, plugins, options))
+            imported.report.notes.push_back(std::move(note));
         if (const auto note = selectAnimations(imported.scene, options))
             imported.report.notes.push_back({candela::NoteKind::information, *note, {}, 1});
         selectVariant(imported.scene, options.variant, options.scene);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/count_text.h"
 #include "view_model.h"
 
 #include <candela/scene.h>
@@ -34,12 +35,6 @@ std::optional<FrameSummary> summarise(const std::deque<FrameRecord>& frames);
 
 /// A round number that is not less than `value` (over 0): 1, 2 or 5 times a power of ten.
 double roundedUp(double value);
-
-/// Such as "1,234,567".
-std::string groupedText(std::uint64_t number);
-
-/// Such as "1 light" and "1,234 lights"; "many" where the plural is not formed by an s.
-std::string countText(std::uint64_t number, const char* one, const char* many = nullptr);
 
 /// Such as "512 B", "1.5 KiB", "20.0 MiB", "3.2 GiB".
 std::string bytesText(std::uint64_t bytes);
