@@ -5,6 +5,7 @@
 #include "common/program.h"
 #include "common/scene_lights.h"
 #include "common/scene_selection.h"
+#include "light_saving.h"
 #include "panels/panels.h"
 #include "refinement.h"
 #include "render_command_line.h"
@@ -25,18 +26,9 @@
 
 namespace {
 
-constexpr std::size_t keptFrames = 240;
-/// ImGui reacts to an event in the next frame, a window of a new size in the one after it.
-constexpr int settlingFrames = 3;
 /// Thickness of the line around what is picked, in units of ImGui.
 constexpr float outlinePoints = 2.0f;
 constexpr double longestStep = 0.25;  ///< The maximum advance of time between two frames, seconds.
-
-/// Everything that the picture depends on, as text: equal texts, equal pictures.
-std::string pictureKey(const ViewModel& model) {
-    return renderCommandLine(model.options) + " #" + std::to_string(model.document->revision()) + "/" +
-           std::to_string(model.divisor);
-}
 
 ViewModel modelOf(const ViewOptions& options, const std::filesystem::path& folder) {
     ViewModel model;
@@ -45,10 +37,6 @@ ViewModel modelOf(const ViewOptions& options, const std::filesystem::path& folde
     if (options.scripted() && !options.sampling.count) model.options.sampling.count = 1;
     if (!options.scripted()) readSettings(folder, options, model);
     return model;
-}
-
-bool sameDisplayOptions(const candela::DisplayOptions& a, const candela::DisplayOptions& b) {
-    return a.display == b.display && a.view == b.view && a.look == b.look && a.exposure == b.exposure;
 }
 
 std::filesystem::path preparedFolder(const ViewOptions& options) {
@@ -182,6 +170,7 @@ void Application::step() {
     drawPicture(timeAdvances() ? Motion::moves : motion_);
     serveReadings();
     viewport_.show(size, model_.pictureCorner, model_.document ? pictureSize_ : glm::ivec2(0));
+    if (showsLeftSide()) beside_->showLeft(size, model_.pictureCorner, pictureSize_, lineColumn());
     outlinePicked();
     window_.endPanels();
     if (options_.windowScreenshot && ended()) writeWindowPicture(*options_.windowScreenshot, size);
@@ -220,7 +209,8 @@ void Application::outlinePicked() {
     const glm::ivec2 corner(model_.pictureCorner.x,
                             model_.windowSize.y - model_.pictureCorner.y - pictureSize_.y);
     guarded([&] {
-        outline_.draw({document.scene(), *model_.pickedNode, document.time(), document.revision()},
+        outline_.draw({document.scene(), *model_.pickedNode, document.time(), document.revision(),
+                       plugins_.subdivider()},
                       selectedView(model_), {corner, pictureSize_}, outlinePoints * window_.pixelRatio());
     });
 }
@@ -271,6 +261,7 @@ void Application::serveReadings() {
     });
     if (requests.savePng) guarded([&] { writePicture(*requests.savePng); });
     if (requests.saveExr) guarded([&] { writePicture(*requests.saveExr); });
+    if (requests.saveLights) guarded([&] { saveLights(model_, *requests.saveLights); });
     if (requests.copyCommand) copyCommand();
 }
 
@@ -287,6 +278,7 @@ void Application::changeConfig(const std::optional<std::string>& config,
     display_ = display;
     appliedDisplayOptions_ = displayOptions;
     drawnPicture_.clear();
+    drawnLeft_.clear();
     if (!model_.document) return;
     // Steps name displays and views of the old config.
     model_.document->history().clear();
@@ -301,100 +293,18 @@ void Application::pick(const glm::ivec2& pixel) {
 }
 
 void Application::copyCommand() {
-    window_.copyToClipboard(renderCommandLine(model_.options));
-    std::string text = "the command is in the clipboard";
-    const std::vector<std::string> changes = model_.document->changes();
-    for (std::size_t i = 0; i < changes.size(); ++i)
-        text += (i == 0 ? "; it does not include these edits: " : ", ") + changes[i];
-    model_.messages.push_back({Message::Kind::note, text});
-}
-
-void Application::changeDisplay() {
-    if (sameDisplayOptions(appliedDisplayOptions_, model_.options.display)) return;
-    guarded([this] { display_ = model_.color.displayTransform(model_.options.display); });
-    appliedDisplayOptions_ = model_.options.display;
-}
-
-void Application::drawExamplePictures() {
-    const bool drawn = examples_.advance(
-        {plugins_, viewport_, model_.color, *display_, uploadOptions(model_.color), &Window::wake},
-        model_.examples);
-    if (drawn) settling_ = settlingFrames;
-}
-
-void Application::drawPicture(Motion motion) {
-    if (!model_.document) {
-        // Where no scene comes, the frames of a script show none.
-        if (options_.scripted() && options_.scene.empty()) ++drawnFrames_;
-        if (!model_.loading && !window_.hasPendingInput()) drawExamplePictures();
-        return;
-    }
-    changeDisplay();
-    if (!options_.scripted()) model_.divisor = resolutionScale_.divisor(motion, Clock::now());
-    const std::string key = pictureKey(model_);
-    if (key == drawnPicture_ && !options_.scripted()) {
-        // Input does not wait for a sample.
-        if (motion == Motion::rests && isRefining() && !window_.hasPendingInput()) refinePicture();
-        return;
-    }
-    settling_ = std::max(settling_, 1);  // panels show the numbers of this picture in the next frame
-    drawnPicture_ = key;
-    guarded([&] {
-        const candela::CameraView view = selectedView(model_);
-        followView(model_, view);
-        lightDocument(model_, view);
-        const double milliseconds =
-            viewport_.draw({model_.document->gpuScene(), model_.options, view, *display_, model_.divisor});
-        resolutionScale_.tookMilliseconds(milliseconds);
-        model_.frames.push_back({viewport_.frame()->passTimes(), milliseconds});
-        if (model_.frames.size() > keptFrames) model_.frames.pop_front();
-        model_.technique = viewport_.frame()->technique();
-        model_.maxLightCount = viewport_.frame()->maxLightCount();
-        model_.layerCounts = viewport_.frame()->layerCounts();
-        model_.samples = viewport_.samples();
-        model_.pairs.reset();
-        ++drawnFrames_;
-        if (!std::exchange(newDocument_, false)) return;
-        if (model_.options.autoExposure || exposesScenes()) measureExposure();
-        model_.document->history().rebase(model_.options);
-        noteFirstPicture(model_, *viewport_.frame());
-    });
-}
-
-bool Application::isRefining() const {
-    return model_.document && viewport_.frame() != nullptr && !drawnPicture_.empty() && model_.divisor == 1 &&
-           viewport_.samples() < wantedSamples(model_);
-}
-
-void Application::refinePicture() {
-    settling_ = std::max(settling_, 1);
-    try {
-        drawSample(model_, viewport_, *display_);
-        model_.samples = viewport_.samples();
-    } catch (const std::exception& error) {
-        drawnPicture_.clear();
-        reportFailure(error.what());
-    }
-}
-
-void Application::measureExposure() {
-    ::measureExposure(model_, *viewport_.frame());
-    changeDisplay();
-    drawnPicture_.clear();
-}
-
-/// A scene is shown at its own exposure, unless the command line says another. Default lights suit any.
-bool Application::exposesScenes() const {
-    return !options_.scripted() && !options_.exposureGiven &&
-           !usesDefaultLights(model_.document->scene(), model_.options.defaultLights);
+    window_.copyToClipboard(renderCommandLine(optionsWithLights(model_)));
+    model_.messages.push_back(
+        {Message::Kind::note, "the command is in the clipboard" + textOfOtherEdits(*model_.document)});
 }
 
 void Application::probePointer() {
     model_.probe.reset();
     if (!model_.pointer) return;
     const glm::ivec2 pixel = viewport_.pixelAt(*model_.pointer);
-    model_.probe = viewport_.frame()->probe(pixel.x, pixel.y);
-    model_.probeDisplay = viewport_.displayValue(*model_.pointer);
+    const Viewport& viewport = viewportAt(*model_.pointer);
+    model_.probe = viewport.frame()->probe(pixel.x, pixel.y);
+    model_.probeDisplay = viewport.displayValue(*model_.pointer);
 }
 
 void Application::writePicture(const std::filesystem::path& file) {

@@ -6,6 +6,7 @@
 #include "outline.h"
 #include "scene_loader.h"
 #include "shader_watch.h"
+#include "thumbnails.h"
 #include "view_model.h"
 #include "view_options.h"
 #include "viewport.h"
@@ -46,6 +47,8 @@ class Application {
 
   private:
     using Clock = std::chrono::steady_clock;
+    /// ImGui reacts to an event in the next frame, a window of a new size in the one after it.
+    static constexpr int settlingFrames = 3;
 
     void listPlugins();
     void placePicture();
@@ -70,9 +73,21 @@ class Application {
     void advanceTime();
     void drawExamplePictures();
     void drawPicture(Motion motion);
-    /// Draws another sample of a picture that rests, until it has as many as it should.
+    void drawWholePicture(const std::string& key);
+    void drawLeftSide();
+    /// Draws more of what rests: another sample, until the picture has as many as it should.
+    void refine();
     void refinePicture();
+    void refineLeftSide();
     bool isRefining() const;
+    bool isRefiningPicture() const;
+    bool isRefiningLeft() const;
+    bool leftIsNext() const;
+    bool showsLeftSide() const;
+    Viewport& besideViewport();
+    /// The column of the picture at the line of a comparison.
+    int lineColumn() const;
+    const Viewport& viewportAt(const glm::ivec2& pixel) const;
     void measureExposure();
     bool exposesScenes() const;
     void probePointer();
@@ -102,6 +117,10 @@ class Application {
     SceneLoader loader_;
     EnvironmentLoader environments_;
     ExamplePictures examples_;
+    ThumbnailPictures thumbnails_;
+    std::optional<Viewport> beside_;  ///< Of the left side of a comparison, or of thumbnails.
+    std::optional<candela::DisplayTransform> leftDisplay_;
+    std::string drawnLeft_;  ///< What the left side shows: see `pictureKey`; empty: nothing.
     Outline outline_;
     ShaderWatch shaders_;
     std::optional<candela::DisplayTransform> display_;

@@ -58,6 +58,8 @@ void Application::install(SceneLoader::Result loaded) {
         throw;
     }
     outline_.forget();
+    thumbnails_.forget(model_);
+    drawnLeft_.clear();
     model_.gizmo.dragged.reset();
     model_.gizmo.middle = {};
     model_.pickedNode.reset();
@@ -81,6 +83,8 @@ void Application::showVariant(const std::string& variant) {
 
 void Application::reloadShaders() {
     drawnPicture_.clear();
+    drawnLeft_.clear();
+    beside_.reset();
     try {
         if (!model_.document) {
             viewport_.reloadShaders(std::nullopt);

@@ -6,12 +6,21 @@
 #include <candela/default_lights.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace {
 
 std::string label(const char* kind, std::size_t index, const std::string& name) {
     return std::string(kind) + " " + std::to_string(index) + (name.empty() ? "" : " '" + name + "'");
+}
+
+bool areEqual(const candela::WorldLight& a, const candela::WorldLight& b) {
+    const auto numbers = [](const candela::WorldLight& light) {
+        return std::tie(light.type, light.position, light.range, light.direction, light.intensity,
+                        light.innerConeAngle, light.outerConeAngle, light.castsShadow, light.radius);
+    };
+    return numbers(a) == numbers(b);
 }
 
 }  // namespace
@@ -32,7 +41,21 @@ Document::Document(candela::ImportedScene imported, const candela::Context& cont
 
 candela::GpuScene Document::upload(const candela::Context& context,
                                    const candela::GpuSceneOptions& options) const {
-    candela::GpuScene uploaded(context, scene_, options);
+    return uploaded(scene_, context, options);
+}
+
+candela::GpuScene Document::uploadVariant(std::optional<std::uint32_t> variant,
+                                          const candela::Context& context,
+                                          const candela::GpuSceneOptions& options) const {
+    candela::Scene scene = scene_;
+    candela::selectVariant(scene, variant);
+    return uploaded(scene, context, options);
+}
+
+/// As the document is shown: posed, with its lights, without what is hidden.
+candela::GpuScene Document::uploaded(const candela::Scene& scene, const candela::Context& context,
+                                     const candela::GpuSceneOptions& options) const {
+    candela::GpuScene uploaded(context, scene, options);
     uploaded.setTime(time_);
     for (std::uint32_t node = 0; node < visibility_.size(); ++node)
         if (visibility_[node] == candela::GpuScene::Visibility::hidden)
@@ -182,6 +205,16 @@ void Document::placeEnvironment(const SceneOptions& options) {
     uploadLights(gpuScene_);
 }
 
+void Document::keepSavedLights(const std::string& file) {
+    savedLights_ = {file, shownLights_};
+}
+
+std::optional<std::string> Document::fileOfLights() const {
+    const bool shown =
+        !savedLights_.file.empty() && std::ranges::equal(shownLights_, savedLights_.lights, areEqual);
+    return shown ? std::optional(savedLights_.file) : std::nullopt;
+}
+
 std::vector<std::string> Document::changes() const {
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < changedMaterials_.size(); ++i)
@@ -191,6 +224,7 @@ std::vector<std::string> Document::changes() const {
             texts.push_back("hidden " + label("node", i, scene_.nodes[i].name));
     for (std::size_t i = 0; i < movedNodes_.size(); ++i)
         if (movedNodes_[i]) texts.push_back("moved " + label("node", i, scene_.nodes[i].name));
+    if (fileOfLights()) return texts;
     if (lightsChanged_) texts.emplace_back("edited, added or removed lights");
     if (motion_.moving) texts.emplace_back("lights in motion");
     return texts;

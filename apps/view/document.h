@@ -33,6 +33,9 @@ class Document {
     /// The scene on the device once more, as it is shown now: for another working space or other shaders.
     /// Throws `candela::Error`.
     candela::GpuScene upload(const candela::Context& context, const candela::GpuSceneOptions& options) const;
+    /// The same with a variant of the scene, or none, that is not shown.
+    candela::GpuScene uploadVariant(std::optional<std::uint32_t> variant, const candela::Context& context,
+                                    const candela::GpuSceneOptions& options) const;
     /// Shows the result of `upload`.
     void adopt(candela::GpuScene uploaded);
 
@@ -85,6 +88,10 @@ class Document {
     const EnvironmentOption& environmentOption() const { return shownEnvironment_.option; }
     void setLightMotion(const LightMotion& motion);
     const LightMotion& lightMotion() const { return motion_; }
+    /// Remembers that a file has the lights as they are shown now.
+    void keepSavedLights(const std::string& file);
+    /// That file, while they are shown as they were then.
+    std::optional<std::string> fileOfLights() const;
 
     /// All edits above, but the environment and default lights, which follow the options.
     EditHistory& history() { return history_; }
@@ -105,6 +112,8 @@ class Document {
   private:
     struct Shown;
 
+    candela::GpuScene uploaded(const candela::Scene& scene, const candela::Context& context,
+                               const candela::GpuSceneOptions& options) const;
     void poseLights();
     void showLights();
     void showMaterial(std::uint32_t index, const candela::Material& material);
@@ -137,6 +146,10 @@ class Document {
     std::size_t ownLights_;       ///< Of the scene's lights, those that were not scattered.
     std::size_t firstScattered_;  ///< Of the resting lights.
     LightMotion motion_;
+    struct SavedLights {
+        std::string file;  ///< Empty: none.
+        std::vector<candela::WorldLight> lights;
+    } savedLights_;
     EditHistory history_;
     std::optional<candela::Bounds> framedBox_;  ///< Once it is asked for.
     std::vector<bool> changedMaterials_, movedNodes_;

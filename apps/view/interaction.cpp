@@ -1,6 +1,7 @@
 #include "interaction.h"
 
 #include "common/scene_selection.h"
+#include "comparison.h"
 #include "gizmo.h"
 
 #define GLFW_INCLUDE_NONE
@@ -186,11 +187,12 @@ Motion interact(ViewModel& model, float pixelRatio) {
     const ImGuiIO& io = ImGui::GetIO();
     model.pointer.reset();
     if (!model.document) return Motion::rests;
-    const LeftButton leftButton = driveGizmo(model) ? LeftButton::taken : LeftButton::free;
+    const bool dragsGizmo = driveGizmo(model), dragsLine = driveComparison(model);
+    const LeftButton leftButton = dragsGizmo || dragsLine ? LeftButton::taken : LeftButton::free;
     drawGuides(model);
     if (io.WantCaptureMouse) return Motion::rests;
     model.pointer = pixelUnder(model, io, pixelRatio);
-    if (clicked(io) && !model.gizmo.tookPress) click(model);
+    if (clicked(io) && !model.gizmo.tookPress && !model.comparison.tookPress) click(model);
     Motion motion = moveCamera(model, io, leftButton);
     if (io.MouseWheel != 0.0f) {
         model.camera.dolly(io.MouseWheel);

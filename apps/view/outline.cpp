@@ -67,17 +67,27 @@ void addMesh(const candela::Mesh& mesh, const candela::PosedPoints& posed,
         if (submesh.topology == candela::Topology::triangles) add(submesh.firstIndex, submesh.indexCount);
 }
 
+/// The level at which a cage is outlined: its points lie on the limit surface at any.
+std::uint32_t outlinedLevel(const candela::Cage& cage) {
+    constexpr std::uint32_t finest = 4;
+    constexpr std::size_t maxFaces = 200'000;
+    std::uint32_t level = 1;
+    while (level < finest && cage.faceSizes.size() << 2 * (level + 1) <= maxFaces) ++level;
+    return level;
+}
+
 /// Each face as a fan.
-void addCage(const candela::Cage& cage, const candela::PosedPoints& posed,
-             std::vector<glm::vec3>& triangles) {
-    std::size_t first = 0;
-    const auto corner = [&](std::size_t i) {
-        return glm::vec3(posed.worldFromPoints * glm::vec4(posed.points[cage.faceVertices[first + i]], 1.0f));
-    };
-    for (const std::uint32_t size : cage.faceSizes) {
-        for (std::size_t i = 2; i < size; ++i)
+void addFaces(const candela::RefinedCage& refined, const candela::PosedPoints& posed,
+              std::vector<glm::vec3>& triangles) {
+    std::vector<glm::vec3> positions(refined.vertexCount()), normals(refined.vertexCount());
+    candela::evaluateLimit(refined, posed.points, {positions, normals, {}, {}});
+    for (std::size_t first = 0; first < refined.faceVertices.size(); first += refined.faceSize) {
+        const auto corner = [&](std::size_t i) {
+            return glm::vec3(posed.worldFromPoints *
+                             glm::vec4(positions[refined.faceVertices[first + i]], 1.0f));
+        };
+        for (std::size_t i = 2; i < refined.faceSize; ++i)
             triangles.insert(triangles.end(), {corner(0), corner(i - 1), corner(i)});
-        first += size;
     }
 }
 
@@ -111,17 +121,33 @@ class SavedState {
 
 }  // namespace
 
-std::vector<glm::vec3> shownTriangles(const candela::Scene& scene, std::uint32_t node, double time) {
+void Outline::addCage(const candela::Cage& cage, std::uint32_t index, const candela::PosedPoints& posed,
+                      const Target& target, std::vector<glm::vec3>& triangles) {
+    auto refined = refined_.find(index);
+    if (refined == refined_.end())
+        refined = refined_
+                      .emplace(index, target.subdivider ? target.subdivider->refine(cage, outlinedLevel(cage))
+                                                        : candela::cagePolygons(cage))
+                      .first;
+    addFaces(refined->second, posed, triangles);
+}
+
+/// What the node and the nodes below it show, in world space.
+std::vector<glm::vec3> Outline::shownTriangles(const Target& target) {
+    const candela::Scene& scene = target.scene;
+    const double time = target.time;
     const std::vector<glm::mat4> world = candela::worldTransforms(scene, time);
     std::vector<bool> inside(scene.nodes.size(), false);
     std::vector<glm::vec3> triangles;
     // Parents stand before their children.
-    for (std::uint32_t i = node; i < scene.nodes.size() && triangles.size() < 3 * maxPoints; ++i) {
+    for (std::uint32_t i = target.node; i < scene.nodes.size() && triangles.size() < 3 * maxPoints; ++i) {
         const candela::Node& one = scene.nodes[i];
-        inside[i] = i == node || (one.parent && inside[*one.parent]);
+        inside[i] = i == target.node || (one.parent && inside[*one.parent]);
         if (!inside[i]) continue;
         if (one.mesh) addMesh(scene.meshes[*one.mesh], candela::poseMesh(scene, i, world, time), triangles);
-        if (one.cage) addCage(scene.cages[*one.cage], candela::poseCage(scene, i, world, time), triangles);
+        if (one.cage)
+            addCage(scene.cages[*one.cage], *one.cage, candela::poseCage(scene, i, world, time), target,
+                    triangles);
     }
     return triangles;
 }
@@ -166,7 +192,7 @@ void Outline::resize(const glm::ivec2& size) {
 void Outline::upload(const Target& target) {
     const Key key{target.node, target.time, target.revision};
     if (drawn_ == key) return;
-    const std::vector<glm::vec3> triangles = shownTriangles(target.scene, target.node, target.time);
+    const std::vector<glm::vec3> triangles = shownTriangles(target);
     glNamedBufferData(buffer_, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec3)),
                       triangles.data(), GL_DYNAMIC_DRAW);
     vertices_ = static_cast<int>(triangles.size());

@@ -2,16 +2,18 @@
 
 #include <candela/camera.h>
 #include <candela/scene.h>
+#include <candela/subdivider.h>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
 /// A line around what a node and the nodes below it show, over the picture, also where something else hides
-/// them. Cages are outlined by their polygons.
+/// them. Of cages it is that of the limit surface, or of their polygons without a subdivider.
 class Outline {
   public:
     Outline() = default;
@@ -25,6 +27,7 @@ class Outline {
         std::uint32_t node = 0;
         double time = 0.0;           ///< Seconds.
         std::uint64_t revision = 0;  ///< Differs where the scene does.
+        std::optional<candela::Subdivider> subdivider = {};
     };
     /// A rectangle of the window's framebuffer, in pixels: `corner` is its lower left one.
     struct Area {
@@ -33,12 +36,18 @@ class Outline {
     /// Draws to the window. Thickness in pixels.
     void draw(const Target& target, const candela::CameraView& view, const Area& area, float thickness);
     /// What was drawn last is another scene's.
-    void forget() { drawn_.reset(); }
+    void forget() {
+        drawn_.reset();
+        refined_.clear();
+    }
 
   private:
     void create();
     void resize(const glm::ivec2& size);
     void upload(const Target& target);
+    std::vector<glm::vec3> shownTriangles(const Target& target);
+    void addCage(const candela::Cage& cage, std::uint32_t index, const candela::PosedPoints& posed,
+                 const Target& target, std::vector<glm::vec3>& triangles);
 
     struct Key {
         std::uint32_t node;
@@ -47,10 +56,8 @@ class Outline {
         bool operator==(const Key&) const = default;
     };
     std::optional<Key> drawn_;
+    std::map<std::uint32_t, candela::RefinedCage> refined_;  ///< By the index of the cage.
     glm::ivec2 size_{0};
     unsigned maskProgram_ = 0, lineProgram_ = 0, vertexArray_ = 0, buffer_ = 0, mask_ = 0, framebuffer_ = 0;
     int vertices_ = 0;
 };
-
-/// The triangles that a node and the nodes below it show at a time, in world space.
-std::vector<glm::vec3> shownTriangles(const candela::Scene& scene, std::uint32_t node, double time);

@@ -12,20 +12,19 @@
 #include <string>
 #include <vector>
 
-std::uint32_t wantedSamples(const ViewModel& model) {
-    if (!model.options.debug.isDefault()) return 1;
-    return model.options.sampling.count.value_or(defaultViewSamples);
+std::uint32_t wantedSamples(const SceneOptions& options) {
+    if (!options.debug.isDefault()) return 1;
+    return options.sampling.count.value_or(defaultViewSamples);
 }
 
 namespace {
 
 /// Calls `draw` with the inputs of a sample, at whose time the scene is then.
 template <typename Draw>
-void atSample(const ViewModel& model, const candela::DisplayTransform& display, std::uint32_t sample,
-              const Draw& draw) {
+void atSample(const ViewModel& model, const SceneOptions& options, const candela::DisplayTransform& display,
+              std::uint32_t sample, const Draw& draw) {
     Document& document = *model.document;
-    const SceneOptions& options = model.options;
-    candela::SamplingSettings settings = options.sampling.settings(wantedSamples(model));
+    candela::SamplingSettings settings = options.sampling.settings(wantedSamples(options));
     if (model.camera.orthographicHeight()) settings.lens.reset();
     const auto poseAt = [&](double seconds) { return poseTime(document.scene(), options, seconds); };
     const double time = poseAt(candela::sampleTime(options.time, settings, sample));
@@ -42,8 +41,8 @@ void writeRadianceOfSamples(const ViewModel& model, Viewport& viewport,
                             const candela::DisplayTransform& display, const std::filesystem::path& file) {
     const std::vector<std::string> aovs = candela::Renderer::aovNames();
     candela::Accumulator mean(viewport.context(), {aovs, candela::AovFilter::automatic});
-    for (std::uint32_t sample = 0; sample < wantedSamples(model); ++sample)
-        atSample(model, display, sample,
+    for (std::uint32_t sample = 0; sample < wantedSamples(model.options); ++sample)
+        atSample(model, model.options, display, sample,
                  [&](const Viewport::Inputs& inputs) { viewport.addSample(inputs, sample, mean); });
     std::vector<candela::ExrAttribute> attributes{{"samples", std::to_string(mean.count())}};
     for (const std::string& aov : aovs)
@@ -53,8 +52,9 @@ void writeRadianceOfSamples(const ViewModel& model, Viewport& viewport,
 
 }  // namespace
 
-void drawSample(const ViewModel& model, Viewport& viewport, const candela::DisplayTransform& display) {
-    atSample(model, display, viewport.samples(),
+void drawSample(const ViewModel& model, const SceneOptions& options, Viewport& viewport,
+                const candela::DisplayTransform& display) {
+    atSample(model, options, display, viewport.samples(),
              [&](const Viewport::Inputs& inputs) { viewport.refine(inputs); });
 }
 
@@ -64,12 +64,14 @@ void writePicture(ViewModel& model, Viewport& viewport, const candela::DisplayTr
     lightDocument(model, view);
     viewport.draw({model.document->gpuScene(), model.options, view, display, 1});
     const bool isExr = endingOf(file) == ".exr";
-    if (isExr && wantedSamples(model) > 1) return writeRadianceOfSamples(model, viewport, display, file);
+    if (isExr && wantedSamples(model.options) > 1)
+        return writeRadianceOfSamples(model, viewport, display, file);
     if (isExr) {
         const candela::Frame& frame = *viewport.frame();
         return writeRadiance(file, frame.radiance(), frame.aovs(candela::Renderer::aovNames()), model.color);
     }
-    while (viewport.samples() < wantedSamples(model)) drawSample(model, viewport, display);
+    while (viewport.samples() < wantedSamples(model.options))
+        drawSample(model, model.options, viewport, display);
     const candela::Accumulator* mean = viewport.mean();
     writeDisplayedFrame(
         file, model.options.width, model.options.height,

@@ -2,6 +2,7 @@
 
 #include "common/scene_environment.h"
 #include "common/scene_lights.h"
+#include "interaction.h"
 
 #include <candela/error.h>
 #include <candela/exposure.h>
@@ -9,19 +10,45 @@
 #include <array>
 #include <utility>
 
+namespace {
+
+/// Default lights depend on the environment that is there.
+void setDefaultLighting(Document& document, const SceneOptions& options, const candela::CameraView& view) {
+    std::optional<Document::DefaultLighting> lighting;
+    if (usesDefaultLights(document.scene(), options.defaultLights))
+        lighting = {view, options.autoExposure ? 0.0 : options.display.exposure};
+    document.setDefaultLighting(lighting);
+}
+
+}  // namespace
+
 void lightDocument(ViewModel& model, const candela::CameraView& view) {
-    const SceneOptions& options = model.options;
     try {
-        for (const std::string& note : model.document->setEnvironment(options))
+        for (const std::string& note : model.document->setEnvironment(model.options))
             model.messages.push_back({Message::Kind::note, note});
     } catch (...) {
         model.options.environment = model.document->environmentOption();
         throw;
     }
-    std::optional<Document::DefaultLighting> lighting;
-    if (usesDefaultLights(model.document->scene(), options.defaultLights))
-        lighting = {view, options.autoExposure ? 0.0 : options.display.exposure};
-    model.document->setDefaultLighting(lighting);
+    setDefaultLighting(*model.document, model.options, view);
+}
+
+void withLighting(ViewModel& model, const SceneOptions& options, const candela::CameraView& view,
+                  const std::function<void()>& work) {
+    Document& document = *model.document;
+    const auto restore = [&] {
+        document.setEnvironment(model.options);
+        setDefaultLighting(document, model.options, selectedView(model));
+    };
+    document.setEnvironment(options);
+    try {
+        setDefaultLighting(document, options, view);
+        work();
+    } catch (...) {
+        restore();
+        throw;
+    }
+    restore();
 }
 
 bool takeAsEnvironment(ViewModel& model, const std::string& file) {

@@ -6,9 +6,17 @@
 #include <candela/camera.h>
 #include <candela/renderer.h>
 
+#include <functional>
+#include <string>
+
 /// Brings the environment of the options, and default lights, to a view: `model.document` is there. Throws
 /// `candela::Error` when the environment can not be read; the options have the one before then.
 void lightDocument(ViewModel& model, const candela::CameraView& view);
+
+/// Runs `work` with the document lighted as `options` say for a view, and then as the options of the model say
+/// again. Throws what `work` throws, and as `lightDocument`.
+void withLighting(ViewModel& model, const SceneOptions& options, const candela::CameraView& view,
+                  const std::function<void()>& work);
 
 /// Asks for a file as environment if it is a picture of linear light by its ending. Returns whether it is.
 bool takeAsEnvironment(ViewModel& model, const std::string& file);

@@ -59,7 +59,7 @@ void chooseColors(ImVec4* colors) {
     colors[ImGuiCol_TextDisabled] = grey(0.55f);
     colors[ImGuiCol_WindowBg] = colors[ImGuiCol_MenuBarBg] = grey(0.135f);
     colors[ImGuiCol_ChildBg] = grey(0.0f, 0.0f);
-    colors[ImGuiCol_PopupBg] = grey(0.16f, 0.98f);
+    colors[ImGuiCol_PopupBg] = grey(0.16f);
     colors[ImGuiCol_Border] = grey(0.24f);
     colors[ImGuiCol_FrameBg] = grey(0.20f);
     colors[ImGuiCol_FrameBgHovered] = grey(0.25f);

@@ -60,6 +60,23 @@ struct Example {
     unsigned texture = 0;  ///< The picture, 16:9; 0 until it is drawn.
 };
 
+/// Small pictures of what lists offer, as GL textures of 16:9; 0 until one is drawn. They are drawn while
+/// nothing else is, of the lists that are open.
+struct Thumbnails {
+    std::vector<unsigned> cameras;                     ///< In the order of the scene's; it may be shorter.
+    std::vector<unsigned> variants;                    ///< The first is the scene without a variant.
+    bool camerasShown = false, variantsShown = false;  ///< By the panels of this frame.
+};
+
+/// Two settings side by side; see comparison.h.
+struct Comparison {
+    bool shown = false;
+    float line = 0.5f;       ///< Between the sides, as a share of the picture's width.
+    SceneOptions left;       ///< Of these the left side takes what is compared.
+    bool dragged = false;    ///< The pointer holds the line.
+    bool tookPress = false;  ///< The last press was on the line, and picks nothing.
+};
+
 /// What the last frames took, for the running graph.
 struct FrameRecord {
     std::vector<candela::PassTime> passes;
@@ -84,6 +101,7 @@ struct Requests {
     std::optional<std::string> variant;           ///< Show this variant, a number; empty: none.
     std::optional<std::string> ocioConfig;        ///< Read this OpenColorIO config.
     std::optional<std::string> savePng, saveExr;  ///< Write the picture here.
+    std::optional<std::string> saveLights;        ///< Write lights and cameras here, as glTF.
     bool copyCommand = false;
     bool quit = false;
     bool browse = false;  ///< Show the file browser.
@@ -119,6 +137,9 @@ struct ViewModel {
     std::vector<std::string> sceneEndings;  ///< Of the files that plugins read, such as ".gltf".
 
     std::vector<Example> examples;
+
+    Thumbnails thumbnails;
+    Comparison comparison;
 
     Guides guides;
     GizmoState gizmo;

@@ -106,6 +106,19 @@ void Viewport::show(const glm::ivec2& windowSize, const glm::ivec2& corner, cons
     constexpr std::array<float, 4> black{0.0f, 0.0f, 0.0f, 1.0f};
     glClearNamedFramebufferfv(0, GL_COLOR, 0, black.data());
     if (size_ == glm::ivec2(0) || size == glm::ivec2(0)) return;
+    copy(windowSize, corner, size);
+}
+
+void Viewport::showLeft(const glm::ivec2& windowSize, const glm::ivec2& corner, const glm::ivec2& size,
+                        int column) const {
+    if (size_ == glm::ivec2(0) || column < 1) return;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(corner.x, windowSize.y - corner.y - size.y, column, size.y);
+    copy(windowSize, corner, size);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void Viewport::copy(const glm::ivec2& windowSize, const glm::ivec2& corner, const glm::ivec2& size) const {
     const GLenum filter = size == size_ ? GL_NEAREST : GL_LINEAR;
     const int top = windowSize.y - corner.y;
     glBlitNamedFramebuffer(framebuffer_, 0, 0, 0, size_.x, size_.y, corner.x, top - size.y, corner.x + size.x,

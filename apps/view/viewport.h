@@ -49,6 +49,10 @@ class Viewport {
     /// upper left pixel. Black around it; all black without a size, and before the first frame.
     void show(const glm::ivec2& windowSize, const glm::ivec2& corner, const glm::ivec2& size) const;
 
+    /// Copies the columns of the image left of `column` over what `show` has shown at the same place.
+    void showLeft(const glm::ivec2& windowSize, const glm::ivec2& corner, const glm::ivec2& size,
+                  int column) const;
+
     /// The pixel of the frame that covers a pixel of the full size. Both count from the top.
     glm::ivec2 pixelAt(const glm::ivec2& pixel) const;
     /// Its display value, 0 to 1 each.
@@ -64,6 +68,7 @@ class Viewport {
     candela::Frame draw(candela::Renderer& renderer, const Inputs& inputs);
     candela::FrameTarget target() const { return {.framebuffer = framebuffer_, .x = 0, .y = 0}; }
     void resize(const glm::ivec2& size);
+    void copy(const glm::ivec2& windowSize, const glm::ivec2& corner, const glm::ivec2& size) const;
 
     const candela::Context& context_;
     candela::Renderer renderer_;

@@ -172,6 +172,20 @@ PngPicture ViewSession::picture() {
     return readPng(file);
 }
 
+/// Of the back buffer, which the software rasteriser of Xvfb copies to the front.
+PngPicture ViewSession::shown() const {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    const auto row = static_cast<std::ptrdiff_t>(4) * width;
+    std::vector<std::uint8_t> rows(static_cast<std::size_t>(row * height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
+    PngPicture shown{width, height, std::vector<std::uint8_t>(rows.size())};
+    for (int y = 0; y < height; ++y)
+        std::copy_n(rows.begin() + row * (height - 1 - y), row, shown.rgba.begin() + row * y);
+    return shown;
+}
+
 std::string ViewSession::copiedCommand() {
     model().requests.copyCommand = true;
     step();

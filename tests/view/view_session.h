@@ -53,6 +53,8 @@ class ViewSession {
 
     /// The picture as "Save PNG" writes it.
     PngPicture picture();
+    /// What the window shows, panels included, as of the last step.
+    PngPicture shown() const;
     /// The clipboard after "Copy candela-render command".
     std::string copiedCommand();
 

@@ -17,6 +17,8 @@ namespace {
 
 /// A drag over this many pixels crosses the distance to the target.
 constexpr float pixelsToTarget = 500.0f;
+/// What the list of cameras leaves for its label, in heights of a letter: their names need the rest.
+constexpr float fromLetters = 4.2f;
 
 /// Where the picture is taken from, in words.
 std::string standpoint(const ViewModel& model) {
@@ -29,9 +31,11 @@ std::string standpoint(const ViewModel& model) {
 void chooseCamera(ViewModel& model) {
     const candela::Scene& scene = model.document->scene();
     ImGui::BeginDisabled(scene.cameras.empty());
-    if (ImGui::BeginCombo("from", standpoint(model).c_str())) {
+    ImGui::SetNextItemWidth(-fromLetters * ImGui::GetFontSize());
+    if (ImGui::BeginCombo("from", standpoint(model).c_str(), ImGuiComboFlags_HeightLargest)) {
+        model.thumbnails.camerasShown = true;
         for (std::uint32_t i = 0; i < scene.cameras.size(); ++i)
-            if (listRow(i, Row::plain, cameraLabel(scene, i)))
+            if (pictureRow(i, Row::plain, thumbnail(model.thumbnails.cameras, i), cameraLabel(scene, i)))
                 tryTo(model, [&] { selectSceneCamera(model, i); });
         ImGui::EndCombo();
     }

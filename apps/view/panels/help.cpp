@@ -13,6 +13,10 @@ constexpr ImGuiWindowFlags flags =
 
 void centre() {
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
+    // In a small window it scrolls.
+    constexpr float share = 0.9f;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {share * display.x, share * display.y});
 }
 
 void drawKeys(bool& open) {

@@ -55,8 +55,9 @@ void drawList(ViewModel& model, Kept& kept) {
             ImGui::SameLine();
             const Row row = model.pickedLight == index ? Row::selected : Row::plain;
             if (listRow(index, row, rowText(index, lights[index]))) {
+                // The list is longer while no light is picked: it is then scrolled anew.
+                if (model.pickedLight) kept.scrolledTo = index;
                 model.pickedLight = index;
-                kept.scrolledTo = index;
             }
             ImGui::PopID();
         }
@@ -98,7 +99,7 @@ void drawIndex(ViewModel& model) {
     const auto last = static_cast<std::uint32_t>(model.document->lights().size() - 1);
     std::uint32_t index = model.pickedLight.value_or(0);
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(numberLetters * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(std::min(numberLetters * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x));
     if (countInput("##number", index, last)) model.pickedLight = index;
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("pick a light by its number");
 }
@@ -260,9 +261,8 @@ void drawLightPanel(ViewModel& model) {
     }
     if (ImGui::BeginTabItem("Scatter")) {
         drawScattering(model);
-        ImGui::EndTabItem();
-    }
-    if (ImGui::BeginTabItem("Move")) {
+        ImGui::Separator();
+        showText("move all lights");
         drawMotion(model);
         ImGui::EndTabItem();
     }

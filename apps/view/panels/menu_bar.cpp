@@ -1,5 +1,7 @@
 #include "common/scene_selection.h"
 #include "common/timing.h"
+#include "comparison.h"
+#include "light_saving.h"
 #include "panels/file_browser.h"
 #include "panels/panel_values.h"
 #include "panels/panels.h"
@@ -25,6 +27,7 @@ constexpr float textStep = 1.1f, minText = 0.5f, maxText = 3.0f;
 struct Dialogs {
     FileBrowser scene;
     PathDialog png{"Save the picture as shown", "Save", "a .png file", "candela.png"};
+    PathDialog lights{"Save lights and cameras", "Save", "a .gltf or .glb file", "lights.gltf"};
     PathDialog exr{"Save radiance and channels", "Save", "an .exr file", "candela.exr"};
 };
 
@@ -33,11 +36,15 @@ bool isPossible(Action action, const ViewModel& model) {
     switch (action) {
         case Action::savePng:
         case Action::saveExr:
+        case Action::saveLights:
         case Action::copyCommand:
         case Action::frameAll:
         case Action::expose:
         case Action::play:
+        case Action::compare:
             return model.document != nullptr;
+        case Action::swapSides:
+            return model.document && model.comparison.shown;
         case Action::framePicked:
             return model.document && model.pickedNode;
         case Action::undo:
@@ -67,6 +74,8 @@ void perform(Action action, ViewModel& model, Dialogs& dialogs) {
             return dialogs.png.open();
         case Action::saveExr:
             return dialogs.exr.open();
+        case Action::saveLights:
+            return dialogs.lights.open();
         case Action::copyCommand:
             model.requests.copyCommand = true;
             return;
@@ -85,6 +94,10 @@ void perform(Action action, ViewModel& model, Dialogs& dialogs) {
         case Action::grid:
             model.guides.grid = !model.guides.grid;
             return;
+        case Action::compare:
+            return toggleComparison(model);
+        case Action::swapSides:
+            return swapComparison(model);
         case Action::undo:
             return tryTo(model, [&] { model.document->undo(model.options); });
         case Action::redo:
@@ -131,6 +144,7 @@ void drawFileMenu(ViewModel& model, Dialogs& dialogs) {
     ImGui::Separator();
     actionItem("Save PNG...", Action::savePng, model, dialogs);
     actionItem("Save EXR...", Action::saveExr, model, dialogs);
+    actionItem("Save lights...", Action::saveLights, model, dialogs);
     actionItem("Copy candela-render command", Action::copyCommand, model, dialogs);
     ImGui::Separator();
     actionItem("Quit", Action::quit, model, dialogs);
@@ -160,7 +174,7 @@ void drawViewMenu(ViewModel& model, Dialogs& dialogs) {
     ImGui::MenuItem("Statistics", nullptr, &panels.statistics);
     ImGui::MenuItem("Probe", nullptr, &panels.probe);
     ImGui::MenuItem("Timeline", nullptr, &panels.timeline);
-    if (ImGui::MenuItem("Panels of their first size")) model.dockSizes = {};
+    if (ImGui::MenuItem("Reset the sizes of panels")) model.dockSizes = {};
     actionItem("Hide all panels", Action::hidePanels, model, dialogs);
     ImGui::Separator();
     ImGui::MenuItem("Outline of what is picked", nullptr, &model.guides.outline);
@@ -169,6 +183,11 @@ void drawViewMenu(ViewModel& model, Dialogs& dialogs) {
     ImGui::Separator();
     actionItem("Larger text", Action::largerText, model, dialogs);
     actionItem("Smaller text", Action::smallerText, model, dialogs);
+    ImGui::Separator();
+    if (ImGui::MenuItem("Compare settings", keysOf(Action::compare), model.comparison.shown,
+                        isPossible(Action::compare, model)))
+        toggleComparison(model);
+    actionItem("Swap sides", Action::swapSides, model, dialogs);
     ImGui::Separator();
     actionItem("Frame all", Action::frameAll, model, dialogs);
     actionItem("Frame picked", Action::framePicked, model, dialogs);
@@ -195,13 +214,13 @@ void drawVariantMenu(ViewModel& model) {
     const candela::Scene& scene = model.document->scene();
     const auto shown =
         model.options.variant ? findVariant(scene, *model.options.variant) : std::optional<std::uint32_t>();
-    if (ImGui::MenuItem("none", nullptr, !shown)) model.requests.variant = "";
-    for (std::uint32_t i = 0; i < scene.variants.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        if (ImGui::MenuItem(variantLabel(scene, i).c_str(), nullptr, shown == i))
+    model.thumbnails.variantsShown = true;
+    const std::vector<unsigned>& pictures = model.thumbnails.variants;
+    const auto rowOf = [](bool isShown) { return isShown ? Row::selected : Row::plain; };
+    if (pictureRow(0, rowOf(!shown), thumbnail(pictures, 0), "none")) model.requests.variant = "";
+    for (std::uint32_t i = 0; i < scene.variants.size(); ++i)
+        if (pictureRow(i + 1, rowOf(shown == i), thumbnail(pictures, i + 1), variantLabel(scene, i)))
             model.requests.variant = variantText(scene, i);
-        ImGui::PopID();
-    }
     ImGui::EndMenu();
 }
 
@@ -248,5 +267,6 @@ void drawMenuBar(ViewModel& model) {
     }
     if (const auto scene = dialogs.scene.draw(model.sceneEndings)) model.requests.open = *scene;
     if (dialogs.png.draw()) model.requests.savePng = withEnding(dialogs.png.path(), ".png");
+    if (dialogs.lights.draw()) model.requests.saveLights = lightFileName(dialogs.lights.path());
     if (dialogs.exr.draw()) model.requests.saveExr = withEnding(dialogs.exr.path(), ".exr");
 }

@@ -6,9 +6,6 @@
 
 namespace {
 
-/// Room for the name of a value at its right, in letters.
-constexpr float labelLetters = 7.5f;
-
 /// Whether only the title of a panel shows, as of its last frame.
 std::array<bool, panelCount> collapsed{};
 
@@ -59,7 +56,7 @@ bool& openOf(OpenPanels& panels, Panel panel) {
     }
 }
 
-PanelWindow::PanelWindow(ViewModel& model, Panel panel, const char* title) {
+PanelWindow::PanelWindow(ViewModel& model, Panel panel, const char* title, float labelLetters) {
     const auto index = static_cast<std::size_t>(panel);
     const PanelPlace& place = model.layout.panels[index];
     ImGui::SetNextWindowPos({place.position.x, place.position.y});

@@ -5,9 +5,11 @@
 #include "panels/layout.h"
 #include "view_model.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <optional>
+#include <vector>
 
 /// Whether a panel is open.
 bool& openOf(OpenPanels& panels, Panel panel);
@@ -15,7 +17,8 @@ bool& openOf(OpenPanels& panels, Panel panel);
 /// The ImGui window of one panel at its place in `ViewModel::layout`, for the lifetime of the object.
 class PanelWindow {
   public:
-    PanelWindow(ViewModel& model, Panel panel, const char* title);
+    /// `labelLetters`: what is left for the labels right of fields, in heights of a letter.
+    PanelWindow(ViewModel& model, Panel panel, const char* title, float labelLetters = 7.5f);
     PanelWindow(const PanelWindow&) = delete;
     PanelWindow& operator=(const PanelWindow&) = delete;
     ~PanelWindow();
@@ -49,6 +52,11 @@ void tryTo(ViewModel& model, Work&& work) {
     } catch (const std::exception& error) {
         addError(model, error.what());
     }
+}
+
+/// A picture of `ViewModel::thumbnails`; 0 where it is not drawn.
+inline unsigned thumbnail(const std::vector<unsigned>& pictures, std::size_t index) {
+    return index < pictures.size() ? pictures[index] : 0;
 }
 
 /// A number that changes with every scene that is opened. Call it in every frame that draws panels.

@@ -19,6 +19,7 @@ void drawOpenPanels(ViewModel& model) {
 }  // namespace
 
 void drawPanels(ViewModel& model) {
+    model.thumbnails.camerasShown = model.thumbnails.variantsShown = false;
     sceneNumber(model);  // a panel that is closed while a scene is opened learns of it here
     drawMenuBar(model);
     drawOpenPanels(model);

@@ -64,6 +64,7 @@ void drawStartPage(ViewModel& model) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::AlignTextToFramePadding();
     showText("Drop a scene here, or");
     ImGui::SameLine();
     if (ImGui::Button("Open...")) model.requests.browse = true;

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,7 +13,14 @@ namespace {
 
 /// The end of the slider where no animation gives one, in seconds.
 constexpr double standardEnd = 10.0;
-constexpr float clipLetters = 10.0f;
+/// Of the list of clips, in heights of a letter, and as a share of the row.
+constexpr float clipLetters = 10.0f, minClipLetters = 4.0f, clipShare = 0.2f;
+
+/// Narrower in a narrow window, which leaves room for the slider.
+float clipWidth() {
+    const float letter = ImGui::GetFontSize();
+    return std::clamp(clipShare * ImGui::GetWindowWidth(), minClipLetters * letter, clipLetters * letter);
+}
 
 /// The animations that play, in words.
 std::string playing(const ViewModel& model) {
@@ -24,7 +32,7 @@ std::string playing(const ViewModel& model) {
 void chooseAnimation(ViewModel& model) {
     const candela::Scene& scene = model.document->scene();
     std::optional<std::string> chosen;
-    ImGui::SetNextItemWidth(clipLetters * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(clipWidth());
     ImGui::BeginDisabled(scene.animations.empty());
     if (ImGui::BeginCombo("##clip", playing(model).c_str())) {
         for (const char* word : {"all", "none"})
@@ -46,7 +54,7 @@ void chooseAnimation(ViewModel& model) {
 /// What the controls at the right of the slider take.
 float endWidth() {
     const ImGuiStyle& style = ImGui::GetStyle();
-    return clipLetters * ImGui::GetFontSize() + ImGui::GetFrameHeight() + ImGui::CalcTextSize("loop").x +
+    return clipWidth() + ImGui::GetFrameHeight() + ImGui::CalcTextSize("loop").x +
            2.0f * style.ItemSpacing.x + style.ItemInnerSpacing.x;
 }
 
@@ -57,7 +65,8 @@ void drawTimelinePanel(ViewModel& model) {
     if (!window || !model.document) return;
     if (ImGui::Button(model.playing ? "Pause" : "Play")) model.playing = !model.playing;
     ImGui::SameLine();
-    if (ImGui::Button("To the start")) model.options.time = 0.0;
+    if (ImGui::Button("Start")) model.options.time = 0.0;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("back to 0 s");
     ImGui::SameLine();
     const double lastKey = lastKeyTime(model.document->scene());
     ImGui::SetNextItemWidth(-endWidth());

@@ -9,6 +9,10 @@ namespace {
 
 /// Scenes lie within it; see `candela::validate`.
 constexpr float farthestCoordinate = 1.0e9f;
+/// What is left for the label of three numbers, in heights of a letter: they need the rest.
+constexpr float pointLabelLetters = 4.2f;
+/// Of the pictures in lists: their width in heights of a letter.
+constexpr float pictureLetters = 8.0f, pictureAspect = 16.0f / 9.0f;
 
 ImGuiSliderFlags flagsOf(const NumberRange& range) {
     const bool logarithmic = range.scale == NumberRange::Scale::logarithmic;
@@ -66,6 +70,7 @@ bool countInput(const char* label, std::uint32_t& value, std::uint32_t max) {
 
 bool dragPoint(const char* label, glm::vec3& value, float speed) {
     glm::vec3 edited = value;
+    ImGui::SetNextItemWidth(-pointLabelLetters * ImGui::GetFontSize());
     if (!ImGui::DragFloat3(label, &edited.x, speed, -farthestCoordinate, farthestCoordinate, "%.4g",
                            ImGuiSliderFlags_AlwaysClamp))
         return false;
@@ -126,5 +131,27 @@ bool listRow(std::uint64_t id, Row row, const std::string& text) {
     ImGui::SameLine(0.0f, 0.0f);
     showText(text);
     ImGui::PopID();
+    return clicked;
+}
+
+bool pictureRow(std::uint64_t id, Row row, unsigned texture, const std::string& text) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const ImVec2 picture(pictureLetters * ImGui::GetFontSize(),
+                         pictureLetters * ImGui::GetFontSize() / pictureAspect);
+    const ImVec2 corner = ImGui::GetCursorScreenPos(), letters = ImGui::CalcTextSize(text.c_str());
+    ImGui::PushID(reinterpret_cast<const void*>(static_cast<std::uintptr_t>(id)));
+    const float width =
+        std::max(picture.x + style.ItemSpacing.x + letters.x, ImGui::GetContentRegionAvail().x);
+    const bool clicked = ImGui::Selectable("##row", row == Row::selected, 0, {width, picture.y});
+    ImGui::PopID();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 end(corner.x + picture.x, corner.y + picture.y);
+    if (texture != 0) {
+        list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), corner, end);
+    } else {
+        list.AddRectFilled(corner, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    }
+    list.AddText({end.x + style.ItemSpacing.x, corner.y + 0.5f * (picture.y - letters.y)},
+                 ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     return clicked;
 }

@@ -46,11 +46,15 @@ void showRow(const char* name, const std::string& value);
 enum class Row { plain, selected };
 bool listRow(std::uint64_t id, Row row, const std::string& text);
 
-/// A list to choose one of `values` from, by the names that `name` gives. Returns whether the selection
-/// changed.
+/// The same with a small picture of 16:9 before the text: a GL texture, 0 for none yet.
+bool pictureRow(std::uint64_t id, Row row, unsigned texture, const std::string& text);
+
+/// A list to choose one of `values` from, by the names that `name` gives; `preview` shows while it is closed.
+/// Returns whether the selection changed.
 template <typename Value, typename Values, typename Name>
-bool chooseOne(const char* label, Value& selected, const Values& values, Name&& name) {
-    if (!ImGui::BeginCombo(label, std::string(name(selected)).c_str())) return false;
+bool chooseOne(const char* label, const std::string& preview, Value& selected, const Values& values,
+               Name&& name) {
+    if (!ImGui::BeginCombo(label, preview.c_str())) return false;
     bool changed = false;
     std::uint64_t id = 0;
     for (const Value& value : values) {
@@ -62,4 +66,10 @@ bool chooseOne(const char* label, Value& selected, const Values& values, Name&& 
     }
     ImGui::EndCombo();
     return changed;
+}
+
+/// The same, with the name of what is selected as preview.
+template <typename Value, typename Values, typename Name>
+bool chooseOne(const char* label, Value& selected, const Values& values, Name&& name) {
+    return chooseOne(label, std::string(name(selected)), selected, values, name);
 }
