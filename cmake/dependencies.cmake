@@ -9,6 +9,8 @@ pkg_check_modules(openexr REQUIRED IMPORTED_TARGET OpenEXR>=3.1)
 pkg_check_modules(opencolorio REQUIRED IMPORTED_TARGET OpenColorIO>=2.1)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy>=1.5)
 find_path(GLM_INCLUDE_DIR glm/glm.hpp REQUIRED)
+# Headers alone: libvulkan is loaded where it is there. Without them what the CPU lights is copied (lib/gl/external_memory.h).
+find_path(VULKAN_INCLUDE_DIR vulkan/vulkan_core.h)
 if(CANDELA_SHADOWS)
   find_package(embree 3.13 REQUIRED)
 endif()

@@ -65,11 +65,15 @@ Texture Texture::target2d(GLenum format, int width, int height, const char* labe
                     "the device has no memory for a picture of " + std::to_string(width) + "x" +
                         std::to_string(height) + " pixels");
     }
-    glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    texture.sampleNearest();
     return texture;
+}
+
+void Texture::sampleNearest() const {
+    glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTextureParameteri(name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
 BufferTexture::BufferTexture(GLenum format, const char* label)

@@ -17,6 +17,9 @@ class Texture {
     /// it does not fit the device.
     static Texture target2d(GLenum format, int width, int height, const char* label);
 
+    /// Sampled nearest and clamped.
+    void sampleNearest() const;
+
     GLuint name() const { return object_.name(); }
 
   private:

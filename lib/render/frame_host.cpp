@@ -80,6 +80,7 @@ std::vector<FrameTexture> Frame::textures() const {
     const Renderer::State& state = this->state();
     const gl::StateGuard guard(*state.binding, user);
     const GBufferTargets& targets = *state.targets;
+    targets.isHandedOut = true;
     const bool isLit = state.frame->settings.debugView == DebugView::none;
     std::vector<FrameTexture> textures{
         describe("radiance", targets.litRadiance().name(), GL_RGBA32F, targets,

@@ -69,24 +69,29 @@ Renderer::State::State(const Context& context)
       lighting(context),
       display(context.isSoftware() ? DisplayPass::Baking::always : DisplayPass::Baking::never),
       frameBuffer("frame uniforms", gl::BufferUsage::dynamic),
-      layerTimer(clockOf(context)) {}
+      layerTimer(clockOf(context)),
+      targetMemory(context.isSoftware()) {}
 
-void Renderer::State::selectTargets(int width, int height, const GBufferParts& parts) {
+void Renderer::State::selectTargets(int width, int height, const GBufferParts& parts,
+                                    const gl::ExternalMemoryDevice* memoryDevice) {
     if (targets != nullptr && (targets->width != width || targets->height != height)) {
         displayTarget.reset();
         emissionTargets.reset();
         maskedTargets.reset();
-        targets = nullptr;
         targetSets.clear();
     }
-    targets = &targetsWith(parts, width, height);
+    targets = nullptr;
+    const auto known = targetSets.find(parts);
+    if (known != targetSets.end() && known->second.movesTo(memoryDevice)) targetSets.erase(known);
+    targets = &targetsWith(parts, width, height, memoryDevice);
     targets->memory = {};
 }
 
-GBufferTargets& Renderer::State::targetsWith(const GBufferParts& parts, int width, int height) {
+GBufferTargets& Renderer::State::targetsWith(const GBufferParts& parts, int width, int height,
+                                             const gl::ExternalMemoryDevice* memoryDevice) {
     const auto found = targetSets.find(parts);
     if (found != targetSets.end()) return found->second;
-    return targetSets.try_emplace(parts, width, height, parts).first->second;
+    return targetSets.try_emplace(parts, width, height, parts, memoryDevice).first->second;
 }
 
 /// Creates what the frame is drawn with, before its passes are timed.
@@ -375,7 +380,8 @@ void Renderer::State::render(GpuScene::State& scene, const CameraView& requested
         if (lighting.shadesInShaders(technique, settings.tileBackend)) scene.occlusion->updateShaderForm();
     }
     parts.lobes = isLit && showsLobes(scene);
-    selectTargets(settings.width, settings.height, parts);
+    const bool litOnCpu = isLit && !lighting.shadesInShaders(technique, settings.tileBackend);
+    selectTargets(settings.width, settings.height, parts, litOnCpu ? targetMemory.countFrame() : nullptr);
     frameSurfaces.reset(*targets);
     if (settings.debugView == DebugView::none) {
         drawLit(scene);

@@ -14,6 +14,7 @@
 #include "render/frustum.h"
 #include "render/gbuffer/gbuffer_copy.h"
 #include "render/gbuffer/geometry_pass.h"
+#include "render/gbuffer/target_memory.h"
 #include "render/gpu_scene/gpu_scene_state.h"
 #include "render/host/depth_conversion.h"
 #include "render/layers/fragment_lists.h"
@@ -172,6 +173,7 @@ struct Renderer::State {
     std::optional<LayerPass> layers;
     std::optional<FragmentLists> fragmentLists;
     std::optional<LayerDraws> layerDraws;
+    TargetMemory targetMemory;
     GBufferTargets* targets = nullptr;                  ///< Of the frame: one of `targetSets`.
     std::map<GBufferParts, GBufferTargets> targetSets;  ///< Of the frame's size.
     std::optional<GBufferTargets> emissionTargets;      ///< Where `drawEmission` and `drawEnvironment` draw.
@@ -190,8 +192,12 @@ struct Renderer::State {
     void runHook(const std::function<void(const FrameStage&)>& hook, const gl::Framebuffer& target);
     void runAfterGeometry();
     void runBeforeDisplay();
-    void selectTargets(int width, int height, const GBufferParts& parts);
-    GBufferTargets& targetsWith(const GBufferParts& parts, int width, int height);
+    /// Makes the frame's targets anew where they are not in memory of `memoryDevice` yet, unless a host has
+    /// their names.
+    void selectTargets(int width, int height, const GBufferParts& parts,
+                       const gl::ExternalMemoryDevice* memoryDevice);
+    GBufferTargets& targetsWith(const GBufferParts& parts, int width, int height,
+                                const gl::ExternalMemoryDevice* memoryDevice = nullptr);
     void createPasses(const FrameSettings& settings, Technique technique, const TracedRays& traced);
     void describeFrame(const GpuScene::State& scene, const CameraView& requested,
                        const FrameSettings& settings, Technique technique, const TracedRays& traced);

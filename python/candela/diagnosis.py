@@ -16,6 +16,7 @@ from candela import _candela
 _VARIABLES = (
     "CANDELA_PLUGIN_PATH",
     "CANDELA_ASSUME_GPU",
+    "CANDELA_MAPPED_TARGETS",
     "OCIO",
     "CUDA_VISIBLE_DEVICES",
     "NVIDIA_VISIBLE_DEVICES",

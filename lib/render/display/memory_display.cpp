@@ -37,6 +37,43 @@ void writeCodes(const DisplayKernel& kernel, const MemoryPicture& picture, const
     });
 }
 
+/// The attachment that the first output of the framebuffer bound for drawing goes to.
+GLenum firstAttachment() {
+    GLint buffer = GL_NONE;
+    glGetIntegerv(GL_DRAW_BUFFER0, &buffer);
+    return static_cast<GLenum>(buffer == GL_BACK ? GL_BACK_LEFT : buffer);
+}
+
+/// A level of a texture.
+struct TextureLevel {
+    GLuint texture;
+    GLint level;
+};
+
+/// What a framebuffer shows codes of, where it is an RGBA8 texture that has all of their pixels.
+std::optional<TextureLevel> levelUnder(const FrameTarget& target, int width, int height) {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+    const auto attached = [&target, attachment = firstAttachment()](GLenum parameter) {
+        GLint value = 0;
+        glGetNamedFramebufferAttachmentParameteriv(target.framebuffer, attachment, parameter, &value);
+        return value;
+    };
+    if (attached(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_TEXTURE) return std::nullopt;
+    const TextureLevel found{static_cast<GLuint>(attached(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME)),
+                             attached(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL)};
+    GLint form = GL_NONE;
+    glGetTextureParameteriv(found.texture, GL_TEXTURE_TARGET, &form);
+    if (form != GL_TEXTURE_2D) return std::nullopt;
+    const auto valueOf = [&found](GLenum parameter) {
+        GLint value = 0;
+        glGetTextureLevelParameteriv(found.texture, found.level, parameter, &value);
+        return value;
+    };
+    const bool isInside = target.x >= 0 && target.y >= 0 && width <= valueOf(GL_TEXTURE_WIDTH) - target.x &&
+                          height <= valueOf(GL_TEXTURE_HEIGHT) - target.y;
+    return isInside && valueOf(GL_TEXTURE_INTERNAL_FORMAT) == GL_RGBA8 ? std::optional(found) : std::nullopt;
+}
+
 }  // namespace
 
 extern const DisplayKernel displayKernelBaseline;
@@ -77,7 +114,7 @@ bool MemoryDisplay::suits(const FrameTarget& target) {
         glGetIntegerv(static_cast<GLenum>(GL_DRAW_BUFFER0 + i), &other);
         if (other != GL_NONE) return false;
     }
-    const auto attachment = static_cast<GLenum>(first == GL_BACK ? GL_BACK_LEFT : first);
+    const GLenum attachment = firstAttachment();
     for (const GLenum channel : {GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE,
                                  GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE}) {
         GLint bits = 0;
@@ -92,6 +129,11 @@ void MemoryDisplay::render(const MemoryPicture& picture, const DisplayTransform&
     const int width = picture.width, height = picture.height;
     codes_.resize(pixelCount(picture));
     writeCodes(*kernel_, picture, transform, codes_.data(), width);
+    if (const auto shown = levelUnder(target, width, height)) {
+        glTextureSubImage2D(shown->texture, shown->level, target.x, target.y, width, height, GL_RGBA,
+                            GL_UNSIGNED_BYTE, codes_.data());
+        return;
+    }
     if (!source_ || source_->width != width || source_->height != height) source_.emplace(width, height);
     // A copy takes a tenth of what llvmpipe needs to draw the same through a shader.
     glTextureSubImage2D(source_->texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE,

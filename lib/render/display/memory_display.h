@@ -34,12 +34,14 @@ class MemoryDisplay {
     /// Whether `render` shows in the target what the shader would: it has one colour buffer, without
     /// multisampling, in which codes of 8 bits lose nothing. The target is complete.
     static bool suits(const FrameTarget& target);
+    /// Copies codes right into a target that is an RGBA8 texture; into another one, or where the picture
+    /// reaches beyond its edges, by way of a texture of its own.
     void render(const MemoryPicture& picture, const DisplayTransform& transform, const FrameTarget& target);
 
   private:
     const DisplayKernel* kernel_;
     std::vector<std::uint32_t> codes_;     ///< Rows from the bottom.
-    std::optional<DisplayTarget> source_;  ///< From which `render` copies; made when it is first needed.
+    std::optional<DisplayTarget> source_;  ///< Its own texture; made when it is first needed.
 };
 
 }  // namespace candela

@@ -3,16 +3,35 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 namespace candela {
 
 namespace {
 
+constexpr GBufferWordTexture depthTexture{
+    "G-buffer depth", GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4, layout::DEPTH_UNIT, -1};
+
+/// In memory that is mapped, if `mapping` gains any.
+gl::Texture makeTexture(const GBufferWordTexture& texture, int width, int height,
+                        const gl::ExternalMemoryDevice* device, gl::TextureMapping& mapping) {
+    if (device != nullptr) {
+        const gl::TexelFormat format{texture.internalFormat, texture.readFormat, texture.readType,
+                                     texture.bytes};
+        if (auto mapped = gl::mappedTarget2d(*device, format, width, height, texture.label)) {
+            mapping = std::move(mapped->mapping);
+            return std::move(mapped->texture);
+        }
+    }
+    return gl::Texture::target2d(texture.internalFormat, width, height, texture.label);
+}
+
 std::vector<gl::Texture> makeWordTextures(const std::vector<GBufferWordTexture>& layout, int width,
-                                          int height) {
+                                          int height, const gl::ExternalMemoryDevice* device,
+                                          std::vector<gl::TextureMapping>& mappings) {
     std::vector<gl::Texture> textures;
-    for (const GBufferWordTexture& texture : layout)
-        textures.push_back(gl::Texture::target2d(texture.internalFormat, width, height, texture.label));
+    for (std::size_t i = 0; i < layout.size(); ++i)
+        textures.push_back(makeTexture(layout[i], width, height, device, mappings[i]));
     return textures;
 }
 
@@ -56,13 +75,16 @@ std::vector<std::string> definitionsOf(const GBufferParts& parts) {
     return definitions;
 }
 
-GBufferTargets::GBufferTargets(int pixelsWide, int pixelsHigh, const GBufferParts& wanted)
+GBufferTargets::GBufferTargets(int pixelsWide, int pixelsHigh, const GBufferParts& wanted,
+                               const gl::ExternalMemoryDevice* device)
     : width(pixelsWide),
       height(pixelsHigh),
       parts(wanted),
+      memoryDevice(device),
       layout(layoutOf(parts)),
-      words(makeWordTextures(layout, width, height)),
-      depth(gl::Texture::target2d(GL_DEPTH_COMPONENT32F, width, height, "G-buffer depth")),
+      wordMappings(layout.size()),
+      words(makeWordTextures(layout, width, height, device, wordMappings)),
+      depth(makeTexture(depthTexture, width, height, device, depthMapping)),
       radiance(gl::Texture::target2d(GL_RGBA32F, width, height, "radiance")),
       surfaces(attachments(layout, words, nullptr), &depth, "G-buffer"),
       surfacesAndEmission(attachments(layout, words, &radiance), &depth, "G-buffer with emission"),

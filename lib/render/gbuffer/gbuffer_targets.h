@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gl/framebuffer.h"
+#include "gl/mapped_texture.h"
 #include "gl/texture.h"
 #include "render/layout.h"
 
@@ -77,8 +78,15 @@ enum class LoadOp {
 
 /// The G-buffer of one picture size, and the radiance target that goes with it.
 struct GBufferTargets {
-    GBufferTargets(int width, int height, const GBufferParts& parts = {});
+    /// Words and depth are in memory of `device` where there is such a device and the driver takes it; they
+    /// are the driver's else.
+    GBufferTargets(int width, int height, const GBufferParts& parts = {},
+                   const gl::ExternalMemoryDevice* device = nullptr);
 
+    /// Whether new targets are to take their place, in memory of a device that may be null.
+    bool movesTo(const gl::ExternalMemoryDevice* other) const {
+        return other != nullptr && other != memoryDevice && !isHandedOut;
+    }
     /// The index in `layout` and `words` of the texture that `output` writes. It is there.
     std::size_t indexOf(int output) const;
     void clearSurfaces() const;  ///< Words and depth: to the background.
@@ -92,7 +100,10 @@ struct GBufferTargets {
 
     int width, height;
     GBufferParts parts;
+    const gl::ExternalMemoryDevice* memoryDevice;  ///< As given, also where the driver refused its memory.
     std::vector<GBufferWordTexture> layout;
+    std::vector<gl::TextureMapping> wordMappings;  ///< One for each of `words`.
+    gl::TextureMapping depthMapping;
     std::vector<gl::Texture> words;  ///< One for each of `layout`.
     gl::Texture depth;               ///< 32-bit float, reversed.
     /// RGBA32F: emission, then the sum of all light. A is the coverage of the layers.
@@ -109,6 +120,8 @@ struct GBufferTargets {
         bool isUploaded = false;  ///< `radiance` holds it too.
     };
     mutable Memory memory;
+    /// A host has the names of the textures, which are kept then.
+    mutable bool isHandedOut = false;
 };
 
 }  // namespace candela

@@ -10,9 +10,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace candela {
@@ -69,8 +71,9 @@ double worstDistance(const DisplayKernel& kernel, const DisplayTransform& transf
             const std::size_t to = 4 * (std::size_t(picture.height - 1 - y) * width + std::size_t(x));
             EXPECT_EQ(codes[to + 3], 255);
             for (std::size_t c = 0; c < 3; ++c) {
-                const double value = std::clamp(
-                    255.0 * double(exact[from + c]) + ditherAt(std::uint32_t(x), std::uint32_t(y)), 0.0, 255.0);
+                const double value =
+                    std::clamp(255.0 * double(exact[from + c]) + ditherAt(std::uint32_t(x), std::uint32_t(y)),
+                               0.0, 255.0);
                 worst = std::max(worst, std::abs(value - codes[to + c]));
             }
         }
@@ -78,8 +81,8 @@ double worstDistance(const DisplayKernel& kernel, const DisplayTransform& transf
     return worst;
 }
 
-// Half a code of rounding; and an eighth of a code that differently rounded steps of ACES may make near black,
-// as in display_test.cpp.
+// Half a code of rounding; and an eighth of a code that differently rounded steps of ACES may make near
+// black, as in display_test.cpp.
 constexpr double exactTolerance = 0.5 + 0.125;
 // Besides, the quarter of a code that `BakedTransform` allows its tables.
 constexpr double bakedTolerance = exactTolerance + 0.25;
@@ -98,7 +101,8 @@ TEST(MemoryDisplay, agreesWithOpenColorIOOnEveryBuiltInView) {
 TEST(MemoryDisplay, agreesWithOpenColorIOOnTables) {
     const std::vector<float> rgba = colors();
     for (const DisplayKernel* kernel : displayKernels())
-        for (const char* view : {"Mono", "RGB", "Tetrahedral", "Trilinear", "Graded", "Film and print", "Inverse"})
+        for (const char* view :
+             {"Mono", "RGB", "Tetrahedral", "Trilinear", "Graded", "Film and print", "Inverse"})
             EXPECT_LE(worstDistance(*kernel, luts().displayTransform({"Monitor", view, "", 0.0}), rgba),
                       bakedTolerance)
                 << kernel->name << ", " << view;
@@ -116,7 +120,8 @@ TEST(MemoryDisplay, blackAndWhiteHaveNoNoise) {
     for (const float level : {0.0f, 1.0f}) {
         const std::vector<float> rgba(std::size_t{width} * 16 * 4, level);
         const auto codes = MemoryDisplay().codes(pictureOf(rgba), builtIn("sRGB", "Un-tone-mapped"));
-        for (std::size_t i = 0; i < codes.size(); ++i) ASSERT_EQ(codes[i], i % 4 == 3 ? 255 : level * 255) << i;
+        for (std::size_t i = 0; i < codes.size(); ++i)
+            ASSERT_EQ(codes[i], i % 4 == 3 ? 255 : level * 255) << i;
     }
 }
 
@@ -156,6 +161,49 @@ TEST(MemoryDisplay, drawsItsCodesIntoAFramebuffer) {
     display.render(picture, transform, target.frameTarget());
     EXPECT_EQ(target.read(picture), display.codes(picture, transform));
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+/// The codes of a framebuffer, rows from the bottom.
+std::vector<std::uint32_t> codesIn(GLuint framebuffer, int wide, int high) {
+    std::vector<std::uint32_t> codes(std::size_t(wide) * std::size_t(high));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    glReadPixels(0, 0, wide, high, GL_RGBA, GL_UNSIGNED_BYTE, codes.data());
+    return codes;
+}
+
+TEST(MemoryDisplay, drawsTheSameIntoTexturesAndRenderbuffers) {
+    const Context context = Context::createHeadless();
+    constexpr int wide = 64, high = 32;
+    std::vector<float> rgba = test::Ramps().scattered(20 * 10).rgba();
+    rgba.resize(4 * 20 * 10);
+    const MemoryPicture picture{rgba, 20, 10};
+    const DisplayTransform transform = builtIn("sRGB", "Un-tone-mapped");
+    GLuint renderbuffer = 0, texture = 0;
+    std::array<GLuint, 2> framebuffers{};
+    glCreateRenderbuffers(1, &renderbuffer);
+    glNamedRenderbufferStorage(renderbuffer, GL_RGBA8, wide, high);
+    glCreateTextures(GL_TEXTURE_2D, 1, &texture);
+    glTextureStorage2D(texture, 3, GL_RGBA8, 2 * wide, 2 * high);
+    glCreateFramebuffers(2, framebuffers.data());
+    glNamedFramebufferRenderbuffer(framebuffers[0], GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffer);
+    glNamedFramebufferTexture(framebuffers[1], GL_COLOR_ATTACHMENT0, texture, 1);
+    constexpr std::array<GLfloat, 4> before{0.2f, 0.4f, 0.6f, 0.0f};
+    MemoryDisplay display;
+    // Inside, at the edges, and beyond each of them.
+    for (const auto& [x, y] :
+         {std::pair{7, 5}, {0, 0}, {wide - 20, high - 10}, {-3, 5}, {7, -2}, {50, 5}, {7, 25}}) {
+        for (const GLuint framebuffer : framebuffers) {
+            glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, before.data());
+            display.render(picture, transform, {framebuffer, x, y});
+        }
+        const std::vector<std::uint32_t> expected = codesIn(framebuffers[0], wide, high);
+        EXPECT_EQ(codesIn(framebuffers[1], wide, high), expected) << x << ", " << y;
+        EXPECT_GT(std::ranges::count_if(expected, [](std::uint32_t code) { return code >> 24 == 255; }), 0);
+    }
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+    glDeleteFramebuffers(2, framebuffers.data());
+    glDeleteTextures(1, &texture);
+    glDeleteRenderbuffers(1, &renderbuffer);
 }
 
 TEST(MemoryDisplay, leavesOtherTargetsToTheShader) {

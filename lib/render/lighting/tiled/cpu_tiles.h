@@ -17,9 +17,9 @@ namespace candela {
 void readView(TileFrame& frame, const layout::FrameUniforms& uniforms);
 
 /// The technique `tiles` as vector code, for devices where OpenGL itself runs on the CPU: the G-buffer is
-/// read back, lights are binned and pixels shaded on all cores, and the radiance is written into its texture.
-/// On such a device that copies memory once each way, and the vector code shades several times faster than
-/// the rasteriser's own shaders (docs/benchmarks.md).
+/// read (in place or copied: `GBufferCopy`), lights are binned and pixels shaded on all cores, and the
+/// radiance stays in memory until something asks for its texture. The vector code shades several times faster
+/// than the rasteriser's own shaders (docs/benchmarks.md).
 class CpuTiles final : public LightingTechnique {
   public:
     /// Lights whose lists need more than `maxListWords` 32-bit words are shaded in several parts.
@@ -83,7 +83,8 @@ class CpuTiles final : public LightingTechnique {
     LightBins bins_;
     std::uint64_t listBytes_ = 0;
     std::vector<Worker> workers_;
-    GBufferCopy copy_;  ///< Where the inputs have none.
+    /// Where the inputs have none. The targets may be drawn to before `shade` ends.
+    GBufferCopy copy_{GBufferCopy::Mapped::copied};
     LightReaches keptReaches_;
     std::vector<glm::vec4> keptRecords_, keptCones_;
     std::vector<float> radiance_;
