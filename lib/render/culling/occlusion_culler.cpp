@@ -16,7 +16,7 @@ namespace {
 
 /// Triangles that hide others, at most.
 constexpr std::size_t maxTriangles = 1024;
-/// Of the radius of such a triangle over its distance, at least.
+/// Of the shorter of two sides of such a triangle over its distance, at least.
 constexpr float minSize = 0.1f;
 /// Fewer instances are drawn faster than they are tested.
 constexpr std::size_t minInstances = 32;
@@ -52,7 +52,7 @@ OcclusionCuller::CachedMesh* OcclusionCuller::meshOf(std::uint32_t instance) {
     if (*index >= meshes_.size()) meshes_.resize(*index + 1);
     CachedMesh& cached = meshes_[*index];
     if (cached.version != scene_.meshes.version(*index)) {
-        cached = {scene_.meshes.version(*index), {}, {}};
+        cached = {scene_.meshes.version(*index), false, {}, {}};
         const MeshPlace& at = scene_.meshes.places()[*index];
         const glm::vec3 radius(at.sphere.radius);
         if (scene_.meshParts[*index].hasOnlyTriangles() && at.vertexCount > 0)
@@ -71,6 +71,10 @@ const OccluderMesh* OcclusionCuller::occluderOf(std::uint32_t instance, const gl
     const BoundingSphere& sphere = scene_.instances.sphere(instance);
     const float size = 3.0f * sphere.radius / std::sqrt(static_cast<float>(at.indexCount));
     if (size < minSize * (glm::distance(sphere.center, eye) - sphere.radius)) return nullptr;
+    if (!cached->rests) {
+        cached->rests = awaitsMeshes_ = true;
+        return nullptr;
+    }
     if (!cached->triangles) {
         cached->triangles =
             occluderMesh(verticesOf(at), scene_.meshes.mappedIndices().subspan(at.firstIndex, at.indexCount));
@@ -169,13 +173,15 @@ OcclusionCuller::Hidden OcclusionCuller::findHidden(const layout::FrameUniforms&
         --framesToSkip_;
         return {};
     }
-    framesToSkip_ = skippedFrames;
+    awaitsMeshes_ = false;
     const FilterCamera camera(frame);
     // All meshes have been read when this returns.
-    if (!drawOccluders(frame, camera, visible)) return {};
-    findHiddenInstances(camera, visible);
-    findHiddenTriangles();
-    if (!hidden_.empty() || !hiddenTriangles_.empty()) framesToSkip_ = 0;
+    if (drawOccluders(frame, camera, visible)) {
+        findHiddenInstances(camera, visible);
+        findHiddenTriangles();
+    }
+    const bool pays = awaitsMeshes_ || !hidden_.empty() || !hiddenTriangles_.empty();
+    framesToSkip_ = pays ? 0 : skippedFrames;
     return {hidden_, hiddenTriangles_};
 }
 

@@ -15,11 +15,11 @@
 
 namespace candela {
 
-/// Finds the instances that others hide wholly, before they are drawn: walls and floors, and whatever else
-/// has few triangles and is large on the screen, go into a low-resolution depth buffer, against which the
-/// boxes of all instances are tested. For software devices, whose meshes the CPU reads. What is drawn is the
-/// same bit for bit: only what surely loses the depth test at every pixel is left out, and the order of the
-/// rest stays.
+/// Finds what is hidden wholly before it is drawn: walls, floors and other large triangles go into a
+/// low-resolution depth buffer, against which the boxes of all instances are tested, and large triangles one
+/// by one. For software devices, whose meshes the CPU reads. What is drawn is the same bit for bit: only what
+/// surely loses the depth test at every pixel is left out, and the order of the rest stays. A mesh hides
+/// others from the second frame on in which it is in view and its vertices rest.
 class OcclusionCuller {
   public:
     /// `scene` outlives the culler.
@@ -36,6 +36,7 @@ class OcclusionCuller {
   private:
     struct CachedMesh {
         std::uint64_t version = 0;
+        bool rests = false;                     ///< It is as it was in an earlier frame.
         std::optional<Bounds> box;              ///< None: it has lines or points, or nothing.
         std::optional<OccluderMesh> triangles;  ///< None until they may hide others.
     };
@@ -63,6 +64,7 @@ class OcclusionCuller {
     std::vector<CachedMesh> meshes_;
     OcclusionBuffer buffer_;
     unsigned framesToSkip_ = 0;
+    bool awaitsMeshes_ = false;  ///< Some may hide others in the next frame, which hide nothing yet.
     // Of the call in progress.
     std::vector<Candidate> candidates_;
     std::vector<std::uint32_t> chosen_;

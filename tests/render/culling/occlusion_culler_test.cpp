@@ -64,10 +64,14 @@ class OcclusionCullerTest : public DrawingTest {
         DrawSelection draws;
         // A new one, which searches each frame.
         state.occlusionCuller = std::make_unique<OcclusionCuller>(state);
-        if (culling == Culling::frustum)
+        if (culling == Culling::frustum) {
             state.cull(frustum, draws);
-        else
+        } else {
+            // Meshes hide others from the second frame on.
             state.cullOccluded(frustum, uniforms, draws);
+            EXPECT_EQ(draws.hiddenTriangles().size(), 0u);
+            state.cullOccluded(frustum, uniforms, draws);
+        }
         gl::Buffer buffer("frame", gl::BufferUsage::dynamic);
         buffer.upload(std::span<const layout::FrameUniforms>(&uniforms, 1));
         glBindBufferBase(GL_UNIFORM_BUFFER, layout::FRAME_BINDING, buffer.name());
