@@ -138,7 +138,7 @@ struct Form {
     TileBackend backend;
 };
 
-constexpr Form forms[] = {{"tiles", Technique::tiles, TileBackend::cpu},
+constexpr Form forms[] = {{"tiles", Technique::tiles, TileBackend::automatic},
                           {"fullscreen", Technique::fullscreen, TileBackend::automatic},
                           {"compute", Technique::tiles, TileBackend::compute}};
 
