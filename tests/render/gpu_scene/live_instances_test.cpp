@@ -7,13 +7,14 @@
 #include "render/gpu_scene/gpu_scene_state.h"
 #include "render/occlusion/occlusion_scene.h"
 
-#include <candela/environment.h>
 #include <candela/shapes.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace candela::test {
