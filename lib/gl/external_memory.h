@@ -36,7 +36,7 @@ class ExternalMemoryDevice {
 
     /// The Vulkan device with these UUIDs, if it is a CPU that exports memory by file descriptors; else, and
     /// in a library that is built without Vulkan, null. Uses no OpenGL. The first call loads all Vulkan
-    /// drivers, which takes 40 to 80 ms; what it finds is kept until the process ends.
+    /// drivers, which takes 30 to 80 ms; what it finds is kept until the process ends.
     static const ExternalMemoryDevice* find(const DeviceUuids& uuids);
 };
 

@@ -61,6 +61,8 @@ class Instance {
         return devices;
     }
 
+    void destroy() const { get<PFN_vkDestroyInstance>("vkDestroyInstance")(handle_, nullptr); }
+
   private:
     PFN_vkGetInstanceProcAddr procedure_ = nullptr;
     VkInstance handle_ = VK_NULL_HANDLE;
@@ -205,8 +207,11 @@ std::unique_ptr<ExternalMemoryDevice> open(const Instance& instance, VkPhysicalD
 std::unique_ptr<ExternalMemoryDevice> openDevice(const DeviceUuids& uuids) {
     const std::optional<Instance> instance = Instance::create();
     if (!instance) return nullptr;
-    for (VkPhysicalDevice physical : instance->devices())
-        if (uuidsOfCpu(*instance, physical) == uuids) return open(*instance, physical);
+    for (VkPhysicalDevice physical : instance->devices()) {
+        if (uuidsOfCpu(*instance, physical) != uuids) continue;
+        if (auto device = open(*instance, physical)) return device;
+    }
+    instance->destroy();
     return nullptr;
 }
 
