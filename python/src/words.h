@@ -108,7 +108,7 @@ struct Words<AnimationPath> {
 
 template <>
 struct Words<AnimatedProperty> {
-    static constexpr WordTable<AnimatedProperty, 42> words{
+    static constexpr WordTable<AnimatedProperty, 43> words{
         {{"visible", AnimatedProperty::visibility},
          {"base_color", AnimatedProperty::baseColor},
          {"metallic", AnimatedProperty::metallic},
@@ -147,6 +147,7 @@ struct Words<AnimatedProperty> {
          {"light_range", AnimatedProperty::lightRange},
          {"inner_cone_angle", AnimatedProperty::innerConeAngle},
          {"outer_cone_angle", AnimatedProperty::outerConeAngle},
+         {"light_position", AnimatedProperty::lightPosition},
          {"vertical_fov", AnimatedProperty::verticalFov},
          {"orthographic_height", AnimatedProperty::orthographicHeight},
          {"near_plane", AnimatedProperty::nearPlane},

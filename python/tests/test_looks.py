@@ -91,10 +91,10 @@ def test_every_property_has_the_range_of_its_attribute(wall):
         animate(wall, attribute=name, element=0, times=[0], values=value)
     for name, value in (("texture_offset", [0, 0]), ("texture_rotation", [0]), ("texture_scale", [1, 1]), ("light_color", [1, 1, 1]),
                         ("light_intensity", [1]), ("light_range", [1]), ("inner_cone_angle", [0.1]), ("outer_cone_angle", [0.5]),
-                        ("vertical_fov", [0.5]), ("near_plane", [0.1]), ("far_plane", [10])):
+                        ("light_position", [1, 2, 3]), ("vertical_fov", [0.5]), ("near_plane", [0.1]), ("far_plane", [10])):
         animate(wall, attribute=name, element=0, times=[0], values=value)
     wall.validate()
-    assert len(wall.animations) == 40
+    assert len(wall.animations) == 41
 
 
 def test_variants_are_looks_of_a_scene(renderer, wall, ahead):
