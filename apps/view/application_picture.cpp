@@ -106,7 +106,11 @@ const Viewport& Application::viewportAt(const glm::ivec2& pixel) const {
 
 /// The left side of a comparison, of one sample.
 void Application::drawLeftSide() {
-    if (!model_.comparison.shown || options_.scripted()) return drawnLeft_.clear();
+    if (!model_.comparison.shown || options_.scripted()) {
+        drawnLeft_.clear();
+        return model_.document->forgetEnvironmentFiles();
+    }
+    model_.document->keepEnvironmentFiles();
     const SceneOptions options = leftOptions(model_);
     const std::string key = pictureKey(model_, options);
     if (key == drawnLeft_) return;

@@ -141,7 +141,19 @@ void Document::setDefaultLighting(const std::optional<DefaultLighting>& lighting
     uploadLights(gpuScene_);
 }
 
+void Document::keepEnvironmentFiles() {
+    if (!keptFiles_) keptFiles_.emplace();
+}
+
 EnvironmentLight Document::environmentOf(const SceneOptions& options) {
+    const bool isKept = keptFiles_ && options.environment.source == EnvironmentOption::Source::file;
+    if (!isKept) return readEnvironment(options);
+    const auto found = keptFiles_->find(options.environment.file);
+    if (found != keptFiles_->end()) return found->second;
+    return keptFiles_->emplace(options.environment.file, readEnvironment(options)).first->second;
+}
+
+EnvironmentLight Document::readEnvironment(const SceneOptions& options) {
     // `scene_` has the environment that is shown.
     std::swap(scene_.environment, ownEnvironment_);
     try {

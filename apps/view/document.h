@@ -10,6 +10,7 @@
 #include <candela/scene.h>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -84,6 +85,10 @@ class Document {
     /// The same with the environment of a file that is read by now: what `loadEnvironment` has returned for
     /// the options, whose notes are left to the caller.
     void setEnvironment(const SceneOptions& options, EnvironmentLight loaded);
+    /// Keeps the environments of files that are read from now on, so that several can take turns, until
+    /// `forgetEnvironmentFiles`.
+    void keepEnvironmentFiles();
+    void forgetEnvironmentFiles() { keptFiles_.reset(); }
     /// What `setEnvironment` was given last.
     const EnvironmentOption& environmentOption() const { return shownEnvironment_.option; }
     void setLightMotion(const LightMotion& motion);
@@ -124,6 +129,7 @@ class Document {
     void uploadLights(candela::GpuScene& scene) const;
     void worldLights();
     EnvironmentLight environmentOf(const SceneOptions& options);
+    EnvironmentLight readEnvironment(const SceneOptions& options);
     void placeEnvironment(const SceneOptions& options);
 
     candela::Scene scene_;
@@ -143,6 +149,7 @@ class Document {
         EnvironmentLight loaded;  ///< Before it is turned and brightened, without its picture.
         bool isLoaded = false;
     } shownEnvironment_;
+    std::optional<std::map<std::string, EnvironmentLight>> keptFiles_;  ///< By name; none: not kept.
     std::size_t ownLights_;       ///< Of the scene's lights, those that were not scattered.
     std::size_t firstScattered_;  ///< Of the resting lights.
     LightMotion motion_;

@@ -84,6 +84,45 @@ TEST_F(ComparisonSession, EachSideShowsItsOwnSettingsWithAllSamples) {
     EXPECT_EQ(difference(session->shown(), after, 0, width), 0);
 }
 
+TEST_F(ComparisonSession, EnvironmentsOfFilesAreReadOnce) {
+    // Radiance pictures of 4 x 2 pixels with the same mantissas and exponent: 1 in a channel.
+    const auto write = [&](const std::string& name, const std::string& pixel) {
+        std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
+        for (int i = 0; i < 8; ++i) text += pixel;
+        folder.write(name, text);
+    };
+    write("red.hdr", std::string("\x80\0\0\x81", 4));
+    write("blue.hdr", std::string("\0\0\x80\x81", 4));
+    using enum EnvironmentOption::Source;
+    options().environment = {.source = file, .file = "red.hdr"};
+    options().display.exposure = -4.0;  // so that the lamp leaves nothing white
+    const PngPicture red = session->picture();
+    session->sendFast("key --delay 0 c");
+    options().environment.file = "blue.hdr";
+    const PngPicture blue = session->picture();
+    ASSERT_EQ(session->messages(Message::Kind::error), 0u) << session->model().messages.back().text;
+    settle();
+    expectSides(red, blue, width / 2);
+    // Both sides are drawn anew, with either environment.
+    const auto dim = [&] {
+        candela::WorldLight lamp = session->document().lights()[0];
+        lamp.intensity *= 0.5f;
+        session->document().setLight(0, lamp);
+        settle();
+    };
+    dim();
+    for (const char* file : {"red.hdr", "blue.hdr"}) std::filesystem::remove(file);
+    dim();
+    const PngPicture right = session->picture();
+    swapComparison(session->model());
+    const PngPicture left = session->picture();
+    swapComparison(session->model());
+    session->step();
+    EXPECT_EQ(session->messages(Message::Kind::error), 0u);
+    settle();
+    expectSides(left, right, width / 2);
+}
+
 TEST_F(ComparisonSession, ThePointerMovesTheLineAndNothingElse) {
     const PngPicture before = session->picture();
     session->sendFast("key --delay 0 c");

@@ -86,11 +86,13 @@ TEST(RenderCommandLine, PreservesNamesThatLookLikeOptions) {
     options.display.look = "-o";
     options.display.view = "ACES 1.0 SDR";
     options.ocio = "my 'own'.ocio";
+    options.lights = "-lights of 'mine'.gltf";
     const SceneOptions read = readBack(options);
     EXPECT_EQ(read.camera, "--eye");
     EXPECT_EQ(read.display.look, "-o");
     EXPECT_EQ(read.display.view, "ACES 1.0 SDR");
     EXPECT_EQ(read.ocio, "my 'own'.ocio");
+    EXPECT_EQ(read.lights, "-lights of 'mine'.gltf");
 }
 
 TEST(RenderCommandLine, PreservesNumbersExactly) {
