@@ -39,6 +39,12 @@ ViewModel modelOf(const ViewOptions& options, const std::filesystem::path& folde
     return model;
 }
 
+/// Whether anything is asked for that depends on the picture and its light.
+bool readsPicture(const Requests& requests) {
+    return requests.pick || requests.measureExposure || requests.countPairs || requests.savePng ||
+           requests.saveExr || requests.saveLights || requests.copyCommand;
+}
+
 std::filesystem::path preparedFolder(const ViewOptions& options) {
     const std::filesystem::path folder = settingsFolder();
     if (options.settings == StoredSettings::reset) forgetSettings(folder);
@@ -254,6 +260,7 @@ void Application::serveReadings() {
     const Requests requests = std::exchange(model_.requests, {});
     if (!model_.document || viewport_.frame() == nullptr) return;
     guarded([&] {
+        if (readsPicture(requests)) lightRightSide();
         if (model_.panels.probe) probePointer();
         if (requests.pick) pick(*requests.pick);
         if (requests.measureExposure) measureExposure();

@@ -79,6 +79,8 @@ class Application {
     void refine();
     void refinePicture();
     void refineLeftSide();
+    void lightLeftSide(const SceneOptions& options, const candela::CameraView& view);
+    void lightRightSide();
     bool isRefining() const;
     bool isRefiningPicture() const;
     bool isRefiningLeft() const;
@@ -120,7 +122,8 @@ class Application {
     ThumbnailPictures thumbnails_;
     std::optional<Viewport> beside_;  ///< Of the left side of a comparison, or of thumbnails.
     std::optional<candela::DisplayTransform> leftDisplay_;
-    std::string drawnLeft_;  ///< What the left side shows: see `pictureKey`; empty: nothing.
+    bool hasLeftLight_ = false;  ///< The document is lighted for the left side.
+    std::string drawnLeft_;      ///< What the left side shows: see `pictureKey`; empty: nothing.
     Outline outline_;
     ShaderWatch shaders_;
     std::optional<candela::DisplayTransform> display_;

@@ -67,6 +67,7 @@ void Application::drawWholePicture(const std::string& key) {
         const candela::CameraView view = selectedView(model_);
         followView(model_, view);
         lightDocument(model_, view);
+        hasLeftLight_ = false;
         const double milliseconds =
             viewport_.draw({model_.document->gpuScene(), model_.options, view, *display_, model_.divisor});
         resolutionScale_.tookMilliseconds(milliseconds);
@@ -104,10 +105,22 @@ const Viewport& Application::viewportAt(const glm::ivec2& pixel) const {
     return showsLeftSide() && pixel.x < lineColumn() ? *beside_ : viewport_;
 }
 
+/// The light of the left side stays on the device while only that side is refined: another environment takes
+/// long to bring there.
+void Application::lightLeftSide(const SceneOptions& options, const candela::CameraView& view) {
+    hasLeftLight_ = true;
+    lightDocumentAs(model_, options, view);
+}
+
+void Application::lightRightSide() {
+    if (std::exchange(hasLeftLight_, false)) lightDocument(model_, selectedView(model_));
+}
+
 /// The left side of a comparison, of one sample.
 void Application::drawLeftSide() {
     if (!model_.comparison.shown || options_.scripted()) {
         drawnLeft_.clear();
+        guarded([this] { lightRightSide(); });
         return model_.document->forgetEnvironmentFiles();
     }
     model_.document->keepEnvironmentFiles();
@@ -119,10 +132,8 @@ void Application::drawLeftSide() {
     guarded([&] {
         leftDisplay_ = model_.color.displayTransform(options.display);
         const candela::CameraView view = selectedView(model_);
-        withLighting(model_, options, view, [&] {
-            besideViewport().draw(
-                {model_.document->gpuScene(), options, view, *leftDisplay_, model_.divisor});
-        });
+        lightLeftSide(options, view);
+        besideViewport().draw({model_.document->gpuScene(), options, view, *leftDisplay_, model_.divisor});
     });
 }
 
@@ -165,14 +176,15 @@ void Application::refineLeftSide() {
     settling_ = std::max(settling_, 1);
     guarded([&] {
         const SceneOptions options = leftOptions(model_);
-        withLighting(model_, options, selectedView(model_),
-                     [&] { drawSample(model_, options, *beside_, *leftDisplay_); });
+        lightLeftSide(options, selectedView(model_));
+        drawSample(model_, options, *beside_, *leftDisplay_);
     });
 }
 
 void Application::refinePicture() {
     settling_ = std::max(settling_, 1);
     try {
+        lightRightSide();
         drawSample(model_, model_.options, viewport_, *display_);
         model_.samples = viewport_.samples();
     } catch (const std::exception& error) {

@@ -60,6 +60,7 @@ void Application::install(SceneLoader::Result loaded) {
     outline_.forget();
     thumbnails_.forget(model_);
     drawnLeft_.clear();
+    hasLeftLight_ = false;
     model_.gizmo.dragged.reset();
     model_.gizmo.middle = {};
     model_.pickedNode.reset();

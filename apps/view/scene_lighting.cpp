@@ -31,6 +31,13 @@ void lightDocument(ViewModel& model, const candela::CameraView& view) {
         throw;
     }
     setDefaultLighting(*model.document, model.options, view);
+    const auto& environment = model.document->scene().environment;
+    model.background = environment ? std::optional(environment->isBackground) : std::nullopt;
+}
+
+void lightDocumentAs(ViewModel& model, const SceneOptions& options, const candela::CameraView& view) {
+    model.document->setEnvironment(options);
+    setDefaultLighting(*model.document, options, view);
 }
 
 void withLighting(ViewModel& model, const SceneOptions& options, const candela::CameraView& view,

@@ -13,6 +13,10 @@
 /// `candela::Error` when the environment can not be read; the options have the one before then.
 void lightDocument(ViewModel& model, const candela::CameraView& view);
 
+/// Brings the environment and default lights of other options to a view, which stay until the next call of
+/// `lightDocument`. Throws `candela::Error` when the environment can not be read.
+void lightDocumentAs(ViewModel& model, const SceneOptions& options, const candela::CameraView& view);
+
 /// Runs `work` with the document lighted as `options` say for a view, and then as the options of the model say
 /// again. Throws what `work` throws, and as `lightDocument`.
 void withLighting(ViewModel& model, const SceneOptions& options, const candela::CameraView& view,

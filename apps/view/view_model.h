@@ -138,6 +138,8 @@ struct ViewModel {
 
     std::vector<Example> examples;
 
+    std::optional<bool> background;  ///< Whether the environment is seen; none where there is none.
+
     Thumbnails thumbnails;
     Comparison comparison;
 

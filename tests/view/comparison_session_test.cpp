@@ -95,6 +95,7 @@ TEST_F(ComparisonSession, EnvironmentsOfFilesAreReadOnce) {
     write("blue.hdr", std::string("\0\0\x80\x81", 4));
     using enum EnvironmentOption::Source;
     options().environment = {.source = file, .file = "red.hdr"};
+    options().sampling.count = 1;
     options().display.exposure = -4.0;  // so that the lamp leaves nothing white
     const PngPicture red = session->picture();
     session->sendFast("key --delay 0 c");

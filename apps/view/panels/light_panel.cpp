@@ -165,11 +165,10 @@ void drawEnvironment(ViewModel& model) {
               [](EnvironmentOption::Source source) { return nameOf(source); });
     if (option.source == file) showWrappedText(option.file);
     showDimText("Drop an .hdr or .exr on the window.");
-    const auto& environment = model.document->scene().environment;
-    if (!environment) return;
+    if (!model.background) return;
     slideNumber("rotation", option.degrees, -180.0, 180.0, "%.0f degrees");
     slideNumber("brightness", option.stops, -10.0, 10.0, "%+.2f stops");
-    bool shown = environment->isBackground;
+    bool shown = *model.background;
     if (ImGui::Checkbox("background", &shown)) model.options.background = shown;
 }
 
