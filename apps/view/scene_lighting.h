@@ -17,15 +17,15 @@ void lightDocument(ViewModel& model, const candela::CameraView& view);
 /// `lightDocument`. Throws `candela::Error` when the environment can not be read.
 void lightDocumentAs(ViewModel& model, const SceneOptions& options, const candela::CameraView& view);
 
-/// Runs `work` with the document lighted as `options` say for a view, and then as the options of the model say
-/// again. Throws what `work` throws, and as `lightDocument`.
+/// Runs `work` with the document lighted as `options` say for a view, and then as the options of the model
+/// say again. Throws what `work` throws, and as `lightDocument`.
 void withLighting(ViewModel& model, const SceneOptions& options, const candela::CameraView& view,
                   const std::function<void()>& work);
 
 /// Asks for a file as environment if it is a picture of linear light by its ending. Returns whether it is.
 bool takeAsEnvironment(ViewModel& model, const std::string& file);
-/// Shows the environment that `loader` has read, if any, and lets the options name it. Throws `candela::Error`
-/// when it could not be read.
+/// Shows the environment that `loader` has read, if any, and lets the options name it. Throws
+/// `candela::Error` when it could not be read.
 void takeEnvironment(ViewModel& model, EnvironmentLoader& loader);
 
 /// Sets the exposure at which the median of what is lit in a frame is mid-grey.
