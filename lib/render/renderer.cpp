@@ -135,7 +135,6 @@ void Renderer::State::bindFrame() {
 
 void Renderer::State::drawGeometry(const GpuScene::State& scene, const GBufferTargets& into, SurfaceSet set,
                                    LoadOp radianceLoad) {
-    // What is not drawn by depth alone, such as debug views, takes all surfaces.
     if (set == SurfaceSet::opaque)
         scene.cullOccluded(frame->frustum, frame->uniforms, draws);
     else
