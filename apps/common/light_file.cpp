@@ -6,6 +6,7 @@
 #include <candela/animation.h>
 #include <candela/default_lights.h>
 #include <candela/error.h>
+#include <candela/property_edits.h>
 
 #include <algorithm>
 #include <optional>
@@ -27,14 +28,6 @@ void keepAddedStudio(candela::Scene& scene, const SceneOptions& options, std::ve
     EnvironmentLight light = loadEnvironment(scene, options);
     for (std::string& note : light.notes) notes.push_back(information(std::move(note)));
     scene.environment = std::move(light.environment);
-}
-
-void endAnimations(candela::Scene& scene, candela::AnimatedElement kind,
-                   std::optional<std::uint32_t> element = {}) {
-    for (candela::Animation& animation : scene.animations)
-        std::erase_if(animation.properties, [&](const candela::PropertyChannel& channel) {
-            return candela::elementOf(channel.property) == kind && (!element || channel.element == *element);
-        });
 }
 
 /// A node that stands at `place` of its file.
@@ -74,7 +67,7 @@ candela::Light lightOf(const candela::WorldLight& from, const std::string& name)
 }
 
 void takeLights(candela::Scene& scene, const candela::Scene& file, const std::vector<glm::mat4>& world) {
-    endAnimations(scene, candela::AnimatedElement::light);
+    candela::endPropertyChanges(scene, candela::AnimatedElement::light);
     const std::vector<candela::WorldLight> lights = candela::worldLights(file, world);
     scene.lights.clear();
     scene.lights.reserve(lights.size());
@@ -106,7 +99,7 @@ void takeCamera(candela::Scene& scene, const candela::Scene& file, std::uint32_t
         place = static_cast<std::uint32_t>(scene.cameras.size());
         scene.cameras.emplace_back();
     }
-    endAnimations(scene, candela::AnimatedElement::camera, *place);
+    candela::endPropertyChanges(scene, candela::AnimatedElement::camera, *place);
     candela::Camera& taken = scene.cameras[*place];
     taken = from;
     taken.number = number;

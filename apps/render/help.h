@@ -34,7 +34,7 @@ constexpr const char* panorama =
     "there. Default --size: 2048x1024";
 constexpr const char* tile =
     "Draw the picture in parts, whose frames have sides of at most N pixels, 64 to\n"
-    "16384; it is the same. Memory holds the rows of two parts. Default: as a whole\n"
+    "16384; it is the same. Memory holds two rows of parts. Default: as a whole\n"
     "up to 2^25 pixels and 16384 a side, larger ones in parts of 8192x1024";
 constexpr const char* aovFilter =
     "How the samples of an AOV become one value: average, first (the sample in the\n"
@@ -75,7 +75,7 @@ constexpr const char* stats =
     "Write what was drawn and how long it took, as JSON (- is standard output).\n"
     "Times are the wall clock of one frame, up to the finished picture in memory.\n"
     "After one drawing that is not counted, the frame is drawn 5 times; with\n"
-    "--frames each frame once. A pass's time is the median of these, of all samples\n"
+    "--frames each frame once, and a picture in parts once. A pass's time is the median of these, of all samples\n"
     "of a picture together. \"shadows\" has\n"
     "the occlusion rays of the last frame and what they are traced in; it is null\n"
     "without shadows and in a debug view";

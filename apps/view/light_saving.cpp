@@ -34,8 +34,9 @@ bool animatesLens(const candela::Animation& animation, std::uint32_t camera) {
     });
 }
 
-/// Whether any animation moves a camera, or changes its lens.
+/// Whether any animation moves a camera, or changes its lens. A frame callback may, whatever it sets now.
 bool isAnimated(const candela::Scene& scene, std::uint32_t camera) {
+    if (scene.frameCallback) return true;
     const auto any = [&](const auto& animates) { return std::ranges::any_of(scene.animations, animates); };
     if (any([&](const auto& animation) { return animatesLens(animation, camera); })) return true;
     for (auto node = scene.cameras[camera].node; node; node = scene.nodes[*node].parent)

@@ -34,6 +34,7 @@
 #include <candela/picture_parts.h>
 #include <candela/plugin.h>
 #include <candela/plugin_registry.h>
+#include <candela/property_edits.h>
 #include <candela/refined_cage.h>
 #include <candela/renderer.h>
 #include <candela/sampling.h>

@@ -50,7 +50,7 @@ class CANDELA_API PngStream {
 
 /// A channel of an `ExrStream`.
 struct ExrChannelType {
-    std::string name;
+    std::string name = {};
     ExrPixelType type = ExrPixelType::float32;
 };
 

@@ -135,10 +135,8 @@ void Renderer::State::bindFrame() {
 
 void Renderer::State::drawGeometry(const GpuScene::State& scene, const GBufferTargets& into, SurfaceSet set,
                                    LoadOp radianceLoad) {
-    if (set == SurfaceSet::opaque)
-        scene.cullOccluded(frame->frustum, frame->uniforms, draws);
-    else
-        scene.cull(frame->frustum, draws);
+    set == SurfaceSet::opaque ? scene.cullOccluded(frame->frustum, frame->uniforms, draws)
+                              : scene.cull(frame->frustum, draws);
     scene.triangleFilter->filter(draws, frame->uniforms);
     geometry.render({scene, draws, into, radianceLoad, set, scene.triangleFilter.get(), nullptr,
                      hasHostSurfaces() ? &hostDraws : nullptr});
@@ -236,6 +234,7 @@ void Renderer::State::drawDebugView(const GpuScene::State& scene) {
 
 void Renderer::State::drawOverlays(GpuScene::State& scene) {
     const gl::PassTimer::Scope pass(timer, "overlays");
+    scene.cull(frame->frustum, draws);  // Lines show a little behind a surface, too.
     overlays->render({scene, draws, *targets, frame->settings.overlays});
 }
 

@@ -179,8 +179,9 @@ void bindAnimationEdits(nb::class_<GpuSceneHandle>& cls) {
            nb::arg("seconds"), "Poses all that is animated.")
         .def(
             "keep_poses", [](Self self) { edited(self, [](GpuScene& scene) { scene.keepPoses(); }); },
-            "Remembers where all nodes are, for the AOV motion, which shows the way from there. Before the "
-            "first call nothing moves but the camera (`previous_camera`).")
+            "Remembers where all nodes are, and the vertices that skins, morph targets, cages and the frame "
+            "callback of a plugin move, for the AOV motion, which shows the way from there; not those of "
+            "`set_positions`. Before the first call nothing moves but the camera (`previous_camera`).")
         .def(
             "play_animations",
             [](Self self, const std::vector<std::uint32_t>& animations) {

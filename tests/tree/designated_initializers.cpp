@@ -57,7 +57,7 @@ void initializeFrame() {
     use(AccumulatorOptions{.aovFilter = {}}, SamplingSettings{.count = 1}, Lens{.fNumber = 1.0f},
         PanoramaFaces{.size = 1}, DisplayOptions{.exposure = 1.0});
     use(Chromaticities{.red = {}}, DisplayEncoding{.gamma = 1.0}, PngOptions{.level = 1},
-        ExrChannel{.type = {}}, ExrOptions{.threads = 1}, ExrRational{.numerator = 1},
+        ExrChannel{.type = {}}, ExrChannelType{.type = {}}, ExrOptions{.threads = 1}, ExrRational{.numerator = 1},
         ExrAttribute{.name = {}}, HdrFile{.image = {}});
 }
 

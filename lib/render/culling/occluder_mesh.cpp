@@ -68,6 +68,7 @@ void findNeighbours(OccluderMesh& mesh) {
 
 OccluderMesh occluderMesh(std::span<const float> vertices, std::span<const std::uint32_t> indices) {
     OccluderMesh mesh;
+    if (!boxOf(vertices)) return mesh;
     const std::vector<std::uint32_t> corners = mergeCorners(mesh, vertices, indices);
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
         mesh.triangles.push_back({.corners = {corners[i], corners[i + 1], corners[i + 2]}});
@@ -75,10 +76,12 @@ OccluderMesh occluderMesh(std::span<const float> vertices, std::span<const std::
     return mesh;
 }
 
-Bounds boxOf(std::span<const float> vertices) {
+std::optional<Bounds> boxOf(std::span<const float> vertices) {
     Bounds box;
     for (std::size_t i = 0; i < vertices.size() / vertexFloats; ++i) {
         const glm::vec3 position = positionOf(vertices, static_cast<std::uint32_t>(i));
+        // A difference to itself is 0 only of a finite number.
+        if (position - position != glm::vec3(0.0f)) return std::nullopt;
         box.add({position, position});
     }
     return box;

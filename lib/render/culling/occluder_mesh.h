@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,12 +23,13 @@ struct OccluderMesh {
     };
 
     std::vector<glm::vec3> corners;
-    std::vector<Triangle> triangles;  ///< In the order of the indices.
+    std::vector<Triangle> triangles;  ///< In the order of the indices; none where a position is not finite.
 };
 
 /// `vertices` are positions and normals, 6 floats each; `indices` are those of triangles.
 OccluderMesh occluderMesh(std::span<const float> vertices, std::span<const std::uint32_t> indices);
 
-Bounds boxOf(std::span<const float> vertices);
+/// None where a position is not finite.
+std::optional<Bounds> boxOf(std::span<const float> vertices);
 
 }  // namespace candela

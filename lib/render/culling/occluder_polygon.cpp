@@ -118,6 +118,7 @@ bool measure(const layout::FilterView& view, Occluder& occluder) {
     if (!(thickness > minThickness + 16.0 * part.margin)) return false;
     if (view.facing != 0.0f && static_cast<double>(view.facing) != occluder.orientation) return false;
     occluder.margin = part.margin, occluder.farthest = part.farthest, occluder.isClipped = part.isClipped;
+    occluder.sharpness = size.side / thickness;
     occluder.box = boxAround(size.low, size.high, part.margin, part.nearest);
     // The device's depth is linear on the screen, and in proportion to 1 / w: its slopes are off by the
     // rounding of differences of depths over the triangle's thickness, and reach as far as coordinates do.
@@ -143,11 +144,11 @@ Occluder occluderOf(const OccluderMesh& mesh, const OccluderMesh::Triangle& tria
     return occluder;
 }
 
-/// Is the centre of a pixel so near to a corner that what covers it is uncertain?
-bool touchesCenter(const glm::dvec3& corner, double margin) {
+/// Is the centre of a pixel within `radius` of a corner, or may it be?
+bool touchesCenter(const glm::dvec3& corner, double radius) {
     const glm::dvec2 place = glm::dvec2(corner) / corner.z;
     const glm::dvec2 fromCenter = place - (glm::floor(place) + 0.5);
-    return margin > 0.1 || glm::length(fromCenter) < 2.0 * margin + bufferRounding;
+    return radius > 0.4 || glm::length(fromCenter) < radius;
 }
 
 /// The line through two corners, in an order that does not depend on the triangle, so that of two neighbours
@@ -173,6 +174,11 @@ OccluderPolygon::Edge nearEdge(const layout::FilterView& view, const Occluder& o
             static_cast<float>(line.z + 1.0 / (safeDepth(view) * length) - margin)};
 }
 
+bool isOutside(const layout::FilterView& view, const PixelBox& box) {
+    return box.maxX < 0 || box.maxY < 0 || static_cast<float>(box.minX) >= view.width ||
+           static_cast<float>(box.minY) >= view.height;
+}
+
 /// Sets the plane, `slack` below that of the occluder.
 void setNearness(const layout::FilterView& view, const Occluder& occluder, double slack,
                  OccluderPolygon& polygon) {
@@ -194,12 +200,14 @@ void OccluderSetup::append(const OccluderMesh& mesh, const layout::FilterView& v
                            const TriangleRange& drawn, std::span<const std::uint32_t> chosen,
                            std::vector<OccluderPolygon>& polygons, std::vector<TriangleBox>& boxes) {
     mesh_ = &mesh, view_ = &view, drawn_ = drawn;
+    for (const std::uint32_t i : placed_) places_[i] = OccluderMesh::none;
+    placed_.clear();
     occluders_.clear();
-    places_.assign(mesh.triangles.size(), OccluderMesh::none);
+    if (places_.size() < mesh.triangles.size()) places_.resize(mesh.triangles.size(), OccluderMesh::none);
     for (const std::uint32_t i : chosen) {
-        if (!occluder(i).isDrawn) continue;
+        const Occluder own = occluder(i);
+        if (!own.isDrawn || isOutside(view, own.box.pixels)) continue;
         polygons.push_back(polygonOf(i));
-        const Occluder& own = occluder(i);
         if (!own.isClipped) boxes.push_back({i, own.box});
     }
 }
@@ -208,6 +216,7 @@ const Occluder& OccluderSetup::occluder(std::uint32_t triangle) {
     std::uint32_t& place = places_[triangle];
     if (place == OccluderMesh::none) {
         place = static_cast<std::uint32_t>(occluders_.size());
+        placed_.push_back(triangle);
         occluders_.push_back(occluderOf(*mesh_, mesh_->triangles[triangle], *view_));
     }
     return occluders_[place];
@@ -238,18 +247,20 @@ std::optional<Occluder> OccluderSetup::sharedWith(std::uint32_t triangle, std::s
     const std::uint32_t other = mesh_->triangles[triangle].neighbours[edge];
     if (other == OccluderMesh::none || !drawn_.contains(other)) return std::nullopt;
     const Occluder own = occluder(triangle), neighbour = occluder(other);
-    if (!neighbour.isDrawn || neighbour.orientation != own.orientation) return std::nullopt;
-    const double margin = std::max(own.margin, neighbour.margin);
-    for (const std::size_t k : {edge, (edge + 1) % 3}) {
-        const glm::dvec3& corner = own.corners[k];
-        if (corner.z <= safeDepth(*view_) || touchesCenter(corner, margin)) return std::nullopt;
-    }
+    if (!neighbour.isDrawn || neighbour.orientation != own.orientation || neighbour.isClipped ||
+        own.isClipped)
+        return std::nullopt;
+    // Around a corner a pixel may be in neither. The sharper the corner, the farther that reaches.
+    const double radius = (2.0 * std::max(own.margin, neighbour.margin) + bufferRounding) *
+                          std::max(own.sharpness, neighbour.sharpness);
+    for (const std::size_t k : {edge, (edge + 1) % 3})
+        if (touchesCenter(own.corners[k], radius)) return std::nullopt;
     return neighbour;
 }
 
 std::optional<BoxOnScreen> boxOnScreen(const Bounds& box, const layout::FilterView& view) {
     glm::dvec2 low(std::numeric_limits<double>::max()), high(-std::numeric_limits<double>::max());
-    double nearest = 0.0, margin = 0.0;
+    double nearest = 0.0, farthest = std::numeric_limits<double>::max(), margin = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
         const glm::vec3 position((corner & 1) != 0 ? box.max.x : box.min.x,
                                  (corner & 2) != 0 ? box.max.y : box.min.y,
@@ -259,9 +270,12 @@ std::optional<BoxOnScreen> boxOnScreen(const Bounds& box, const layout::FilterVi
         const glm::dvec2 place = glm::dvec2(at) / at.z;
         low = glm::min(low, place), high = glm::max(high, place);
         nearest = std::max(nearest, 1.0 / (at.z - static_cast<double>(view.depthError)));
+        farthest = std::min(farthest, 1.0 / at.z);
         margin = std::max(margin, marginAt(view, place, at.z));
     }
-    return boxAround(low, high, margin, nearest);
+    // A device that snaps corners to its grid may extrapolate depth beyond a triangle that is seen from its
+    // edge, by as much as the triangle has itself where it is as wide as the grid.
+    return boxAround(low, high, margin, nearest + (nearest - farthest));
 }
 
 }  // namespace candela

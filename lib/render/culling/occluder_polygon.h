@@ -33,6 +33,7 @@ struct Occluder {
     double orientation = 1.0;           ///< 1: counter-clockwise, or -1.
     std::array<glm::dvec3, 3> corners;  ///< x and y times w, and w.
     BoxOnScreen box;                    ///< Of what is not clipped.
+    double sharpness;                   ///< Length over width, about 1 or more.
     double margin;                      ///< Pixels that the device may be off.
     double farthest;                    ///< The least 1 / w.
     bool isClipped;                     ///< By the near plane.
@@ -67,6 +68,7 @@ class OccluderSetup {
     TriangleRange drawn_{};
     std::vector<Occluder> occluders_;
     std::vector<std::uint32_t> places_;  ///< Of each triangle among them, or `OccluderMesh::none`.
+    std::vector<std::uint32_t> placed_;  ///< Triangles that have one.
 };
 
 /// None where the box reaches to the near plane.

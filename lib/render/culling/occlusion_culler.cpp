@@ -20,7 +20,13 @@ constexpr std::size_t maxTriangles = 1024;
 constexpr float minSize = 0.1f;
 /// Fewer instances are drawn faster than they are tested.
 constexpr std::size_t minInstances = 32;
-/// Of larger meshes the bounding sphere is tested: they may move each frame.
+/// Meshes that change more often hide nothing, and their bounding spheres are tested.
+constexpr std::uint32_t maxChanges = 4;
+/// Triangles whose neighbours are found in one frame: a few milliseconds.
+constexpr std::uint32_t maxTrianglesRead = 8192;
+/// Triangles that look large, at most.
+constexpr std::size_t maxChosen = 4096;
+/// Of larger meshes the bounding sphere is tested.
 constexpr std::uint32_t maxVerticesRead = 16384;
 /// Meshes of more triangles hide nothing.
 constexpr std::uint32_t maxMeshTriangles = 8192;
@@ -52,11 +58,11 @@ OcclusionCuller::CachedMesh* OcclusionCuller::meshOf(std::uint32_t instance) {
     if (*index >= meshes_.size()) meshes_.resize(*index + 1);
     CachedMesh& cached = meshes_[*index];
     if (cached.version != scene_.meshes.version(*index)) {
-        cached = {scene_.meshes.version(*index), false, {}, {}};
+        cached = {scene_.meshes.version(*index), cached.changes + 1, searches_, {}, {}};
         const MeshPlace& at = scene_.meshes.places()[*index];
         const glm::vec3 radius(at.sphere.radius);
         if (scene_.meshParts[*index].hasOnlyTriangles() && at.vertexCount > 0)
-            cached.box = at.vertexCount > maxVerticesRead
+            cached.box = at.vertexCount > maxVerticesRead || cached.changes > maxChanges
                              ? Bounds{at.sphere.center - radius, at.sphere.center + radius}
                              : boxOf(verticesOf(at));
     }
@@ -71,11 +77,13 @@ const OccluderMesh* OcclusionCuller::occluderOf(std::uint32_t instance, const gl
     const BoundingSphere& sphere = scene_.instances.sphere(instance);
     const float size = 3.0f * sphere.radius / std::sqrt(static_cast<float>(at.indexCount));
     if (size < minSize * (glm::distance(sphere.center, eye) - sphere.radius)) return nullptr;
-    if (!cached->rests) {
-        cached->rests = awaitsMeshes_ = true;
+    if (cached->changes > maxChanges) return nullptr;
+    if (cached->since == searches_ || (!cached->triangles && trianglesRead_ > maxTrianglesRead)) {
+        awaitsMeshes_ = true;
         return nullptr;
     }
     if (!cached->triangles) {
+        trianglesRead_ += at.indexCount / 3;
         cached->triangles =
             occluderMesh(verticesOf(at), scene_.meshes.mappedIndices().subspan(at.firstIndex, at.indexCount));
     }
@@ -120,7 +128,7 @@ bool OcclusionCuller::drawOccluders(const layout::FrameUniforms& frame, const Fi
     candidates_.clear(), chosen_.clear(), polygons_.clear(), boxes_.clear();
     for (const std::uint32_t instance : visible) {
         const OccluderMesh* mesh = occluderOf(instance, eye);
-        if (mesh != nullptr) chooseTriangles(eye, instance, *mesh);
+        if (mesh != nullptr && chosen_.size() < maxChosen) chooseTriangles(eye, instance, *mesh);
     }
     for (Candidate& candidate : candidates_) {
         candidate.firstBox = static_cast<std::uint32_t>(boxes_.size());
@@ -161,6 +169,9 @@ void OcclusionCuller::findHiddenTriangles() {
         }
     }
     std::ranges::sort(hiddenTriangles_);
+    // Submeshes may share triangles.
+    const auto repeated = std::ranges::unique(hiddenTriangles_);
+    hiddenTriangles_.erase(repeated.begin(), repeated.end());
 }
 
 OcclusionCuller::Hidden OcclusionCuller::findHidden(const layout::FrameUniforms& frame,
@@ -173,7 +184,9 @@ OcclusionCuller::Hidden OcclusionCuller::findHidden(const layout::FrameUniforms&
         --framesToSkip_;
         return {};
     }
+    ++searches_;
     awaitsMeshes_ = false;
+    trianglesRead_ = 0;
     const FilterCamera camera(frame);
     // All meshes have been read when this returns.
     if (drawOccluders(frame, camera, visible)) {

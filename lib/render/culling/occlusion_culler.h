@@ -36,7 +36,8 @@ class OcclusionCuller {
   private:
     struct CachedMesh {
         std::uint64_t version = 0;
-        bool rests = false;                     ///< It is as it was in an earlier frame.
+        std::uint32_t changes = 0;              ///< Versions seen.
+        std::uint64_t since = 0;                ///< The search that has found the version.
         std::optional<Bounds> box;              ///< None: it has lines or points, or nothing.
         std::optional<OccluderMesh> triangles;  ///< None until they may hide others.
     };
@@ -64,7 +65,9 @@ class OcclusionCuller {
     std::vector<CachedMesh> meshes_;
     OcclusionBuffer buffer_;
     unsigned framesToSkip_ = 0;
-    bool awaitsMeshes_ = false;  ///< Some may hide others in the next frame, which hide nothing yet.
+    std::uint64_t searches_ = 0;
+    std::uint32_t trianglesRead_ = 0;  ///< In the call in progress.
+    bool awaitsMeshes_ = false;        ///< Some may hide others in the next frame, which hide nothing yet.
     // Of the call in progress.
     std::vector<Candidate> candidates_;
     std::vector<std::uint32_t> chosen_;

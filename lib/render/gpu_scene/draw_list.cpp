@@ -324,6 +324,29 @@ bool DrawList::hasTransparent() const {
     return std::ranges::any_of(groups_, [](const auto& entry) { return entry.first.transparent; });
 }
 
+/// Leaves out the occluded instances of a command, last, so that the order of the rest does not depend on
+/// them.
+void DrawList::addCommand(DrawSelection& selection, const DrawCommand& command) const {
+    if (selection.occluded_.empty()) {
+        selection.commands_.push_back(command);
+        return;
+    }
+    DrawCommand piece = command;
+    piece.instanceCount = 0;
+    const auto finish = [&] {
+        if (piece.instanceCount > 0) selection.commands_.push_back(piece);
+        piece.baseInstance += piece.instanceCount + 1;
+        piece.instanceCount = 0;
+    };
+    for (std::uint32_t i = 0; i < command.instanceCount; ++i) {
+        if (std::ranges::binary_search(selection.occluded_, instanceOfRecord(command.baseInstance + i)))
+            finish();
+        else
+            ++piece.instanceCount;
+    }
+    finish();
+}
+
 void DrawList::cull(DrawSelection& selection) const {
     selection.commands_.clear();
     selection.transparentInstances_.clear();
@@ -347,8 +370,9 @@ void DrawList::cull(DrawSelection& selection) const {
         if (!key.transparent)
             std::ranges::stable_sort(ordered, {}, [](const auto& entry) { return entry.first; });
         const auto first = static_cast<std::uint32_t>(selection.commands_.size());
-        for (const auto& [distance, command] : ordered) selection.commands_.push_back(command);
-        selection.batches_.push_back({key, first, static_cast<std::uint32_t>(ordered.size())});
+        for (const auto& [distance, command] : ordered) addCommand(selection, command);
+        const auto end = static_cast<std::uint32_t>(selection.commands_.size());
+        selection.batches_.push_back({key, first, end - first});
     }
     selection.commandBuffer_.upload(std::span<const DrawCommand>(selection.commands_));
 }

@@ -180,6 +180,7 @@ class DrawSelection {
 
     // Scratch of the culling.
     std::vector<DistanceClass> distances_;  ///< Of an instance's farthest point, or `hidden`.
+    std::vector<std::uint32_t> occluded_;   ///< Instances in view that others hide, in order.
     std::vector<std::pair<DistanceClass, DrawCommand>> ordered_;
 
     std::vector<DrawCommand> commands_;
@@ -280,7 +281,8 @@ class DrawList {
 
     /// Writes and uploads the commands of the visible instances: one for all consecutive draws of the same
     /// indices. Opaque ones of a key are in order of the distance of the farthest point of what they draw, so
-    /// that floors and walls around the camera are tested against the depth of what stands before them.
+    /// that floors and walls around the camera are tested against the depth of what stands before them. Those
+    /// that others hide have no command; else all is as if they were seen.
     void cull(DrawSelection& selection) const;
 
     /// The records: uvec3 a draw, see DRAW_ATTRIBUTE.
@@ -323,6 +325,7 @@ class DrawList {
         std::uint32_t first = 0, count = 0;
     };
 
+    void addCommand(DrawSelection& selection, const DrawCommand& command) const;
     void requireKey(std::uint32_t material, const VertexKind& vertices, std::span<const Material> materials,
                     GpuImages& images);
     /// Makes room for the draws of an instance that has none.

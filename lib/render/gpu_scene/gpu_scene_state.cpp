@@ -361,6 +361,7 @@ void GpuScene::State::selectVisible(const Frustum& frustum, DrawSelection& selec
     selection.distances_.resize(instances.size());
     selection.cageInstances_.clear();
     selection.meshInstances_.clear();
+    selection.occluded_.clear();
     selection.hiddenTriangles_.clear();
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
         const bool visible = instances.isVisible(i, frustum);
@@ -380,7 +381,7 @@ void GpuScene::State::cullOccluded(const Frustum& frustum, const layout::FrameUn
     selectVisible(frustum, selection);
     if (occlusionCuller) {
         const OcclusionCuller::Hidden hidden = occlusionCuller->findHidden(frame, selection.meshInstances_);
-        for (const std::uint32_t i : hidden.instances) selection.distances_[i] = DrawSelection::hidden;
+        selection.occluded_.assign(hidden.instances.begin(), hidden.instances.end());
         selection.hiddenTriangles_.assign(hidden.triangles.begin(), hidden.triangles.end());
     }
     draws.cull(selection);

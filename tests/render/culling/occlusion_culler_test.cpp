@@ -174,6 +174,37 @@ TEST_F(OcclusionCullerTest, aHiddenOrMovedWallHidesNothing) {
     EXPECT_EQ(expectSame(scene, beforeTheWall), 0u);
 }
 
+TEST_F(OcclusionCullerTest, aMeshHidesOthersWhileItRests) {
+    GpuScene scene = upload(wallScene({}));
+    GpuScene::State& state = scene.state();
+    const Frustum frustum(beforeTheWall, static_cast<float>(width) / height);
+    const layout::FrameUniforms uniforms =
+        frameUniforms(beforeTheWall, width, height, glm::dmat3(1.0), state.lights.counts());
+    DrawSelection draws;
+    const auto drawn = [&] {
+        context().makeCurrent();
+        state.update();
+        state.cullOccluded(frustum, uniforms, draws);
+        return draws.drawCount();
+    };
+    const Mesh wall = boxMesh();
+    for (int i = 0; i < 4; ++i) {
+        SCOPED_TRACE(i);
+        EXPECT_EQ(drawn(), 101u);
+        EXPECT_EQ(drawn(), 1u);
+        scene.setPositions(0, wall.positions, wall.normals);
+    }
+    // It has moved too often to be read again.
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(drawn(), 101u);
+}
+
+TEST_F(OcclusionCullerTest, positionsThatAreNotFiniteHideNothing) {
+    const std::vector<float> vertices{0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, NAN, 0, 0, 0, 1};
+    const std::vector<std::uint32_t> indices{0, 1, 2};
+    EXPECT_FALSE(boxOf(vertices));
+    EXPECT_TRUE(occluderMesh(vertices, indices).triangles.empty());
+}
+
 TEST_F(OcclusionCullerTest, orthographicViewsDrawAll) {
     GpuScene scene = upload(wallScene({}));
     CameraView view = beforeTheWall;
@@ -199,6 +230,12 @@ Scene randomBoxes(std::uint32_t seed) {
         scene.meshes.push_back(box);
         scene.meshes.push_back(makeSphere(0.5f, 8, 4));
     }
+    Material other;
+    other.baseColor = {1.0f, 0.0f, 0.0f, 1.0f};
+    Mesh redBox = boxMesh();
+    redBox.submeshes = {{0, static_cast<std::uint32_t>(redBox.indices.size()), addMaterial(scene, other)}};
+    const auto red = static_cast<std::uint32_t>(scene.meshes.size());
+    scene.meshes.push_back(redBox);
     for (std::uint32_t i = 0; i < 160; ++i) {
         const bool isWall = i % 5 == 0;
         const glm::mat4 rotation =
@@ -208,7 +245,10 @@ Scene randomBoxes(std::uint32_t seed) {
         if (isWall)
             size = {hashedBetween(2.0f, 12.0f, seed + 4, i), hashedBetween(2.0f, 12.0f, seed + 5, i), 0.1f};
         if (hashed(seed + 6, i) < 0.2f) size.x = -size.x;
-        addBox(scene, i % 4, 8.0f * hashedPoint(seed, i), size, rotation);
+        const glm::vec3 center = 8.0f * hashedPoint(seed, i);
+        addBox(scene, i % 4, center, size, rotation);
+        // Surfaces of equal depth, of which the one that is drawn first is seen.
+        if (i % 4 == 0 && !isWall) addBox(scene, red, center, size, rotation);
     }
     return scene;
 }
@@ -256,6 +296,8 @@ Scene mazeScene(std::uint32_t seed) {
     }
     const auto half = static_cast<std::uint32_t>(walls.indices.size() / 2);
     walls.submeshes = {{0, half, 0}, {half, half, 1}};
+    // Submeshes may share triangles.
+    if (seed % 200 == 0) walls.submeshes.push_back({0, half, 0});
     scene.meshes = {walls, boxMesh()};
     Node node;
     node.mesh = 0;
