@@ -2,6 +2,7 @@
 #include "render/renderer_state.h"
 
 #include <algorithm>
+#include <array>
 #include <future>
 #include <utility>
 
@@ -46,27 +47,49 @@ bool Renderer::State::canOverlapSamples(const GpuScene::State& scene) const {
            !settings.hooks.beforeDisplay;
 }
 
-/// Inputs of the CPU tiles, which read a copy of the targets for themselves.
-LightingInputs Renderer::State::sampleInputs(const GpuScene::State& scene) {
-    LightingInputs inputs = lightingInputs(scene, frameSurfaces);
-    inputs.copy = nullptr;
-    inputs.environmentVisibility = nullptr;
-    return inputs;
+void Renderer::State::startSample(GpuScene::State& scene, const CameraView& view, std::uint32_t sample,
+                                  GBufferTargets& into) {
+    ++frameNumber;
+    targets->memory = {};
+    FrameSettings settings = frame->settings;
+    settings.sample = sample;
+    scene.lights.setSample(sample);
+    scene.update();
+    describeFrame(scene, view, settings, frame->technique, frame->traced);
+    timer.beginFrame();
+    bindFrame();
+    const gl::PassTimer::Scope pass(timer, "geometry");
+    drawGeometry(scene, into, SurfaceSet::opaque, lighting.cpuTiles().radianceLoadOp());
+    frameSurfaces.reset(*targets);
+    frameSurfaces.emits = draws.emits();
+}
+
+std::array<GBufferTargets*, 2> Renderer::State::sampleTargets() {
+    if (targets->depthMapping.data() == nullptr) return {targets, targets};
+    if (otherSampleTargets && otherSampleTargets->parts != targets->parts) otherSampleTargets.reset();
+    if (!otherSampleTargets)
+        otherSampleTargets.emplace(targets->width, targets->height, targets->parts, targets->memoryDevice);
+    return {targets, &*otherSampleTargets};
 }
 
 /// Lets `tiles` read all that the frame is lit from, and returns what finds the visibility of its environment
 /// later, without OpenGL.
 Renderer::State::FindVisibility Renderer::State::captureSample(const GpuScene::State& scene,
-                                                               CpuTiles& tiles) {
-    tiles.capture(sampleInputs(scene));
+                                                               const GBufferTargets& drawn, CpuTiles& tiles) {
+    ShadedSurfaces surfaces;
+    surfaces.targets = &drawn;
+    surfaces.emits = frameSurfaces.emits;
+    LightingInputs inputs = lightingInputs(scene, surfaces);
+    inputs.copy = nullptr;  // The tiles read for themselves.
+    tiles.capture(inputs);
     if (scene.lights.hasSpheres()) tiles.keepLights(scene.lights);
     GBufferCopy& copy = tiles.captured();
-    if (targets->parts.occlusion) copy.occlusion();
+    if (drawn.parts.occlusion) copy.occlusion();
     if (!frame->traced.environment)
-        return [this, &copy] { return targets->parts.occlusion ? copy.occlusion().data() : nullptr; };
+        return [&drawn, &copy] { return drawn.parts.occlusion ? copy.occlusion().data() : nullptr; };
     copy.shadowWords();
-    return [this, &scene, &copy, uniforms = frame->uniforms, rays = environmentRays(scene)] {
-        return traceOnCpu(scene, uniforms, rays, targets->parts, copy);
+    return [this, &scene, &drawn, &copy, uniforms = frame->uniforms, rays = environmentRays(scene)] {
+        return traceOnCpu(scene, uniforms, rays, drawn.parts, copy);
     };
 }
 
@@ -75,14 +98,19 @@ void Renderer::State::drawSamples(GpuScene::State& scene, const SampleSpan& samp
     std::vector<PassTime> times;
     addPasses(timer.results(), times);
     const std::uint8_t* visible = nullptr;  // Of the sample that is lit.
-    std::future<void> lit;                  // Its destructor waits, also where something throws.
+    const std::array<GBufferTargets*, 2> drawn = sampleTargets();
+    const auto mapped = drawn[0] == drawn[1] ? GBufferCopy::Mapped::copied : GBufferCopy::Mapped::inPlace;
+    std::future<void> lit;  // Its destructor waits, also where something throws.
     for (std::uint32_t i = samples.first; i < samples.end; ++i) {
-        startSample(scene, viewOf(i), i);
-        // The last sample is the frame, of which the technique is asked for counts.
-        CpuTiles& tiles = (samples.end - 1 - i) % 2 == 0 ? lighting.cpuTiles() : lighting.otherCpuTiles();
+        // The last sample is the frame, whose targets are kept and of which the technique is asked for
+        // counts.
+        const std::size_t turn = (samples.end - 1 - i) % 2;
+        startSample(scene, viewOf(i), i, *drawn[turn]);
+        CpuTiles& tiles = turn == 0 ? lighting.cpuTiles() : lighting.otherCpuTiles();
+        tiles.setMapped(mapped);
         {
             const gl::PassTimer::Scope pass(timer, "lighting");
-            const FindVisibility find = captureSample(scene, tiles);
+            const FindVisibility find = captureSample(scene, *drawn[turn], tiles);
             if (lit.valid()) lit.get();
             const bool isLast = i + 1 == samples.end;
             lit = std::async(std::launch::async, [find, &visible, &tiles, &sums, isLast] {

@@ -78,6 +78,7 @@ void Renderer::State::selectTargets(int width, int height, const GBufferParts& p
         displayTarget.reset();
         emissionTargets.reset();
         maskedTargets.reset();
+        otherSampleTargets.reset();
         targetSets.clear();
     }
     targets = nullptr;
@@ -321,22 +322,6 @@ void Renderer::State::describeFrame(const GpuScene::State& scene, const CameraVi
     frame->uniforms.elementSizes = {settings.pointSize, settings.lineWidth, 0.0f, 0.0f};
     if (scene.environment) scene.environment->describe(frame->uniforms);
     frame->uniforms.cameraForward.w = settings.specularAntialiasing ? 1.0f : 0.0f;
-}
-
-void Renderer::State::startSample(GpuScene::State& scene, const CameraView& view, std::uint32_t sample) {
-    ++frameNumber;
-    targets->memory = {};
-    FrameSettings settings = frame->settings;
-    settings.sample = sample;
-    scene.lights.setSample(sample);
-    scene.update();
-    describeFrame(scene, view, settings, frame->technique, frame->traced);
-    timer.beginFrame();
-    bindFrame();
-    const gl::PassTimer::Scope pass(timer, "geometry");
-    drawGeometry(scene, *targets, SurfaceSet::opaque, lighting.cpuTiles().radianceLoadOp());
-    frameSurfaces.reset(*targets);
-    frameSurfaces.emits = draws.emits();
 }
 
 void Renderer::State::render(GpuScene::State& scene, const CameraView& requested,

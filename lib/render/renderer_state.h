@@ -27,6 +27,7 @@
 
 #include <candela/renderer.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -178,6 +179,7 @@ struct Renderer::State {
     std::map<GBufferParts, GBufferTargets> targetSets;  ///< Of the frame's size.
     std::optional<GBufferTargets> emissionTargets;      ///< Where `drawEmission` and `drawEnvironment` draw.
     std::optional<GBufferTargets> maskedTargets;        ///< Of `drawMasked`.
+    std::optional<GBufferTargets> otherSampleTargets;   ///< Of `sampleTargets`.
     std::optional<DisplayTarget> displayTarget;
     std::optional<DepthConversion> depthConversion;
     HostSurfaceDraws hostDraws;  ///< Of the frame; see lib/render/host_passes.cpp.
@@ -203,7 +205,8 @@ struct Renderer::State {
                        const FrameSettings& settings, Technique technique, const TracedRays& traced);
     /// Whether a material in view has more lobes than metallic and roughness describe.
     bool showsLobes(const GpuScene::State& scene);
-    void startSample(GpuScene::State& scene, const CameraView& view, std::uint32_t sample);
+    void startSample(GpuScene::State& scene, const CameraView& view, std::uint32_t sample,
+                     GBufferTargets& into);
     void drawLit(const GpuScene::State& scene);
     void drawLayers(const GpuScene::State& scene);
     void drawLayer(const GpuScene::State& scene, std::uint32_t index, const LayerExtents::Layer& layer);
@@ -216,9 +219,11 @@ struct Renderer::State {
     /// Of the frame that `uniforms` describes and `copy` has read. Without OpenGL where that was read before.
     const std::uint8_t* traceOnCpu(const GpuScene::State& scene, const layout::FrameUniforms& uniforms,
                                    const EnvironmentRays& rays, const GBufferParts& parts, GBufferCopy& copy);
-    LightingInputs sampleInputs(const GpuScene::State& scene);
+    /// What samples are drawn into in turns: the frame's targets and, where these are mapped, others, so that
+    /// both are read in place.
+    std::array<GBufferTargets*, 2> sampleTargets();
     using FindVisibility = std::function<const std::uint8_t*()>;
-    FindVisibility captureSample(const GpuScene::State& scene, CpuTiles& tiles);
+    FindVisibility captureSample(const GpuScene::State& scene, const GBufferTargets& drawn, CpuTiles& tiles);
     void drawBackground(const GpuScene::State& scene);
     void drawDebugView(const GpuScene::State& scene);
     void drawOverlays(GpuScene::State& scene);

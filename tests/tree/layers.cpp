@@ -65,6 +65,7 @@ const std::map<std::string, std::string> layerOfHeader = {
     {"panorama.h", "render"},
     {"pending.h", "render"},
     {"picture_parts.h", "render"},
+    {"property_edits.h", "scene"},
     {"gpu_scene.h", "render"},
     {"handle.h", "render"},
     {"renderer.h", "render"},

@@ -20,6 +20,9 @@ class GBufferCopy {
 
     explicit GBufferCopy(Mapped mapped = Mapped::inPlace) : mapped_(mapped) {}
 
+    /// From the next `reset` on.
+    void setMapped(Mapped mapped) { mapped_ = mapped; }
+
     /// Starts a copy of `targets`, which outlive its use: of all of them, or of a rectangle.
     void reset(const GBufferTargets& targets);
     void reset(const GBufferTargets& targets, const gl::PixelRectangle& rectangle);

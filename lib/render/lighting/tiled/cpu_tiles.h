@@ -35,6 +35,9 @@ class CpuTiles final : public LightingTechnique {
     void capture(const LightingInputs& inputs);
     /// What `capture` has read, where the inputs have no copy.
     GBufferCopy& captured() { return copy_; }
+    /// How `capture` reads mapped targets then; copied at first, so that they may be drawn to before `shade`
+    /// ends.
+    void setMapped(GBufferCopy::Mapped mapped) { copy_.setMapped(mapped); }
     /// Copies the lights of `capture`, which may change then before `shade` ends.
     void keepLights(const GpuLights& lights);
     /// As `LightingInputs::environmentVisibility`, which `capture` did not have yet.
@@ -83,7 +86,7 @@ class CpuTiles final : public LightingTechnique {
     LightBins bins_;
     std::uint64_t listBytes_ = 0;
     std::vector<Worker> workers_;
-    /// Where the inputs have none. The targets may be drawn to before `shade` ends.
+    /// Where the inputs have none.
     GBufferCopy copy_{GBufferCopy::Mapped::copied};
     LightReaches keptReaches_;
     std::vector<glm::vec4> keptRecords_, keptCones_;
