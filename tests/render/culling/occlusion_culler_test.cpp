@@ -213,6 +213,34 @@ TEST_F(OcclusionCullerTest, orthographicViewsDrawAll) {
     EXPECT_EQ(expectSame(scene, view), 0u);
 }
 
+/// Small boxes behind a wall, which reach beyond its right edge by up to two pixels or end before it.
+Scene edgeScene() {
+    Scene scene;
+    scene.meshes = {boxMesh()};
+    addBox(scene, 0, {-5, 0, 0}, {10, 10, 0.1f});
+    // As beforeTheEdge sees them: a pixel is 1 / 77 m at the front of the wall.
+    for (std::uint32_t i = 0; i < 100; ++i) {
+        const float pixels = hashedBetween(-1.0f, 2.0f, 1, i), nearest = 1.4f;
+        const float right = pixels / 77.0f * (3.0f + nearest) / 2.95f;
+        addBox(scene, 0, {right - 0.05f, 0.015f * static_cast<float>(i) - 0.75f, -nearest - 0.01f},
+               {0.1f, 0.006f, 0.02f});
+    }
+    return scene;
+}
+
+TEST_F(OcclusionCullerTest, whatReachesBeyondAnEdgeByLessThanAPixelIsDrawn) {
+    GpuScene scene = upload(edgeScene());
+    CameraView beforeTheEdge = lookAt({0, 0, 3}, {0, 0, 0}, 0.8f);
+    std::size_t hidden = 0;
+    // The edge at all places of a block and between the centres of pixels.
+    for (int i = 0; i < 64; ++i) {
+        SCOPED_TRACE(i);
+        beforeTheEdge.shift.x = static_cast<float>(i) / 8.0f / width;
+        hidden += expectSame(scene, beforeTheEdge);
+    }
+    EXPECT_GT(hidden, 50u);
+}
+
 /// Boxes of all sizes and directions around the origin, some of them walls.
 Scene randomBoxes(std::uint32_t seed) {
     Scene scene;
