@@ -211,7 +211,7 @@ TEST(WholeFile, aFullDiskLeavesOnlyTheOldFile) {
     const fs::path disk = folder.path() / "disk";
     fs::create_directory(disk);
     if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=64k") != 0)
-        GTEST_SKIP() << "can not mount a small disk: " << std::strerror(errno);
+        GTEST_SKIP() << "cannot mount a small disk: " << std::strerror(errno);
     write(disk / "a", "old");
     const std::string text = failureOf(disk / "a", std::string(200'000, 'n'));
     const std::string kept = read(disk / "a");

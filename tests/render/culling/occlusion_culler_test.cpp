@@ -2,6 +2,8 @@
 // drawn.
 
 #include "support/drawing_test.h"
+#include "support/gbuffer_words.h"
+#include "support/hashed_points.h"
 #include "support/procedural_scene.h"
 
 #include <candela/shapes.h>
@@ -10,9 +12,7 @@
 #include "render/culling/occlusion_culler.h"
 #include "render/culling/triangle_filter.h"
 #include "render/frame_uniforms.h"
-#include "render/gbuffer/gbuffer_copy.h"
 #include "render/gbuffer/geometry_pass.h"
-#include "render/gbuffer/readback.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -24,30 +24,14 @@ namespace {
 
 constexpr int width = 331, height = 197;
 
-float hashedBetween(float low, float high, std::uint32_t seed, std::uint32_t i) {
-    return low + (high - low) * hashed(seed, i);
-}
-
-glm::vec3 hashedPoint(std::uint32_t seed, std::uint32_t i) {
-    return glm::vec3(hashed(seed, i), hashed(seed + 1, i), hashed(seed + 2, i)) * 2.0f - 1.0f;
-}
-
-/// What the geometry pass has written.
-struct Words {
-    std::vector<std::uint32_t> surfaces;
-    std::vector<float> depth, radiance;
-    bool operator==(const Words&) const = default;
-};
-
 class OcclusionCullerTest : public DrawingTest {
   protected:
     void SetUp() override {
-        if (!context().isSoftware())
-            GTEST_SKIP() << "skipped: the CPU reads the meshes of software devices alone";
+        if (!context().isSoftware()) GTEST_SKIP() << "the CPU reads the meshes of software devices alone";
     }
 
     struct Drawn {
-        Words words;
+        GBufferWords words;
         std::size_t draws;
         std::size_t hiddenTriangles;
     };
@@ -79,15 +63,7 @@ class OcclusionCullerTest : public DrawingTest {
         TriangleFilter* filter = culling == Culling::occlusion ? state.triangleFilter.get() : nullptr;
         if (filter != nullptr) filter->filter(draws, uniforms);
         GeometryPass().render({state, draws, targets, LoadOp::clear, SurfaceSet::all, filter});
-        GBufferCopy copy;
-        copy.reset(targets);
-        Drawn drawn;
-        drawn.words.surfaces.assign(copy.surfaces().begin(), copy.surfaces().end());
-        drawn.words.depth.assign(copy.depth().begin(), copy.depth().end());
-        drawn.words.radiance = readColor(targets.radiance, width, height);
-        drawn.draws = draws.drawCount();
-        drawn.hiddenTriangles = draws.hiddenTriangles().size();
-        return drawn;
+        return {wordsOf(targets), draws.drawCount(), draws.hiddenTriangles().size()};
     }
 
     /// Returns how many draws were left out; adds to `triangles` how many triangles of the others were.

@@ -1,15 +1,15 @@
 // The triangle filter: G-buffers with and without it are the same bit for bit, and it drops what it can.
 
 #include "support/drawing_test.h"
+#include "support/gbuffer_words.h"
+#include "support/hashed_points.h"
 #include "support/procedural_scene.h"
 
 #include "gl/state_guard.h"
 #include "render/culling/compute_triangle_filter.h"
 #include "render/culling/cpu_triangle_filter.h"
 #include "render/frame_uniforms.h"
-#include "render/gbuffer/gbuffer_copy.h"
 #include "render/gbuffer/geometry_pass.h"
-#include "render/gbuffer/readback.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -23,14 +23,6 @@ namespace candela::test {
 namespace {
 
 constexpr int width = 211, height = 117;
-
-float hashedBetween(float low, float high, std::uint32_t seed, std::uint32_t i) {
-    return low + (high - low) * hashed(seed, i);
-}
-
-glm::vec3 hashedPoint(std::uint32_t seed, std::uint32_t i) {
-    return glm::vec3(hashed(seed, i), hashed(seed + 1, i), hashed(seed + 2, i)) * 2.0f - 1.0f;
-}
 
 /// Triangles in a cube of 2 m, of sizes from a thousandth of a millimetre to metres, each direction of view
 /// alike.
@@ -62,13 +54,6 @@ CameraView viewOf(const glm::vec3& eye, const glm::vec3& target) {
     return lookAt(eye, target, 0.8f);
 }
 
-/// What the geometry pass has written.
-struct Words {
-    std::vector<std::uint32_t> surfaces;
-    std::vector<float> depth, radiance;
-    bool operator==(const Words&) const = default;
-};
-
 /// A form of the filter.
 struct Form {
     std::string name;
@@ -98,8 +83,8 @@ class TriangleFilterTest : public DrawingTest {
     }
 
     /// Without a filter where `form` is null.
-    static Words drawn(GpuScene& scene, const CameraView& view, const Form* form,
-                       TriangleFilter::Counts* counts = nullptr) {
+    static GBufferWords drawn(GpuScene& scene, const CameraView& view, const Form* form,
+                              TriangleFilter::Counts* counts = nullptr) {
         context().makeCurrent();
         const gl::StateGuard guard(*context().state().binding, "a test");
         GpuScene::State& state = scene.state();
@@ -121,18 +106,12 @@ class TriangleFilterTest : public DrawingTest {
             if (counts != nullptr) *counts = filter->counts();
         }
         GeometryPass().render({state, draws, targets, LoadOp::clear, SurfaceSet::all, filter.get()});
-        GBufferCopy copy;
-        copy.reset(targets);
-        Words words;
-        words.surfaces.assign(copy.surfaces().begin(), copy.surfaces().end());
-        words.depth.assign(copy.depth().begin(), copy.depth().end());
-        words.radiance = readColor(targets.radiance, width, height);
-        return words;
+        return wordsOf(targets);
     }
 
     static void expectSame(const Scene& scene, const CameraView& view) {
         GpuScene uploaded = upload(scene);
-        const Words expected = drawn(uploaded, view, nullptr);
+        const GBufferWords expected = drawn(uploaded, view, nullptr);
         for (const Form& form : forms(context())) {
             TriangleFilter::Counts counts;
             EXPECT_TRUE(drawn(uploaded, view, &form, &counts) == expected) << form.name;
@@ -222,7 +201,7 @@ TEST_F(TriangleFilterTest, farFromTheOriginItIsTheSame) {
     const glm::vec3 middle(9000.0f, -4000.0f, 12000.0f);
     GpuScene scene = upload(soupScene(21, middle));
     const CameraView view = viewOf(middle + glm::vec3(5, 4, 6), middle);
-    const Words expected = drawn(scene, view, nullptr);
+    const GBufferWords expected = drawn(scene, view, nullptr);
     for (const Form& form : forms(context())) EXPECT_TRUE(drawn(scene, view, &form) == expected) << form.name;
 }
 
@@ -331,7 +310,7 @@ TEST_F(TriangleFilterTest, meshesThatChangeAreTheSame) {
     GpuScene fresh = upload(scene);
     for (std::uint32_t seed = 0; seed < 4; ++seed) {
         const CameraView view = viewOf(4.0f * hashedPoint(70, seed), hashedPoint(73, seed));
-        const Words expected = drawn(fresh, view, nullptr);
+        const GBufferWords expected = drawn(fresh, view, nullptr);
         for (const Form& form : forms(context())) {
             TriangleFilter::Counts counts;
             EXPECT_TRUE(drawn(edited, view, &form, &counts) == expected) << form.name;
