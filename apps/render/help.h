@@ -75,9 +75,9 @@ constexpr const char* stats =
     "Write what was drawn and how long it took, as JSON (- is standard output).\n"
     "Times are the wall clock of one frame, up to the finished picture in memory.\n"
     "After one drawing that is not counted, the frame is drawn 5 times; with\n"
-    "--frames each frame once, and a picture in parts once. A pass's time is the median of these, of all samples\n"
-    "of a picture together. \"shadows\" has\n"
-    "the occlusion rays of the last frame and what they are traced in; it is null\n"
+    "--frames each frame once, and a picture in parts once. A pass's time is the\n"
+    "median of these, of all samples of a picture together. \"shadows\" has the\n"
+    "occlusion rays of the last frame and what they are traced in; it is null\n"
     "without shadows and in a debug view";
 constexpr const char* quiet = "Say nothing but errors: no notes, no progress and no result";
 
