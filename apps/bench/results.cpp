@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -261,6 +262,7 @@ std::string setupJson(const BenchOptions& options) {
         {"brdf", candela::toString(options.brdf)},
         {"view", options.view.value_or("")},
     };
+    if (const char* set = std::getenv("CANDELA_INSTRUCTION_SET")) setup["instruction_set"] = set;
     if (options.environment.source != EnvironmentOption::Source::own)
         setup["environment"] = toString(options.environment);
     return setup.dump();

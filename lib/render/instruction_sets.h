@@ -2,16 +2,13 @@
 
 namespace candela {
 
-// Whether this processor runs the kernels of an instruction set: those that lib/render/CMakeLists.txt
-// compiles render/kernels_avx2.cpp and render/kernels_avx512.cpp for.
+/// What the vector kernels are compiled for, from the narrowest: `lib/render/CMakeLists.txt` has the
+/// compiler's options of each. Processors other than x86-64 run `baseline` alone.
+enum class InstructionSet { baseline, avx2, avx512 };
 
-#if defined(__x86_64__)
-inline bool runsAvx2Kernels() {
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-}
-inline bool runsAvx512Kernels() {
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
-}
-#endif
+/// The widest that this processor runs, or the narrower one that `CANDELA_INSTRUCTION_SET` names in the
+/// environment: `baseline`, `avx2` or `avx512`. Throws `Error` (environment) where it names none, or one that
+/// this processor lacks.
+InstructionSet widestInstructionSet();
 
 }  // namespace candela

@@ -41,6 +41,16 @@ TEST(Fault, SceneFileIsBroken) {
     EXPECT_EQ(folder.names(), (Names{"broken.glb", "broken.gltf", "empty.gltf"}));
 }
 
+TEST(Fault, UnknownInstructionSetListsThoseOfTheProcessor) {
+    const TemporaryFolder folder;
+    const CommandResult result =
+        runCommand({"plaza:4", "-o", "test.png", "--quiet"},
+                   {.folder = folder.path(), .environment = {"CANDELA_INSTRUCTION_SET=sse9"}});
+    expectFault(result, "CANDELA_INSTRUCTION_SET",
+                "\"sse9\" names no instruction set; expected \"baseline\"");
+    EXPECT_EQ(folder.names(), Names{});
+}
+
 TEST(Fault, NoPluginTakesTheScene) {
     const TemporaryFolder folder;
     folder.write("scene.xyz", "");

@@ -56,6 +56,29 @@ TEST_F(Picture, PlazaIsDrawnIntoTheDefaultFile) {
     EXPECT_GT(picture.mean(), 5.0);
 }
 
+TEST_F(Picture, IsTheSameOnNarrowerInstructionSets) {
+    const auto draw = [&](const std::string& set) {
+        expectSuccess(
+            runCommand({"plaza:256", "-o", "test.exr", "--size", "96x54", "--samples", "2", "--quiet"},
+                       {.folder = folder.path(), .environment = {"CANDELA_INSTRUCTION_SET=" + set}}));
+        return readExr(folder / "test.exr").channels;
+    };
+    const auto widest = draw(""), narrowest = draw("baseline");
+    EXPECT_EQ(draw("baseline"), narrowest);
+    double sum = 0.0, difference = 0.0;
+    for (std::size_t i = 0; i < widest.at("G").size(); ++i) {
+        sum += widest.at("G")[i];
+        difference += std::abs(widest.at("G")[i] - narrowest.at("G")[i]);
+    }
+    EXPECT_GT(sum, 0.0);
+    // Estimated reciprocals and roots are exact to a few units in the last place, and sums have another
+    // order.
+    EXPECT_LE(difference, 1.0e-5 * sum);
+#if defined(__x86_64__)
+    EXPECT_NE(widest, narrowest) << "the baseline has no fused products, so that last bits differ";
+#endif
+}
+
 TEST_F(Picture, ExtensionsIgnoreCase) {
     expectSuccess(run({"square.gltf", "-o", "A.PNG"}));
     EXPECT_EQ(readPng(folder / "A.PNG").width, 32);

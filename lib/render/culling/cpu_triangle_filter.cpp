@@ -29,8 +29,8 @@ extern const TriangleFilterKernel triangleKernelAvx2, triangleKernelAvx512;
 std::vector<const TriangleFilterKernel*> triangleFilterKernels() {
     std::vector<const TriangleFilterKernel*> kernels;
 #if defined(__x86_64__)
-    if (runsAvx512Kernels()) kernels.push_back(&triangleKernelAvx512);
-    if (runsAvx2Kernels()) kernels.push_back(&triangleKernelAvx2);
+    if (widestInstructionSet() >= InstructionSet::avx512) kernels.push_back(&triangleKernelAvx512);
+    if (widestInstructionSet() >= InstructionSet::avx2) kernels.push_back(&triangleKernelAvx2);
 #endif
     kernels.push_back(&triangleKernelBaseline);
     return kernels;

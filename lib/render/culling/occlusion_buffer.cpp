@@ -21,8 +21,8 @@ extern const OcclusionKernel occlusionKernelAvx2, occlusionKernelAvx512;
 std::vector<const OcclusionKernel*> occlusionKernels() {
     std::vector<const OcclusionKernel*> kernels;
 #if defined(__x86_64__)
-    if (runsAvx512Kernels()) kernels.push_back(&occlusionKernelAvx512);
-    if (runsAvx2Kernels()) kernels.push_back(&occlusionKernelAvx2);
+    if (widestInstructionSet() >= InstructionSet::avx512) kernels.push_back(&occlusionKernelAvx512);
+    if (widestInstructionSet() >= InstructionSet::avx2) kernels.push_back(&occlusionKernelAvx2);
 #endif
     kernels.push_back(&occlusionKernelBaseline);
     return kernels;

@@ -55,7 +55,7 @@ std::vector<const DeformKernel*> deformKernels() {
     std::vector<const DeformKernel*> kernels;
 #if defined(__x86_64__)
     // Wider vectors gain nothing: blending has as many loads with them.
-    if (runsAvx2Kernels()) kernels.push_back(&deformKernelAvx2);
+    if (widestInstructionSet() >= InstructionSet::avx2) kernels.push_back(&deformKernelAvx2);
 #endif
     kernels.push_back(&deformKernelBaseline);
     return kernels;

@@ -84,8 +84,8 @@ extern const DisplayKernel displayKernelAvx2, displayKernelAvx512;
 std::vector<const DisplayKernel*> displayKernels() {
     std::vector<const DisplayKernel*> kernels;
 #if defined(__x86_64__)
-    if (runsAvx512Kernels()) kernels.push_back(&displayKernelAvx512);
-    if (runsAvx2Kernels()) kernels.push_back(&displayKernelAvx2);
+    if (widestInstructionSet() >= InstructionSet::avx512) kernels.push_back(&displayKernelAvx512);
+    if (widestInstructionSet() >= InstructionSet::avx2) kernels.push_back(&displayKernelAvx2);
 #endif
     kernels.push_back(&displayKernelBaseline);
     return kernels;

@@ -21,8 +21,8 @@ extern const EnvironmentKernel environmentKernelAvx2, environmentKernelAvx512;
 std::vector<const EnvironmentKernel*> environmentKernels() {
     std::vector<const EnvironmentKernel*> kernels;
 #if defined(__x86_64__)
-    if (runsAvx512Kernels()) kernels.push_back(&environmentKernelAvx512);
-    if (runsAvx2Kernels()) kernels.push_back(&environmentKernelAvx2);
+    if (widestInstructionSet() >= InstructionSet::avx512) kernels.push_back(&environmentKernelAvx512);
+    if (widestInstructionSet() >= InstructionSet::avx2) kernels.push_back(&environmentKernelAvx2);
 #endif
     kernels.push_back(&environmentKernelBaseline);
     return kernels;

@@ -12,8 +12,8 @@ extern const TileKernel tileKernelAvx2, tileKernelAvx512;
 std::vector<const TileKernel*> tileKernels() {
     std::vector<const TileKernel*> kernels;
 #if defined(__x86_64__)
-    if (runsAvx512Kernels()) kernels.push_back(&tileKernelAvx512);
-    if (runsAvx2Kernels()) kernels.push_back(&tileKernelAvx2);
+    if (widestInstructionSet() >= InstructionSet::avx512) kernels.push_back(&tileKernelAvx512);
+    if (widestInstructionSet() >= InstructionSet::avx2) kernels.push_back(&tileKernelAvx2);
 #endif
     kernels.push_back(&tileKernelBaseline);
     return kernels;
