@@ -182,6 +182,21 @@ inline void transpose(Four& a, Four& b, Four& c, Four& d) {
     d = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
 }
 
+/// The lanes of `parts`, one after the other. In registers: a vector is not loaded soon after its parts were
+/// stored.
+inline Floats joined(const Four (&parts)[laneCount / 4]) {
+#if defined(__AVX512F__)
+    __m512 v = _mm512_castps128_ps512((__m128)parts[0]);
+    v = _mm512_insertf32x4(v, (__m128)parts[1], 1);
+    v = _mm512_insertf32x4(v, (__m128)parts[2], 2);
+    return (Floats)_mm512_insertf32x4(v, (__m128)parts[3], 3);
+#elif defined(__AVX2__)
+    return (Floats)_mm256_insertf128_ps(_mm256_castps128_ps256((__m128)parts[0]), (__m128)parts[1], 1);
+#else
+    return parts[0];
+#endif
+}
+
 inline Four fourOf(Floats v, int first) {
     float lanes[laneCount];
     store(lanes, v);
@@ -192,6 +207,9 @@ inline Four fourOf(Floats v, int first) {
 
 /// The minimum of all lanes.
 inline float minOfLanes(Floats v) {
+#if defined(__AVX512F__)
+    return _mm512_reduce_min_ps((__m512)v);
+#else
     Four lowest = fourOf(v, 0);
     for (int first = 4; first < laneCount; first += 4) {
         const Four next = fourOf(v, first);
@@ -200,6 +218,7 @@ inline float minOfLanes(Floats v) {
     const float a = lowest[0] < lowest[1] ? lowest[0] : lowest[1];
     const float b = lowest[2] < lowest[3] ? lowest[2] : lowest[3];
     return a < b ? a : b;
+#endif
 }
 
 /// A bit for each lane whose mask is set, the first lane lowest.
@@ -225,6 +244,35 @@ inline Floats lookUp(const float* table, Ints index) {
     Floats values;
     for (int lane = 0; lane < laneCount; ++lane) values[lane] = table[index[lane]];
     return values;
+#endif
+}
+
+/// table[2 index] and table[2 index + 1] in each lane. A gather takes as long as it has elements, of either
+/// size.
+inline void lookUpPairs(const float* table, Ints index, Floats& first, Floats& second) {
+#if defined(__AVX512F__)
+    const auto pairs = [table](__m256i lanes) {
+        return (__m512)_mm512_i32gather_pd(lanes, table, 2 * sizeof(float));
+    };
+    const __m512 low = pairs(_mm512_castsi512_si256((__m512i)index)),
+                 high = pairs(_mm512_extracti64x4_epi64((__m512i)index, 1));
+    first = __builtin_shufflevector((Floats)low, (Floats)high, 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24,
+                                    26, 28, 30);
+    second = __builtin_shufflevector((Floats)low, (Floats)high, 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25,
+                                     27, 29, 31);
+#elif defined(__AVX2__)
+    const auto pairs = [table](__m128i lanes) {
+        return (__m256)_mm256_i32gather_pd(reinterpret_cast<const double*>(table), lanes, 2 * sizeof(float));
+    };
+    const __m256 low = pairs(_mm256_castsi256_si128((__m256i)index)),
+                 high = pairs(_mm256_extracti128_si256((__m256i)index, 1));
+    first = __builtin_shufflevector((Floats)low, (Floats)high, 0, 2, 4, 6, 8, 10, 12, 14);
+    second = __builtin_shufflevector((Floats)low, (Floats)high, 1, 3, 5, 7, 9, 11, 13, 15);
+#else
+    for (int lane = 0; lane < laneCount; ++lane) {
+        first[lane] = table[2 * index[lane]];
+        second[lane] = table[2 * index[lane] + 1];
+    }
 #endif
 }
 

@@ -60,9 +60,9 @@ inline Floats curveAt(const float* segments, Floats x) {
     Ints bits = (Ints)(x + curveStart);
     bits = bits < curveStartBits ? Ints{} + curveStartBits : bits;
     bits = bits > curveLastBits ? Ints{} + curveLastBits : bits;
-    const Ints at = 2 * ((bits - curveStartBits) >> curveSegmentBits);
-    return lookUp(segments, at) +
-           __builtin_convertvector(bits & curveSegmentMask, Floats) * lookUp(segments + 1, at);
+    Floats value, slope;
+    lookUpPairs(segments, (bits - curveStartBits) >> curveSegmentBits, value, slope);
+    return value + __builtin_convertvector(bits & curveSegmentMask, Floats) * slope;
 }
 
 inline Vec3 applyMatrix(const DisplayStep& step, Vec3 color) {

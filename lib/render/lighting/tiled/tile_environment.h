@@ -142,13 +142,16 @@ void reflectInTile(const TileFrame& frame, int left, int bottom) {
             const BlockPixels pixels = fetchPixels(frame, x, y);
             std::uint32_t surface = 0;
             for (const std::uint32_t word : pixels.word1) surface |= word;
-            if (surface == 0) continue;
+            if (surface == 0) {
+                leaveUnlit(frame, x, y, blockSize);
+                continue;
+            }
             const std::uint32_t extended =
                 frame.lobeWords == nullptr ? 0 : shadeLobes<brdf>(frame, x, y, nullptr, 0);
             for (int first = 0; first < pixelsPerBlock; first += laneCount) {
                 if ((extended >> first & 1) != 0) continue;
                 const ShadingPoint point = shadingPointAt<brdf>(frame, pixels, first);
-                addRadiance(frame, pixels, x, y, first, environmentLight(frame, point, x, y, first));
+                putRadiance(frame, pixels, x, y, first, environmentLight(frame, point, x, y, first));
             }
         }
     }

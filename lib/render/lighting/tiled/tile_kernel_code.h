@@ -224,7 +224,7 @@ void shadeBlock(const TileFrame& frame, int left, int bottom, const std::uint32_
             const float* record = recordOf(std::uint64_t{frame.localCount} + i);
             sum = sum + directionalLightRadiance(brdf, point, splat3(record), splat3(record + 4));
         }
-        addRadiance(frame, pixels, left, bottom, first, sum);
+        putRadiance(frame, pixels, left, bottom, first, sum);
     }
 }
 
@@ -270,7 +270,7 @@ void shadeBlockWithShadows(const TileFrame& frame, int left, int bottom, const s
             sum = sum + directionalLightRadiance(brdf, point, splat3(record),
                                                  visiblePart(count + i, splat3(record + 4)));
         }
-        addRadiance(frame, pixels, left, bottom, first, sum);
+        putRadiance(frame, pixels, left, bottom, first, sum);
     }
 }
 
@@ -302,12 +302,13 @@ template <int brdf>
 void shadeNode(const TileFrame& frame, int left, int bottom, int level, int x, int y,
                std::uint32_t parentCount, TileScratch& scratch) {
     const int side = blocksPerTile >> level, at = y * side + x;
-    if (!scratch.occupied[level][at]) return;
+    const int nodeLeft = left + (x * blockSize << level), nodeBottom = bottom + (y * blockSize << level);
+    const int size = blockSize << level;
+    if (!scratch.occupied[level][at]) return leaveUnlit(frame, nodeLeft, nodeBottom, size);
     const LightColumns& list = scratch.levels[level];
     const std::uint32_t count =
         filter(scratch.levels[level + 1], parentCount, scratch.boxes[level][at], list);
-    if (!hasLight(frame, count)) return;
-    const int nodeLeft = left + (x * blockSize << level), nodeBottom = bottom + (y * blockSize << level);
+    if (!hasLight(frame, count)) return leaveUnlit(frame, nodeLeft, nodeBottom, size);
     if (level == shadowLevel && frame.occlusion != nullptr) {
         fillSlots(frame, endBoxOf(frame, nodeLeft, nodeBottom, 1 << level), list, count, scratch.shadows);
     }
@@ -341,20 +342,11 @@ void prefetchTile(const TileFrame& frame, int left, int bottom) {
     }
 }
 
-void clearTile(const TileFrame& frame, int left, int bottom) {
-    const int width = frame.width - left < tileSize ? frame.width - left : tileSize;
-    for (int y = bottom; y < bottom + tileSize && y < frame.height; ++y) {
-        float* row = frame.radiance + 4 * (static_cast<std::int64_t>(y) * frame.width + left);
-        __builtin_memset(row, 0, static_cast<std::size_t>(width) * 4 * sizeof(float));
-    }
-}
-
 template <int brdf>
 void shade(const TileFrame& frame, int tileX, int tileY, const std::uint32_t* lights, std::uint32_t count,
            TileScratch& scratch) {
     const int left = tileX * tileSize, bottom = tileY * tileSize;
-    if (!frame.loadRadiance) clearTile(frame, left, bottom);
-    if (!hasLight(frame, count)) return;
+    if (!hasLight(frame, count)) return leaveUnlit(frame, left, bottom, tileSize);
     prefetchTile(frame, left, bottom);
     if (count == 0 && frame.directionalCount == 0) {
         reflectInTile<brdf>(frame, left, bottom);

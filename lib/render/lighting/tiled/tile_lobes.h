@@ -36,11 +36,6 @@ inline Floats channelOf(Ints word, int shift) {
     return __builtin_convertvector((word >> shift) & 0xff, Floats) * (1.0f / 255.0f);
 }
 
-inline Vec3 unpackColor(const TileFrame& frame, Ints word) {
-    return {lookUp(frame.srgbDecode, word & 0xff), lookUp(frame.srgbDecode, (word >> 8) & 0xff),
-            lookUp(frame.srgbDecode, (word >> 16) & 0xff)};
-}
-
 inline Vec3 select3(Ints mask, Vec3 a, Vec3 b) {
     return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
@@ -167,7 +162,7 @@ __attribute__((noinline)) void shadeExtended(const TileFrame& frame, const Block
             if (shadows != nullptr) arrival.received = unhidden(*shadows, i, first, arrival.received);
             addReflection<brdf>(point, arrival.l, arrival.received, sum);
         }
-        addRadiance(frame, pixels, left, bottom, first, sum);
+        putRadiance(frame, pixels, left, bottom, first, sum);
     }
 }
 

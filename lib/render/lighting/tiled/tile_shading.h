@@ -76,19 +76,21 @@ SHARED_FUNCTION AlbedoTexel readAlbedoTable(AlbedoTable table, Floats x, Floats 
     const Ints cell = 2 * (j * table.size + i);
     const Floats weightX = column - __builtin_convertvector(i, Floats),
                  weightY = row - __builtin_convertvector(j, Floats);
-    float columns[4][laneCount];  // albedo and cosine on the left, then on the right
-    for (int first = 0; first < laneCount; first += 4) {
+    Four columns[4][laneCount / 4];  // albedo and cosine on the left, then on the right
+    for (int part = 0; part < laneCount / 4; ++part) {
         Four rows[4];
         for (int k = 0; k < 4; ++k) {
-            const float* texels = table.texels + cell[first + k];
+            const int lane = 4 * part + k;
+            const float* texels = table.texels + cell[lane];
             const Four low = loadFour(texels), high = loadFour(texels + 2 * table.size);
-            rows[k] = low + (high - low) * weightY[first + k];
+            rows[k] = low + (high - low) * weightY[lane];
         }
         transpose(rows[0], rows[1], rows[2], rows[3]);
-        for (int k = 0; k < 4; ++k) __builtin_memcpy(columns[k] + first, &rows[k], sizeof(Four));
+        for (int k = 0; k < 4; ++k) columns[k][part] = rows[k];
     }
     const auto between = [&](int left, int right) {
-        return load(columns[left]) + (load(columns[right]) - load(columns[left])) * weightX;
+        const Floats low = joined(columns[left]);
+        return low + (joined(columns[right]) - low) * weightX;
     };
     return {between(0, 2), between(1, 3)};
 }
@@ -123,26 +125,40 @@ inline void fetchPixel(const TileFrame& frame, std::int64_t from, BlockPixels& p
     pixels.depth[to] = frame.depth[from];
 }
 
+/// The pixels of a block that lies in the picture.
+inline void fetchWhole(const TileFrame& frame, std::int64_t from, BlockPixels& pixels) {
+    static_assert(blockSize == 4);
+    for (int first = 0; first < pixelsPerBlock; first += laneCount) {
+        Four word0[laneCount / blockSize], word1[laneCount / blockSize], depth[laneCount / blockSize];
+        for (int row = 0; row < laneCount / blockSize; ++row, from += frame.width) {
+            const auto words = reinterpret_cast<const float*>(frame.surfaces + 2 * from);
+            const Four low = loadFour(words), high = loadFour(words + 4);
+            word0[row] = __builtin_shufflevector(low, high, 0, 2, 4, 6);
+            word1[row] = __builtin_shufflevector(low, high, 1, 3, 5, 7);
+            depth[row] = loadFour(frame.depth + from);
+        }
+        const Floats all0 = joined(word0), all1 = joined(word1);
+        __builtin_memcpy(pixels.word0 + first, &all0, sizeof all0);
+        __builtin_memcpy(pixels.word1 + first, &all1, sizeof all1);
+        store(pixels.depth + first, joined(depth));
+    }
+}
+
 inline BlockPixels fetchPixels(const TileFrame& frame, int left, int bottom) {
     BlockPixels pixels;
-    const bool whole = isWhole(frame, left, bottom);
-    for (int row = 0; row < blockSize; ++row) {
-        for (int column = 0; column < blockSize; ++column) {
-            pixels.x[row * blockSize + column] = static_cast<float>(left + column);
-            pixels.y[row * blockSize + column] = static_cast<float>(bottom + row);
-        }
-        const std::int64_t from = static_cast<std::int64_t>(bottom + row) * frame.width + left;
-        if (whole) {
-            for (int column = 0; column < blockSize; ++column)
-                fetchPixel(frame, from + column, pixels, row * blockSize + column);
-            continue;
-        }
-        for (int column = 0; column < blockSize; ++column) {
-            const int to = row * blockSize + column;
-            pixels.word1[to] = 0;
-            if (left + column < frame.width && bottom + row < frame.height)
-                fetchPixel(frame, from + column, pixels, to);
-        }
+    for (int i = 0; i < pixelsPerBlock; ++i) {
+        pixels.x[i] = static_cast<float>(left + i % blockSize);
+        pixels.y[i] = static_cast<float>(bottom + i / blockSize);
+    }
+    if (isWhole(frame, left, bottom)) {
+        fetchWhole(frame, static_cast<std::int64_t>(bottom) * frame.width + left, pixels);
+        return pixels;
+    }
+    for (int i = 0; i < pixelsPerBlock; ++i) {
+        const int x = left + i % blockSize, y = bottom + i / blockSize;
+        pixels.word1[i] = 0;
+        if (x < frame.width && y < frame.height)
+            fetchPixel(frame, static_cast<std::int64_t>(y) * frame.width + x, pixels, i);
     }
     return pixels;
 }
@@ -203,10 +219,21 @@ inline Floats unpackRoughness(Ints code) {
     return select(code == 0, splat(0.0f), root * root * (root * root));
 }
 
+/// The sRGB-encoded colour of the lower three bytes.
+inline Vec3 unpackColor(const TileFrame& frame, Ints word) {
+    const float* table = frame.srgbDecode;
+    const std::int32_t first = word[0];
+    // Mostly true without textures; to look up each lane takes as long as several lights.
+    const bool isOneColor = laneBits(word != first) == 0;
+    if (isOneColor)
+        return {splat(table[first & 0xff]), splat(table[first >> 8 & 0xff]),
+                splat(table[first >> 16 & 0xff])};
+    return {lookUp(table, word & 0xff), lookUp(table, word >> 8 & 0xff), lookUp(table, word >> 16 & 0xff)};
+}
+
 inline SurfaceLobes unpackLobes(const TileFrame& frame, Ints word0, Ints word1) {
     SurfaceLobes lobes;
-    lobes.baseColor = {lookUp(frame.srgbDecode, word0 & 0xff), lookUp(frame.srgbDecode, (word0 >> 8) & 0xff),
-                       lookUp(frame.srgbDecode, (word0 >> 16) & 0xff)};
+    lobes.baseColor = unpackColor(frame, word0);
     lobes.metallic = __builtin_convertvector((word0 >> 24) & 0xff, Floats) * (1.0f / 255.0f);
     lobes.roughness = unpackRoughness((word1 >> 24) & 0xff);
     return lobes;
@@ -214,28 +241,34 @@ inline SurfaceLobes unpackLobes(const TileFrame& frame, Ints word0, Ints word1) 
 
 // ---- Shading
 
-inline void addPixel(const TileFrame& frame, std::int64_t at, Four radiance) {
-    Four sum;
-    __builtin_memcpy(&sum, frame.radiance + 4 * at, sizeof sum);
-    sum += radiance;
-    __builtin_memcpy(frame.radiance + 4 * at, &sum, sizeof sum);
-}
-
-/// Adds what `laneCount` pixels of the block, from `first` on, receive.
-inline void addRadiance(const TileFrame& frame, const BlockPixels& pixels, int left, int bottom, int first,
+/// Writes what `laneCount` pixels of the block, from `first` on, receive, or adds it to what is there.
+inline void putRadiance(const TileFrame& frame, const BlockPixels& pixels, int left, int bottom, int first,
                         Vec3 sum) {
     const Ints surface = isSurface(pixels, first);
     const Vec3 kept{select(surface, sum.x, Floats{}), select(surface, sum.y, Floats{}),
                     select(surface, sum.z, Floats{})};
-    const bool whole = isWhole(frame, left, bottom);
+    const int columns = frame.width - left < blockSize ? frame.width - left : blockSize;
     for (int lane = 0; lane < laneCount; lane += blockSize) {
         const int row = bottom + (first + lane) / blockSize;
-        const std::int64_t at = static_cast<std::int64_t>(row) * frame.width + left;
-        const Four x = fourOf(kept.x, lane), y = fourOf(kept.y, lane), z = fourOf(kept.z, lane);
-        for (int column = 0; column < blockSize; ++column) {
-            if (!whole && (row >= frame.height || left + column >= frame.width)) break;
-            addPixel(frame, at + column, Four{x[column], y[column], z[column], 0.0f});
+        if (row >= frame.height) break;
+        Four colors[4] = {fourOf(kept.x, lane), fourOf(kept.y, lane), fourOf(kept.z, lane), Four{}};
+        transpose(colors[0], colors[1], colors[2], colors[3]);
+        float* to = frame.radiance + 4 * (static_cast<std::int64_t>(row) * frame.width + left);
+        for (int column = 0; column < columns; ++column) {
+            if (frame.loadRadiance) colors[column] += loadFour(to + 4 * column);
+            __builtin_memcpy(to + 4 * column, &colors[column], sizeof(Four));
         }
+    }
+}
+
+/// Nothing lights a square of `size` pixels.
+inline void leaveUnlit(const TileFrame& frame, int left, int bottom, int size) {
+    if (frame.loadRadiance) return;
+    const int width = frame.width - left < size ? frame.width - left : size;
+    if (width <= 0) return;
+    for (int y = bottom; y < bottom + size && y < frame.height; ++y) {
+        float* row = frame.radiance + 4 * (static_cast<std::int64_t>(y) * frame.width + left);
+        __builtin_memset(row, 0, static_cast<std::size_t>(width) * 4 * sizeof(float));
     }
 }
 
