@@ -12,18 +12,16 @@ layout(location = NORMAL_ATTRIBUTE) in vec3 normal;
 layout(location = DRAW_ATTRIBUTE) in uvec2 draw;
 
 layout(location = 0) out vec3 worldNormal;
-layout(location = 1) flat out uint packedBaseColor;
-layout(location = 2) flat out float roughness;
+layout(location = 1) flat out uvec3 material;
 #ifdef SHADOWS
-layout(location = 3) out vec4 shadowPlane;  // position relative to the eye; its product with the normal
+layout(location = 2) out vec4 shadowPlane;  // position relative to the eye; its product with the normal
 #endif
 
 void main() {
     vec3 world = instancePosition(draw.x, position);
     gl_Position = frame.clipFromWorld * vec4(world, 1.0);
     worldNormal = unitOrZero(instanceNormal(draw.x, normal));
-    packedBaseColor = materialWords(draw.y, MATERIAL_PACKED).x;
-    roughness = materialFactors(draw.y).roughness;
+    material = uvec3(materialWords(draw.y, MATERIAL_PACKED).xw, materialWords(draw.y, MATERIAL_FACTORS).y);
 #ifdef SHADOWS
     shadowPlane = vec4(world - frame.eye.xyz, dot(world - frame.eye.xyz, worldNormal));
 #endif

@@ -89,7 +89,9 @@ void main() {
     MaterialLobes lobes = texturedLobes();
     MaterialState state = materialState(material);
     vec3 normal = shadingNormal(state.normalScale);
-    float roughness = filteredRoughness(lobes.roughness, normal);
+    vec3 seenNormal = gl_FrontFacing ? normal : -normal;
+    uint roughnessCode = filteredRoughnessCode(lobes.roughness, packRoughness(lobes.roughness), normal);
+    uint normalRoughness = packNormal(seenNormal) | roughnessCode << 24;
 #ifdef OCCLUSION
     writeOcclusion(texel(occlusionTexture, OCCLUSION_SLOT).r, state.occlusionStrength);
 #endif
@@ -97,9 +99,8 @@ void main() {
     writeShadowWord(shadowPlane.xyz, worldNormal, shadowPlane.w);
 #endif
 #ifdef EXTENDED
-    vec3 seenNormal = gl_FrontFacing ? normal : -normal;
     LobeFrame surface = lobeFrame(seenNormal);
-    LobeWords extended = extendedWords(packNormalRoughness(seenNormal, roughness), surface, lobes.baseColor, lobes.metallic);
+    LobeWords extended = extendedWords(normalRoughness, surface, lobes.baseColor, lobes.metallic);
 #ifdef REFRACTION
     Refraction refraction = refractionOf(material, surface, eyePosition, lobes.roughness, instanceScale);
     refraction.transmittance = workingFromRec709(refraction.transmittance);
@@ -121,7 +122,6 @@ void main() {
 #endif
 
     vec3 working = workingFromRec709(lobes.baseColor);
-    uint normalRoughness = packNormalRoughness(gl_FrontFacing ? normal : -normal, roughness);
     GBufferWords words = plainWords(uvec2(packBaseColor(working, lobes.metallic), state.unlit ? 0u : normalRoughness));
 #ifdef EXTENDED
     words.lobes = extended;

@@ -39,18 +39,37 @@ void writeOcclusion(float red, float strength) {
 #endif
 }
 
-// The roughness whose lobe is as wide as that of `roughness` spread over the normals within the pixel, by their screen-space derivatives.
-// `normal` has any length. Kaplanyan, Hill, Patney and Lefohn, "Filtering distributions of normals for shading antialiasing", 2016, in the
-// isotropic form of Tokuyoshi and Kaplanyan, "Improved geometric specular antialiasing", 2019.
-float filteredRoughness(float roughness, vec3 normal) {
+// What the normals within the pixel add to alpha², by the screen-space derivatives of `normal`, which has any length. Kaplanyan, Hill, Patney
+// and Lefohn, "Filtering distributions of normals for shading antialiasing", 2016, in the isotropic form of Tokuyoshi and Kaplanyan, "Improved
+// geometric specular antialiasing", 2019.
+float normalVariance(vec3 normal) {
     const float pixelVariance = 0.15915494;  // 1 / 2 pi: of a Gaussian pixel filter, pixels squared
-    const float maxKernel = 0.18;
+    const float maxVariance = 0.18;
     vec3 unit = normal * inversesqrt(max(dot(normal, normal), 1.0e-30));
     vec3 across = dFdx(unit), up = dFdy(unit);
-    float kernel = frame.cameraForward.w * min(2.0 * pixelVariance * (dot(across, across) + dot(up, up)), maxKernel);
-    float alpha = max(roughness * roughness, MIN_ALPHA), alpha2 = alpha * alpha;
-    // On flat surfaces the interpolation leaves rounding, which must not change the code that is stored.
-    return kernel > 1.0e-4 * alpha2 ? sqrt(sqrt(min(alpha2 + kernel, 1.0))) : roughness;
+    return frame.cameraForward.w * min(2.0 * pixelVariance * (dot(across, across) + dot(up, up)), maxVariance);
+}
+
+float alpha2Of(float roughness) {
+    float alpha = max(roughness * roughness, MIN_ALPHA);
+    return alpha * alpha;
+}
+
+// On flat surfaces the interpolation leaves rounding, which must not change the code that is stored.
+bool widens(float variance, float alpha2) {
+    return variance > 1.0e-4 * alpha2;
+}
+
+// The roughness whose lobe is as wide as that of `roughness` spread over the normals within the pixel. `normal` has any length.
+float filteredRoughness(float roughness, vec3 normal) {
+    float variance = normalVariance(normal), alpha2 = alpha2Of(roughness);
+    return widens(variance, alpha2) ? sqrt(sqrt(min(alpha2 + variance, 1.0))) : roughness;
+}
+
+// The code of that roughness, where `code` is that of `roughness`.
+uint filteredRoughnessCode(float roughness, uint code, vec3 normal) {
+    float variance = normalVariance(normal), alpha2 = alpha2Of(roughness);
+    return widens(variance, alpha2) ? packAlpha2(min(alpha2 + variance, 1.0)) : code;
 }
 
 void writeWords(GBufferWords words) {

@@ -193,7 +193,7 @@ const int MATERIAL_BASE_COLOR = 0;  // base colour factor and alpha
 const int MATERIAL_FACTORS = 1;     // metallic, roughness, normal scale, alpha cutoff (negative: no mask; of a material that blends over a half)
 const int MATERIAL_EMISSION = 2;    // emission factor; 1 when unlit
 const int MATERIAL_PACKED = 3;      // x: base colour and metallic as the G-buffer packs them (uint); y: strength of the occlusion texture;
-                                    // z: 1 where the material blends (uint)
+                                    // z: 1 where the material blends; w: code of the roughness (uints)
 const int MATERIAL_UV_ROWS = 4;     // two rows of the coordinate transform a texture: base colour, metallic-roughness, normal,
                                     // emission, occlusion; w of the first is the set of texture coordinates
 

@@ -49,7 +49,7 @@ void writeRecord(std::span<glm::uvec4> record, const Material& material,
         bits(glm::vec4(material.emission * material.emissionStrength, material.unlit ? 1.0f : 0.0f));
     const float occlusionStrength = material.occlusionTexture ? material.occlusionStrength : 0.0f;
     record[layout::MATERIAL_PACKED] = {packed.x, std::bit_cast<std::uint32_t>(occlusionStrength),
-                                       material.alphaMode == AlphaMode::blend ? 1u : 0u, 0};
+                                       material.alphaMode == AlphaMode::blend ? 1u : 0u, packed.y >> 24};
     std::size_t row = layout::MATERIAL_UV_ROWS;
     for (const MaterialTexture& texture : materialTextures().first(basicTextureCount)) {
         for (const glm::vec4& coordinates : coordinateRows(texture.of(material)))

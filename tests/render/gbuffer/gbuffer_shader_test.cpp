@@ -124,6 +124,23 @@ TEST_F(GBufferShaderTest, packsLikeCpp) {
     EXPECT_LT(moved, 200);
 }
 
+TEST_F(GBufferShaderTest, packsAlpha2WithinAFifthOfAStep) {
+    std::vector<Record> records;
+    for (std::uint32_t i = 0; i < 128 * 64; ++i) {
+        Record record{};
+        record.normalRoughness.w = std::pow(10.0f, -6.0f * static_cast<float>(i) / (128 * 64 - 1));
+        records.push_back(record);
+    }
+    Program("    records[i].words.x = packAlpha2(max(records[i].normalRoughness.w, 1.0e-6));\n").run(records);
+    EXPECT_EQ(records.front().words.x, 255u);
+    EXPECT_EQ(records.back().words.x, 1u);
+    for (const Record& record : records) {
+        // docs/gbuffer.md: even steps of the fourth root of the roughness, from that of alpha 0.001.
+        const double first = std::pow(0.001, 0.125), root = std::pow(record.normalRoughness.w, 0.0625);
+        ASSERT_NEAR(record.words.x, 1.0 + 254.0 * (root - first) / (1.0 - first), 0.5 + 0.17);
+    }
+}
+
 TEST_F(GBufferShaderTest, unpacksLikeCpp) {
     std::vector<Record> records;
     for (std::uint32_t i = 0; i < 100000; ++i) {
