@@ -248,8 +248,13 @@ inline Floats lookUp(const float* table, Ints index) {
 }
 
 /// table[2 index] and table[2 index + 1] in each lane. A gather takes as long as it has elements, of either
-/// size.
+/// size; where no lane differs, as in a background, there is none.
 inline void lookUpPairs(const float* table, Ints index, Floats& first, Floats& second) {
+    if (laneBits(index != index[0]) == 0) {
+        first = splat(table[2 * index[0]]);
+        second = splat(table[2 * index[0] + 1]);
+        return;
+    }
 #if defined(__AVX512F__)
     const auto pairs = [table](__m256i lanes) {
         return (__m512)_mm512_i32gather_pd(lanes, table, 2 * sizeof(float));
