@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/runs.h"
+
 #include <candela/error.h>
 
 #include <glm/mat4x4.hpp>
@@ -72,11 +74,12 @@ class ErrorContext {
     /// Refuses unless there are `expected` of `what`, one for each of `of`: "has 3 normals for 4 vertices".
     void requireCount(const char* what, std::uint64_t actual, const char* of, std::uint64_t expected) const;
 
-    /// Refuses with "WHAT INDEX RULE" the first value for which `holds` is false.
+    /// Refuses with "WHAT INDEX RULE" the first value for which `holds` is false, which is asked on all
+    /// cores.
     template <typename Values, typename Rule>
     void requireEach(const char* what, const Values& values, const char* rule, const Rule& holds) const {
+        if (holdsForAll(values, holds)) return;
         const auto broken = std::find_if_not(values.begin(), values.end(), holds);
-        if (broken == values.end()) return;
         refuse(what + (" " + std::to_string(broken - values.begin())) + " " + rule);
     }
 

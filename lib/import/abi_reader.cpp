@@ -2,8 +2,6 @@
 
 #include <candela/error.h>
 
-#include <sys/mman.h>
-#include <unistd.h>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,40 +9,24 @@
 
 namespace candela {
 
-void adviseLargePages(void* memory, std::size_t bytes) noexcept {
-#if defined(MADV_HUGEPAGE)
-    // Two large pages of the usual size: at least one of them lies within.
-    constexpr std::size_t minBytes = std::size_t{4} << 20;
-    if (bytes < minBytes) return;
-    const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-    const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
-    const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
-    // On failure the copy uses small pages, which is slower.
-    ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
-#else
-    static_cast<void>(memory);
-    static_cast<void>(bytes);
-#endif
-}
-
 namespace {
 
 // The tolerance for matrices that were written as text or multiplied in single precision.
 constexpr float affineTolerance = 1e-5f;
 
-// Without a branch for each number, so that the compiler vectorises it: the tables of a subdivider have many
-// millions of numbers.
-bool allAreFinite(const float* numbers, std::size_t count) {
-    constexpr std::uint32_t exponent = 0x7F800000;
-    std::uint32_t broken = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto bits = std::bit_cast<std::uint32_t>(numbers[i]);
-        broken |= (bits & exponent) == exponent ? 1u : 0u;
-    }
-    return broken == 0;
-}
-
 }  // namespace
+
+std::size_t copyIndices(const std::uint32_t* from, std::size_t count, std::size_t end,
+                        std::vector<std::uint32_t>& out) {
+    // The maximum is found without a branch for each index: there may be many millions.
+    std::uint32_t maximum = 0;
+    copyInBlocks(from, count, out, [&maximum](const std::uint32_t* block, std::size_t size) {
+        for (std::size_t i = 0; i < size; ++i) maximum = std::max(maximum, block[i]);
+    });
+    if (count == 0 || maximum < end) return count;
+    const auto beyond = std::ranges::find_if(out, [end](std::uint32_t index) { return index >= end; });
+    return static_cast<std::size_t>(beyond - out.begin());
+}
 
 AbiReader::AbiReader(const char* kind, std::optional<std::size_t> index, const char* name)
     : kind_(kind), index_(index), name_(validUtf8(name)) {}
@@ -95,20 +77,11 @@ void AbiReader::present(const char* member, const void* array, std::size_t count
     if (count > 0 && !array) refuse(joined(member, " is NULL, but ", count, " elements were expected"));
 }
 
-void AbiReader::numbers(const char* member, const float* from, std::size_t count,
-                        std::vector<float>& out) const {
-    present(member, from, count);
-    bool finite = true;
-    copyInBlocks(from, count, out, [&finite](const float* block, std::size_t size) {
-        finite = finite && allAreFinite(block, size);
-    });
-    if (!finite) requireFinite(member, out.data(), count, 1);
-}
-
 void AbiReader::counts(const char* member, const std::uint32_t* from, std::size_t count,
                        std::vector<std::uint32_t>& out) const {
     present(member, from, count);
-    out.assign(from, from + count);
+    reserveLarge(out, count);
+    out.insert(out.end(), from, from + count);
 }
 
 glm::mat4 AbiReader::affine(const std::string& member, glm::mat4 matrix) const {
@@ -143,9 +116,20 @@ std::optional<std::uint32_t> AbiReader::reference(const char* member, std::int32
     return static_cast<std::uint32_t>(index);
 }
 
+// Without a branch for each number, so that the compiler vectorises it: the tables of a subdivider have many
+// millions of numbers.
+bool AbiReader::allAreFinite(const float* numbers, std::size_t count) {
+    constexpr std::uint32_t exponent = 0x7F800000;
+    std::uint32_t broken = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto bits = std::bit_cast<std::uint32_t>(numbers[i]);
+        broken |= (bits & exponent) == exponent ? 1u : 0u;
+    }
+    return broken == 0;
+}
+
 void AbiReader::requireFinite(const char* member, const float* numbers, std::size_t count,
                               std::size_t components) const {
-    if (allAreFinite(numbers, count * components)) return;
     const auto broken = std::find_if_not(numbers, numbers + count * components,
                                          [](float number) { return std::isfinite(number); });
     refuse(joined(member, " ", static_cast<std::size_t>(broken - numbers) / components, " has the component ",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/error_context.h"
+#include "base/large_pages.h"
 #include "import/plugin_abi.h"
 #include "import/text.h"
 
@@ -8,7 +9,6 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -18,30 +18,9 @@
 
 namespace candela {
 
-/// Asks the system to back memory that was not yet written to by large pages, where it is large enough for
-/// them: the page faults of small pages take longer than the copy. Does nothing where the system has no large
-/// pages.
-void adviseLargePages(void* memory, std::size_t bytes) noexcept;
-
-/// Reserves room for an array of up to many millions of elements that is filled next.
-template <class T>
-void reserveLarge(std::vector<T>& array, std::size_t count) {
-    array.clear();
-    array.reserve(count);
-    adviseLargePages(array.data(), count * sizeof(T));
-}
-
-/// Copies an array in blocks, and calls `visit(block, size)` for each of them while it is in the cache.
-template <class T, class Visit>
-void copyInBlocks(const T* from, std::size_t count, std::vector<T>& out, Visit visit) {
-    constexpr std::size_t blockSize = 8192;
-    reserveLarge(out, count);
-    for (std::size_t at = 0; at < count; at += blockSize) {
-        const std::size_t size = std::min(blockSize, count - at);
-        out.insert(out.end(), from + at, from + at + size);
-        visit(out.data() + at, size);
-    }
-}
+/// Copies indices. Returns the place of the first that is not below `end`; `count` where all are.
+std::size_t copyIndices(const std::uint32_t* from, std::size_t count, std::size_t end,
+                        std::vector<std::uint32_t>& out);
 
 /// Reads the members of an element that a plugin adds ("mesh 3 'wheel'"), with the checks that every kind of
 /// element needs. A failed check throws `Error` (badInput) without a path; its text begins with the element.
@@ -71,14 +50,15 @@ class AbiReader {
     /// array has to be present, and all its numbers finite.
     template <class T>
     void numbers(const char* member, const float* from, std::size_t count, std::vector<T>& out) const {
-        static_assert(sizeof(T) % sizeof(float) == 0);
         present(member, from, count);
         if (count == 0) return;
-        out.resize(count);
-        std::memcpy(static_cast<void*>(out.data()), from, count * sizeof(T));
-        requireFinite(member, reinterpret_cast<const float*>(out.data()), count, sizeof(T) / sizeof(float));
+        bool finite = true;
+        copyInBlocks(from, count, out, [&finite](const float* block, std::size_t size) {
+            finite = finite && allAreFinite(block, size);
+        });
+        constexpr std::size_t components = sizeof(T) / sizeof(float);
+        if (!finite) requireFinite(member, reinterpret_cast<const float*>(out.data()), count, components);
     }
-    void numbers(const char* member, const float* from, std::size_t count, std::vector<float>& out) const;
 
     /// Copies `count` numbers of an array that has to be present.
     void counts(const char* member, const std::uint32_t* from, std::size_t count,
@@ -110,6 +90,7 @@ class AbiReader {
     std::optional<std::uint32_t> reference(const char* member, std::int32_t index, std::size_t count) const;
 
   private:
+    static bool allAreFinite(const float* numbers, std::size_t count);
     void requireFinite(const char* member, const float* numbers, std::size_t count,
                        std::size_t components) const;
 

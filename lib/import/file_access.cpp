@@ -1,5 +1,7 @@
 #include "import/file_access.h"
 
+#include "base/large_pages.h"
+#include "base/thread_pool.h"
 #include "import/text.h"
 
 #include <candela/error.h>
@@ -8,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -77,16 +80,26 @@ bool liesWithin(const std::string& file, const std::string& folder) {
     return file == folder || file.starts_with(prefix);
 }
 
-FileAccess::Bytes readAll(int descriptor, std::size_t size, const std::string& path) {
-    FileAccess::Bytes bytes{std::make_unique_for_overwrite<std::byte[]>(size), size};
-    std::size_t done = 0;
-    while (done < size) {
-        const ssize_t count = ::read(descriptor, bytes.data.get() + done, size - done);
+void readAt(int descriptor, std::uint64_t offset, std::span<std::byte> into, const std::string& path) {
+    for (std::size_t done = 0; done < into.size();) {
+        const ssize_t count =
+            ::pread(descriptor, into.data() + done, into.size() - done, static_cast<off_t>(offset + done));
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) refuse(ErrorKind::environment, path, "reading failed: " + systemMessage(errno));
         if (count == 0) refuse(ErrorKind::environment, path, "it became shorter while it was read");
         done += static_cast<std::size_t>(count);
     }
+}
+
+// Parts are copied from the system's cache on all cores.
+FileAccess::Bytes readAll(int descriptor, std::size_t size, const std::string& path) {
+    FileAccess::Bytes bytes{std::make_unique_for_overwrite<std::byte[]>(size), size};
+    requestLargePages(bytes.data.get(), size);
+    constexpr std::size_t part = std::size_t{16} << 20;
+    ThreadPool::shared()->run((size + part - 1) / part, [&](std::size_t i, unsigned) {
+        const std::size_t offset = i * part;
+        readAt(descriptor, offset, {bytes.data.get() + offset, std::min(part, size - offset)}, path);
+    });
     return bytes;
 }
 
@@ -190,14 +203,7 @@ void FileAccess::readPart(const std::string& path, std::uint64_t offset, std::sp
         refuse(
             ErrorKind::badInput, path,
             joined("it has ", size, " bytes, but ", into.size(), " from byte ", offset, " on were expected"));
-    for (std::size_t done = 0; done < into.size();) {
-        const ssize_t count = ::pread(file.descriptor.number(), into.data() + done, into.size() - done,
-                                      static_cast<off_t>(offset + done));
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) refuse(ErrorKind::environment, path, "reading failed: " + systemMessage(errno));
-        if (count == 0) refuse(ErrorKind::environment, path, "it became shorter while it was read");
-        done += static_cast<std::size_t>(count);
-    }
+    readAt(file.descriptor.number(), offset, into, path);
 }
 
 std::string FileAccess::inAnyCase(const std::string& path) const {

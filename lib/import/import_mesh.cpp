@@ -1,11 +1,11 @@
 #include "import/abi_import.h"
 
+#include "base/runs.h"
 #include "import/abi_reader.h"
 #include "import/import_deformation.h"
 #include "import/moved_vertices.h"
 #include "scene/geometry/axes.h"
 #include "scene/geometry/normals.h"
-#include "scene/geometry/tangents.h"
 #include "scene/geometry/topology.h"
 #include "scene/geometry/triangulate.h"
 #include "scene/model/uv_sets.h"
@@ -122,7 +122,10 @@ Submesh PolygonFaces::translated(const Submesh& run, const std::string& label) c
 std::size_t repairNormals(Mesh& mesh) {
     if (mesh.normals.empty()) return 0;
     const std::size_t replaced = replaceZeroNormals(mesh);
-    for (glm::vec3& normal : mesh.normals) normal = glm::vec3(glm::normalize(glm::dvec3(normal)));
+    inRuns(mesh.normals.size(), [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i)
+            mesh.normals[i] = glm::vec3(glm::normalize(glm::dvec3(mesh.normals[i])));
+    });
     return replaced;
 }
 
@@ -164,8 +167,7 @@ void takeVertices(const candela_mesh& source, const AbiReader& element, Mesh& me
     // These may hold anything: what is no direction is replaced later.
     const auto copyDirections = [&](const float* from, auto& to) {
         if (!from) return;
-        to.resize(count);
-        std::memcpy(static_cast<void*>(to.data()), from, to.size() * sizeof to[0]);
+        copyInBlocks(from, count, to, [](const float*, std::size_t) {});
     };
     copyDirections(source.normals, mesh.normals);
     copyDirections(source.tangents, mesh.tangents);
@@ -187,11 +189,12 @@ void checkCounts(const candela_mesh& source, const AbiReader& element) {
 }
 
 void takeIndices(const candela_mesh& source, const AbiReader& element, Mesh& mesh) {
-    element.counts("indices", source.indices, source.index_count, mesh.indices);
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i)
-        if (mesh.indices[i] >= source.vertex_count)
-            element.refuse(joined("index ", i, " is ", mesh.indices[i], ", but there are ",
-                                  source.vertex_count, " vertices"));
+    element.present("indices", source.indices, source.index_count);
+    const std::uint32_t end = source.vertex_count;
+    const std::size_t beyond = copyIndices(source.indices, source.index_count, end, mesh.indices);
+    if (beyond < mesh.indices.size())
+        element.refuse(
+            joined("index ", beyond, " is ", mesh.indices[beyond], ", but there are ", end, " vertices"));
 }
 
 /// In a mesh with `topologies` a triangle may begin at any index.
@@ -316,78 +319,6 @@ Mesh meshFrom(const candela_mesh& source, const AbiReader& element, const Scene&
         notes.add(NoteKind::repaired, element.label(),
                   "tangents of length 0 or not finite, replaced by a direction perpendicular to the normal");
     return mesh;
-}
-
-namespace {
-
-// For each material whether it is anisotropic, at some time of its animations.
-std::vector<bool> anisotropicMaterials(const Scene& scene) {
-    std::vector<bool> anisotropic;
-    for (const Material& material : scene.materials)
-        anisotropic.push_back(material.anisotropy.strength > 0.0f);
-    for (const Animation& animation : scene.animations) {
-        for (const PropertyChannel& channel : animation.properties) {
-            if (channel.property == AnimatedProperty::anisotropyStrength) anisotropic[channel.element] = true;
-        }
-    }
-    return anisotropic;
-}
-
-// The texture coordinates along which a material needs tangents; none where it needs no tangents. A normal
-// texture decides, and the coordinates 0 where anisotropy has no texture.
-std::optional<std::uint32_t> tangentUvSet(const Material& material, bool isAnisotropic) {
-    for (const std::optional<Texture>* texture :
-         {&material.normalTexture, &material.clearcoat.normalTexture, &material.anisotropy.texture}) {
-        if (*texture) return (*texture)->uvSet;
-    }
-    if (isAnisotropic) return 0;
-    return std::nullopt;
-}
-
-// The texture coordinates along which a mesh needs tangents. Where two materials of a mesh differ, the first
-// one counts: a vertex has only one tangent.
-std::optional<std::uint32_t> tangentUvSet(const Scene& scene, const std::vector<bool>& anisotropic,
-                                          const Mesh& mesh) {
-    const auto setOf = [&](std::optional<std::uint32_t> material) {
-        return material ? tangentUvSet(scene.materials[*material], anisotropic[*material]) : std::nullopt;
-    };
-    for (const Submesh& submesh : mesh.submeshes) {
-        if (!isTriangles(submesh)) continue;
-        if (const auto set = setOf(submesh.material)) return set;
-    }
-    for (const VariantMaterial& entry : mesh.variantMaterials) {
-        if (!isTriangles(mesh.submeshes[entry.submesh])) continue;
-        if (const auto set = setOf(entry.material)) return set;
-    }
-    return std::nullopt;
-}
-
-void fillWithPerpendiculars(Mesh& mesh) {
-    for (const glm::vec3& normal : mesh.normals)
-        mesh.tangents.emplace_back(
-            normal == glm::vec3(0.0f) ? glm::vec3(1, 0, 0) : glm::vec3(anyPerpendicular(glm::dvec3(normal))),
-            1.0f);
-}
-
-void addTangents(const Scene& scene, const std::vector<bool>& anisotropic, std::size_t index, Mesh& mesh,
-                 NoteList& notes) {
-    const auto uvSet = tangentUvSet(scene, anisotropic, mesh);
-    if (!uvSet || !mesh.tangents.empty() || mesh.positions.empty()) return;
-    if (!uvsOf(mesh, *uvSet).empty()) return generateTangents(mesh, *uvSet);
-    fillWithPerpendiculars(mesh);
-    notes.add(NoteKind::missing, AbiReader("mesh", index, mesh.name.c_str()).label(),
-              "the directions of its normal texture or anisotropy, for want of texture coordinates");
-}
-
-}  // namespace
-
-void addMissingAttributes(Scene& scene, NoteList& notes) {
-    const std::vector<bool> anisotropic = anisotropicMaterials(scene);
-    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-        Mesh& mesh = scene.meshes[i];
-        if (mesh.normals.empty() && !mesh.positions.empty()) generateFlatNormals(mesh);
-        addTangents(scene, anisotropic, i, mesh, notes);
-    }
 }
 
 }  // namespace candela

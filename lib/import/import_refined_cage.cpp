@@ -15,20 +15,12 @@ std::string memberOf(const char* table, const char* member) {
     return joined(table, ".", member);
 }
 
-// Copies indices, which have to be below `end`. The maximum is found without a branch for each of them:
-// tables have many millions of entries.
 void takeIndices(const std::uint32_t* from, std::size_t count, std::size_t end, const std::string& member,
                  const char* what, const AbiReader& element, std::vector<std::uint32_t>& out) {
     element.present(member.c_str(), from, count);
-    std::uint32_t maximum = 0;
-    copyInBlocks(from, count, out, [&maximum](const std::uint32_t* block, std::size_t size) {
-        for (std::size_t i = 0; i < size; ++i) maximum = std::max(maximum, block[i]);
-    });
-    if (count == 0 || maximum < end) return;
-    const auto beyond =
-        std::find_if(out.begin(), out.end(), [end](std::uint32_t index) { return index >= end; });
-    element.refuse(
-        joined(member, " ", beyond - out.begin(), " is ", *beyond, ", but there are ", end, " ", what));
+    const std::size_t beyond = copyIndices(from, count, end, out);
+    if (beyond < count)
+        element.refuse(joined(member, " ", beyond, " is ", out[beyond], ", but there are ", end, " ", what));
 }
 
 void takeOffsets(const candela_stencil_table& source, const char* name, std::uint32_t vertexCount,

@@ -1,4 +1,5 @@
 #include "base/error_context.h"
+#include "base/thread_pool.h"
 #include "import/abi_import.h"
 #include "scene/model/animation.h"
 #include "scene/model/deformation.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -77,8 +79,11 @@ std::vector<glm::dmat4> fileMatrices(const Scene& scene) {
 }
 
 std::vector<Place> placesOf(const Scene& scene) {
-    std::vector<std::optional<Place>> meshes, cages;
-    for (const Mesh& mesh : scene.meshes) meshes.push_back(placeOf(mesh.positions, mesh.indices));
+    std::vector<std::optional<Place>> meshes(scene.meshes.size()), cages;
+    const std::shared_ptr<ThreadPool> pool = ThreadPool::shared();
+    pool->run(meshes.size(), [&](std::size_t i, unsigned) {
+        meshes[i] = placeOf(scene.meshes[i].positions, scene.meshes[i].indices);
+    });
     for (const Cage& cage : scene.cages) cages.push_back(placeOf(cage.positions, cage.faceVertices));
     const std::vector<glm::dmat4> world = fileMatrices(scene);
     std::vector<Place> places;

@@ -1,4 +1,6 @@
 // What a plugin may read: only regular files in the scene's folder and its subfolders.
+#include "import/file_access.h"
+
 #include "expect_error.h"
 #include "note_lines.h"
 #include "temporary_folder.h"
@@ -10,7 +12,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstddef>
+#include <cstring>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -73,6 +78,17 @@ TEST_F(FilePolicy, ALinkOutToNothingLeadsOut) {
 TEST_F(FilePolicy, AnEmptyFileIsRead) {
     folder.write("scene/empty", "");
     EXPECT_EQ(read("empty"), Lines{"empty: 0"});
+}
+
+// Such a file is read in parts.
+TEST_F(FilePolicy, LargeFilesAreRead) {
+    std::string content(std::size_t{37} << 20, '\0');
+    for (std::size_t i = 0; i < content.size(); ++i) content[i] = static_cast<char>(i * 2654435761u >> 13);
+    folder.write("large.bin", content);
+    FileAccess files(folder.path());
+    const std::span<const std::byte> bytes = files.read("large.bin");
+    ASSERT_EQ(bytes.size(), content.size());
+    EXPECT_EQ(std::memcmp(bytes.data(), content.data(), content.size()), 0);
 }
 
 TEST_F(FilePolicy, AbsolutePath) {

@@ -1,6 +1,7 @@
 #include "scene/geometry/normals.h"
 
 #include "base/error_context.h"
+#include "base/runs.h"
 #include "scene/geometry/topology.h"
 #include "scene/validate/scene_rules.h"
 
@@ -114,15 +115,18 @@ std::uint32_t replaceZeroNormals(Mesh& mesh) {
     const ErrorContext element("mesh", {}, mesh.name);
     requireIndices(mesh, element);
     element.require(mesh.normals.size() == mesh.positions.size(), "there must be one normal per vertex");
+    const auto isDirection = [](const glm::vec3& normal) {
+        return allFinite(normal) && glm::length(glm::dvec3(normal)) >= minLength;
+    };
+    if (holdsForAll(mesh.normals, isDirection)) return 0;
     std::vector<bool> missing(mesh.normals.size());
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-        if (allFinite(mesh.normals[i]) && glm::length(glm::dvec3(mesh.normals[i])) >= minLength) continue;
+        if (isDirection(mesh.normals[i])) continue;
         missing[i] = true;
         mesh.normals[i] = up;
         ++count;
     }
-    if (count == 0) return 0;
     forEachTriangle(mesh, [&](std::size_t first) {
         for (std::size_t corner = first; corner < first + 3; ++corner) {
             const std::uint32_t vertex = mesh.indices[corner];

@@ -1,4 +1,5 @@
 #include "base/error_context.h"
+#include "base/runs.h"
 #include "scene/validate/scene_rules.h"
 
 #include <candela/scene.h>
@@ -6,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,6 +21,15 @@ void validateTransform(const Transform& transform, const ErrorContext& element) 
     const float length = glm::length(transform.rotation);
     element.require(std::abs(length - 1.0f) <= unitTolerance,
                     "its rotation must be a quaternion of unit length");
+}
+
+void validateMeshes(const Scene& scene) {
+    const auto sizeOf = [&](std::size_t i) {
+        return std::max(scene.meshes[i].positions.size(), scene.meshes[i].indices.size());
+    };
+    forEachElement(scene.meshes.size(), sizeOf, [&](std::size_t i) {
+        validateMesh(scene.meshes[i], scene, ErrorContext("mesh", i, scene.meshes[i].name));
+    });
 }
 
 bool isPositive(float number) {
@@ -113,9 +124,7 @@ void validate(const Scene& scene) {
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         validateMaterial(scene.materials[i], scene, ErrorContext("material", i, scene.materials[i].name));
     }
-    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-        validateMesh(scene.meshes[i], scene, ErrorContext("mesh", i, scene.meshes[i].name));
-    }
+    validateMeshes(scene);
     for (std::size_t i = 0; i < scene.cages.size(); ++i) {
         validateCage(scene.cages[i], scene, ErrorContext("cage", i, scene.cages[i].name));
     }

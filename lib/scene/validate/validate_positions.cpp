@@ -1,4 +1,5 @@
 #include "base/error_context.h"
+#include "base/runs.h"
 #include "scene/model/deformation.h"
 #include "scene/model/frame_callback.h"
 #include "scene/validate/scene_rules.h"
@@ -6,6 +7,8 @@
 #include <glm/common.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <mutex>
 #include <vector>
 
 namespace candela {
@@ -24,10 +27,16 @@ bool isNear(const glm::vec3& position) {
 
 Bounds ownBounds(const std::vector<glm::vec3>& points) {
     Bounds box;
-    for (const glm::vec3& point : points) {
-        box.min = glm::min(box.min, point);
-        box.max = glm::max(box.max, point);
-    }
+    std::mutex mutex;
+    inRuns(points.size(), [&](std::size_t first, std::size_t end) {
+        Bounds part;
+        for (std::size_t i = first; i < end; ++i) {
+            part.min = glm::min(part.min, points[i]);
+            part.max = glm::max(part.max, points[i]);
+        }
+        const std::lock_guard lock(mutex);
+        box.add(part);
+    });
     return box;
 }
 
@@ -41,7 +50,7 @@ bool areNear(const std::vector<glm::vec3>& points, const glm::mat4& world) {
 // Points that several nodes may instance, and their box, which usually replaces a test of each point.
 class BoxedPoints {
   public:
-    explicit BoxedPoints(const std::vector<glm::vec3>& points) : points_(points), box_(ownBounds(points)) {}
+    BoxedPoints(const std::vector<glm::vec3>& points, const Bounds& box) : points_(points), box_(box) {}
 
     bool areNear(const glm::mat4& world) const {
         return points_.empty() || boxIsNear(world) || candela::areNear(points_, world);
@@ -62,10 +71,21 @@ class BoxedPoints {
     Bounds box_;
 };
 
+/// The positions of meshes or cages, each with its box.
+template <typename Shape>
+std::vector<BoxedPoints> boxed(const std::vector<Shape>& shapes) {
+    std::vector<Bounds> boxes(shapes.size());
+    forEachElement(
+        shapes.size(), [&](std::size_t i) { return shapes[i].positions.size(); },
+        [&](std::size_t i) { boxes[i] = ownBounds(shapes[i].positions); });
+    std::vector<BoxedPoints> points;
+    points.reserve(shapes.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i) points.emplace_back(shapes[i].positions, boxes[i]);
+    return points;
+}
+
 void validateMeshPositions(const Scene& scene, const std::vector<glm::mat4>& world) {
-    std::vector<BoxedPoints> meshes;
-    meshes.reserve(scene.meshes.size());
-    for (const Mesh& mesh : scene.meshes) meshes.emplace_back(mesh.positions);
+    const std::vector<BoxedPoints> meshes = boxed(scene.meshes);
     const auto stands = [&](std::uint32_t i) {
         const Node& node = scene.nodes[i];
         const Mesh& mesh = scene.meshes[*node.mesh];
@@ -83,9 +103,7 @@ void validateMeshPositions(const Scene& scene, const std::vector<glm::mat4>& wor
 }
 
 void validateCagePositions(const Scene& scene, const std::vector<glm::mat4>& world) {
-    std::vector<BoxedPoints> cages;
-    cages.reserve(scene.cages.size());
-    for (const Cage& cage : scene.cages) cages.emplace_back(cage.positions);
+    const std::vector<BoxedPoints> cages = boxed(scene.cages);
     const auto stands = [&](std::uint32_t node) {
         const Cage& cage = scene.cages[*scene.nodes[node].cage];
         if (!isDeformed(scene.nodes[node], cage) && !movesCage(scene, *scene.nodes[node].cage))
