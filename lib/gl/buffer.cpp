@@ -52,6 +52,40 @@ void requireMemory(std::size_t size, const Allocate& allocate) {
                 "the device has no memory for a buffer of " + std::to_string(size) + " bytes");
 }
 
+constexpr GLbitfield mapping =
+    GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+
+/// Large enough that a copy takes longer than to start it.
+constexpr std::size_t stagingSize = std::size_t{32} << 20;
+
+/// Memory that the CPU writes and the device copies from, again and again.
+class StagingBuffer {
+  public:
+    explicit StagingBuffer(std::size_t size) : object_(createBuffer("staging")) {
+        requireMemory(
+            size, [&] { glNamedBufferData(name(), static_cast<GLsizeiptr>(size), nullptr, GL_STREAM_DRAW); });
+    }
+
+    GLuint name() const { return object_.name(); }
+
+    /// The driver keeps what commands still copy from the buffer.
+    template <typename Fill>
+    void write(std::size_t size, const Fill& fill) const {
+        constexpr GLbitfield access = GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT;
+        do {
+            void* const memory = glMapNamedBufferRange(name(), 0, static_cast<GLsizeiptr>(size), access);
+            if (memory == nullptr)
+                throw Error(ErrorKind::limit, "",
+                            "the device can not map a buffer of " + std::to_string(size) + " bytes");
+            fill(std::span(static_cast<std::byte*>(memory), size));
+            // False where the memory was lost meanwhile, such as to a change of the display mode.
+        } while (glUnmapNamedBuffer(name()) == GL_FALSE);
+    }
+
+  private:
+    Object<deleteBuffer> object_;
+};
+
 }  // namespace
 
 Buffer::Buffer(const char* label, BufferUsage usage) : object_(createBuffer(label)), usage_(glUsage(usage)) {}
@@ -62,49 +96,60 @@ void Buffer::readBytes(std::size_t offset, std::span<std::byte> into) const {
                             into.data());
 }
 
-void Buffer::allocate(const char* label, std::span<const std::byte> bytes, GLbitfield access) {
+void Buffer::allocate(const char* label, std::size_t size, const void* data, GLbitfield access) {
     object_ = Object<deleteBuffer>(createBuffer(label));
     // OpenGL has no empty storage.
-    capacity_ = bytes.empty() ? 4 : bytes.size();
+    capacity_ = std::max<std::size_t>(size, 4);
     requireMemory(capacity_, [&] {
-        glNamedBufferStorage(name(), static_cast<GLsizeiptr>(capacity_),
-                             bytes.empty() ? nullptr : bytes.data(), access);
+        glNamedBufferStorage(name(), static_cast<GLsizeiptr>(capacity_), size == 0 ? nullptr : data, access);
     });
 }
 
 Buffer Buffer::immutable(const char* label, std::span<const std::byte> bytes) {
     Buffer buffer;
-    buffer.allocate(label, bytes, 0);
+    buffer.allocate(label, bytes.size(), bytes.data(), 0);
     return buffer;
 }
 
-Buffer Buffer::immutableMapped(const char* label, std::span<const std::byte> bytes) {
-    constexpr GLbitfield access = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-    Buffer buffer;
-    buffer.allocate(label, bytes, access);
-    buffer.memory_ =
-        glMapNamedBufferRange(buffer.name(), 0, static_cast<GLsizeiptr>(buffer.capacity_), access);
-    if (buffer.memory_ != nullptr) return buffer;
+std::byte* Buffer::map() {
+    void* const memory = glMapNamedBufferRange(name(), 0, static_cast<GLsizeiptr>(capacity_), mapping);
+    memory_ = memory;
+    if (memory != nullptr) return static_cast<std::byte*>(memory);
     throw Error(ErrorKind::limit, "",
-                "the device can not map a buffer of " + std::to_string(bytes.size()) + " bytes");
+                "the device can not map a buffer of " + std::to_string(capacity_) + " bytes");
+}
+
+Buffer Buffer::filledMapped(const char* label, const Layout& layout, const Fill& fill) {
+    const std::size_t size = layout.count * layout.elementSize;
+    Buffer buffer;
+    buffer.allocate(label, size, nullptr, mapping);
+    std::byte* const memory = buffer.map();
+    fill(0, {memory, size});
+    return buffer;
+}
+
+Buffer Buffer::filled(const char* label, const Layout& layout, const Fill& fill) {
+    const std::size_t size = layout.count * layout.elementSize;
+    Buffer buffer;
+    buffer.allocate(label, size, nullptr, 0);
+    if (size == 0) return buffer;
+    const std::size_t part =
+        std::min(size, std::max<std::size_t>(stagingSize / layout.elementSize, 1) * layout.elementSize);
+    const StagingBuffer staging(part);
+    for (std::size_t offset = 0; offset < size; offset += part) {
+        const std::size_t bytes = std::min(part, size - offset);
+        staging.write(bytes, [&](std::span<std::byte> to) { fill(offset, to); });
+        buffer.copyFrom(staging.name(), 0, offset, bytes);
+    }
+    return buffer;
 }
 
 Buffer Buffer::grown(const char* label, const Buffer& from, std::size_t size) {
-    constexpr GLbitfield mapped = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-    const GLbitfield access = from.memory_ != nullptr ? mapped : 0;
     Buffer buffer;
-    buffer.object_ = Object<deleteBuffer>(createBuffer(label));
-    buffer.capacity_ = std::max<std::size_t>(size, 4);
-    requireMemory(buffer.capacity_, [&] {
-        glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(buffer.capacity_), nullptr, access);
-    });
+    buffer.allocate(label, size, nullptr, from.memory_ != nullptr ? mapping : 0);
     if (from.name() != 0) buffer.copyFrom(from.name(), 0, 0, std::min(from.capacity_, buffer.capacity_));
-    if (access == 0) return buffer;
-    buffer.memory_ =
-        glMapNamedBufferRange(buffer.name(), 0, static_cast<GLsizeiptr>(buffer.capacity_), access);
-    if (buffer.memory_ != nullptr) return buffer;
-    throw Error(ErrorKind::limit, "",
-                "the device can not map a buffer of " + std::to_string(size) + " bytes");
+    if (from.memory_ != nullptr) buffer.map();
+    return buffer;
 }
 
 void Buffer::write(std::size_t offset, std::span<const std::byte> bytes) {

@@ -5,6 +5,7 @@
 #include <epoxy/gl.h>
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -32,9 +33,19 @@ class Buffer {
         return immutable(label, std::as_bytes(values));
     }
 
-    /// The same, and the CPU reads it through `mapped`. For devices that keep buffers in its memory.
-    static Buffer immutableMapped(const char* label, std::span<const std::byte> bytes);
-    /// The content of a buffer of `immutableMapped`.
+    /// How many elements of how many bytes a buffer has.
+    struct Layout {
+        std::size_t count = 0, elementSize = 1;
+    };
+    /// Writes whole elements, those from byte `offset` of the buffer on, to memory that is not to be read.
+    using Fill = std::function<void(std::size_t offset, std::span<std::byte> bytes)>;
+    /// A buffer whose content never changes, written part after part into memory that the device copies it
+    /// from. Throws `Error` (limit) when the device has no memory for it.
+    static Buffer filled(const char* label, const Layout& layout, const Fill& fill);
+    /// The same, and the CPU reads it through `mapped`: written at once to where it stays. For devices that
+    /// keep buffers in the CPU's memory.
+    static Buffer filledMapped(const char* label, const Layout& layout, const Fill& fill);
+    /// The content of a buffer of `filledMapped`.
     template <typename T>
     std::span<const T> mapped() const {
         return {static_cast<const T*>(memory_), capacity_ / sizeof(T)};
@@ -75,7 +86,9 @@ class Buffer {
     std::size_t capacity() const { return capacity_; }
 
   private:
-    void allocate(const char* label, std::span<const std::byte> bytes, GLbitfield access);
+    /// `data` are `size` bytes of content, or null.
+    void allocate(const char* label, std::size_t size, const void* data, GLbitfield access);
+    std::byte* map();
     void readBytes(std::size_t offset, std::span<std::byte> into) const;
 
     Object<deleteBuffer> object_;

@@ -1,6 +1,7 @@
 #include "render/gpu_scene/gpu_instances.h"
 
 #include "base/error_context.h"
+#include "base/runs.h"
 #include "render/layout.h"
 #include "scene/geometry/topology.h"
 
@@ -57,14 +58,32 @@ std::optional<Bounds> boxOf(const BoundingSphere& sphere) {
 
 BoundingSphere boundingSphere(std::span<const glm::vec3> points) {
     if (points.empty()) return {};
-    glm::vec3 low(std::numeric_limits<float>::max()), high(-std::numeric_limits<float>::max());
-    for (const glm::vec3& point : points) {
-        low = glm::min(low, point);
-        high = glm::max(high, point);
+    struct Part {
+        glm::vec3 low{std::numeric_limits<float>::max()}, high{-std::numeric_limits<float>::max()};
+        float radius = 0.0f;
+    };
+    std::vector<Part> parts((points.size() + runLength - 1) / runLength);
+    inRuns(points.size(), [&](std::size_t first, std::size_t end) {
+        Part part;
+        for (const glm::vec3& point : points.subspan(first, end - first)) {
+            part.low = glm::min(part.low, point);
+            part.high = glm::max(part.high, point);
+        }
+        parts[first / runLength] = part;
+    });
+    Part all;
+    for (const Part& part : parts) {
+        all.low = glm::min(all.low, part.low);
+        all.high = glm::max(all.high, part.high);
     }
-    BoundingSphere sphere{0.5f * low + 0.5f * high};
-    for (const glm::vec3& point : points)
-        sphere.radius = std::max(sphere.radius, glm::distance(point, sphere.center));
+    BoundingSphere sphere{0.5f * all.low + 0.5f * all.high};
+    inRuns(points.size(), [&](std::size_t first, std::size_t end) {
+        float radius = 0.0f;
+        for (const glm::vec3& point : points.subspan(first, end - first))
+            radius = std::max(radius, glm::distance(point, sphere.center));
+        parts[first / runLength].radius = radius;
+    });
+    for (const Part& part : parts) sphere.radius = std::max(sphere.radius, part.radius);
     return sphere;
 }
 

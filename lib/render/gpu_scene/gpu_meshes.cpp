@@ -1,5 +1,7 @@
 #include "render/gpu_scene/gpu_meshes.h"
 
+#include "base/runs.h"
+#include "render/gpu_scene/mesh_vertices.h"
 #include "render/layout.h"
 #include "scene/model/uv_sets.h"
 
@@ -18,16 +20,6 @@ namespace candela {
 
 namespace {
 
-struct SurfaceVertex {
-    glm::vec3 position, normal;
-};
-
-struct DetailVertex {
-    glm::vec4 tangent{0.0f};
-    glm::vec2 uv0{0.0f}, uv1{0.0f};
-    glm::vec4 color{1.0f};
-};
-
 void requireCounts(std::uint64_t vertices, std::uint64_t indices) {
     if (vertices <= std::numeric_limits<std::int32_t>::max() &&
         indices <= std::numeric_limits<std::uint32_t>::max()) {
@@ -38,20 +30,23 @@ void requireCounts(std::uint64_t vertices, std::uint64_t indices) {
                     " indices; candela draws 2,147,483,647 and 4,294,967,295 at most");
 }
 
-void appendSurface(const Mesh& mesh, std::vector<SurfaceVertex>& vertices) {
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-        vertices.push_back({mesh.positions[i], mesh.normals[i]});
-}
-
-void appendDetails(const Mesh& mesh, std::vector<DetailVertex>& vertices) {
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        DetailVertex vertex;
-        if (!mesh.tangents.empty()) vertex.tangent = mesh.tangents[i];
-        if (!mesh.uv0.empty()) vertex.uv0 = mesh.uv0[i];
-        if (!mesh.uv1.empty()) vertex.uv1 = mesh.uv1[i];
-        if (!mesh.colors.empty()) vertex.color = mesh.colors[i];
-        vertices.push_back(vertex);
-    }
+/// A buffer of `elements`, each `count` values of type T; `write` gets a mesh, the first of its own elements
+/// and where to write values.
+template <typename T, typename Write>
+gl::Buffer bufferOf(const char* label, const MeshElements& elements, std::size_t count,
+                    GpuMeshes::Access access, const Write& write) {
+    const std::size_t size = count * sizeof(T);
+    const auto fill = [&](std::size_t offset, std::span<std::byte> bytes) {
+        T* const values = reinterpret_cast<T*>(bytes.data());
+        const std::size_t first = offset / size;
+        elements.visit(first, first + bytes.size() / size, [&](const MeshElements::Run& run) {
+            write(run.mesh, run.firstOfMesh,
+                  std::span(values + (run.first - first) * count, run.count * count));
+        });
+    };
+    const gl::Buffer::Layout layout{elements.count(), size};
+    return access == GpuMeshes::Access::deviceAndCpu ? gl::Buffer::filledMapped(label, layout, fill)
+                                                     : gl::Buffer::filled(label, layout, fill);
 }
 
 std::vector<glm::vec3> positionsIn(const gl::Buffer& surface, std::size_t first, std::size_t count) {
@@ -102,7 +97,7 @@ GpuMeshes::GpuMeshes(std::span<const Mesh> meshes, Detail detail, Access access)
     place(meshes);
     vertexPool_ = RangePool(vertexCount_);
     indexPool_ = RangePool(indexCount_);
-    uploadSurface(meshes, access);
+    uploadSurface(meshes);
     if (detail_ != Detail::everything) return;
     uploadDetail(meshes);
     if (furtherPairs_ != 0) uploadFurtherUvs(meshes);
@@ -113,11 +108,15 @@ void GpuMeshes::place(std::span<const Mesh> meshes) {
     std::iota(order_.begin(), order_.end(), 0u);
     std::ranges::stable_partition(order_, [&](std::uint32_t i) { return !meshes[i].furtherUvs.empty(); });
     places_.resize(meshes.size());
+    forEachElement(
+        meshes.size(), [&](std::size_t i) { return meshes[i].positions.size(); },
+        [&](std::size_t i) { places_[i].sphere = boundingSphere(meshes[i].positions); });
     for (const std::uint32_t i : order_) {
         const Mesh& mesh = meshes[i];
-        places_[i] = {static_cast<std::uint32_t>(indexCount_), static_cast<std::int32_t>(vertexCount_),
-                      static_cast<std::uint32_t>(mesh.positions.size()), boundingSphere(mesh.positions),
-                      static_cast<std::uint32_t>(mesh.indices.size())};
+        places_[i].firstIndex = static_cast<std::uint32_t>(indexCount_);
+        places_[i].baseVertex = static_cast<std::int32_t>(vertexCount_);
+        places_[i].vertexCount = static_cast<std::uint32_t>(mesh.positions.size());
+        places_[i].indexCount = static_cast<std::uint32_t>(mesh.indices.size());
         vertexCount_ += mesh.positions.size();
         indexCount_ += mesh.indices.size();
         if (detail_ != Detail::everything || mesh.furtherUvs.empty()) continue;
@@ -127,46 +126,37 @@ void GpuMeshes::place(std::span<const Mesh> meshes) {
     requireCounts(vertexCount_, indexCount_);
 }
 
-void GpuMeshes::uploadSurface(std::span<const Mesh> meshes, Access access) {
-    std::vector<SurfaceVertex> vertices;
-    std::vector<std::uint32_t> indices;
-    vertices.reserve(vertexCount_);
-    indices.reserve(indexCount_);
-    for (const std::uint32_t index : order_) {
-        const Mesh& mesh = meshes[index];
-        appendSurface(mesh, vertices);
-        indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
+void GpuMeshes::uploadSurface(std::span<const Mesh> meshes) {
+    MeshElements vertices, indices;
+    for (const std::uint32_t mesh : order_) {
+        vertices.append(mesh, places_[mesh].vertexCount);
+        indices.append(mesh, places_[mesh].indexCount);
     }
-    const auto make = [access](const char* label, std::span<const std::byte> bytes) {
-        if (access == Access::deviceAndCpu) return gl::Buffer::immutableMapped(label, bytes);
-        return gl::Buffer::immutable(label, bytes);
-    };
-    surface_ = make("mesh positions and normals", std::as_bytes(std::span(vertices)));
-    indices_ = make("mesh indices", std::as_bytes(std::span(indices)));
+    surface_ = bufferOf<SurfaceVertex>(
+        "mesh positions and normals", vertices, 1, access_,
+        [&](std::uint32_t mesh, std::size_t first, auto to) { writeSurface(meshes[mesh], first, to); });
+    indices_ = bufferOf<std::uint32_t>(
+        "mesh indices", indices, 1, access_,
+        [&](std::uint32_t mesh, std::size_t first, auto to) { writeIndices(meshes[mesh], first, to); });
 }
 
 void GpuMeshes::uploadDetail(std::span<const Mesh> meshes) {
-    std::vector<DetailVertex> vertices;
-    vertices.reserve(vertexCount_);
-    for (const std::uint32_t index : order_) {
-        const Mesh& mesh = meshes[index];
-        appendDetails(mesh, vertices);
-    }
-    details_ = gl::Buffer::immutable("mesh details", std::span<const DetailVertex>(vertices));
+    MeshElements vertices;
+    for (const std::uint32_t mesh : order_) vertices.append(mesh, places_[mesh].vertexCount);
+    details_ = bufferOf<DetailVertex>(
+        "mesh details", vertices, 1, access_,
+        [&](std::uint32_t mesh, std::size_t first, auto to) { writeDetails(meshes[mesh], first, to); });
 }
 
 void GpuMeshes::uploadFurtherUvs(std::span<const Mesh> meshes) {
-    const std::size_t stride = 2 * furtherPairs_;
-    std::vector<glm::vec2> uvs(furtherVertices_ * stride, glm::vec2(0.0f));
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-        glm::vec2* first = uvs.data() + static_cast<std::size_t>(places_[i].baseVertex) * stride;
-        for (std::size_t set = 0; set < meshes[i].furtherUvs.size(); ++set) {
-            const std::vector<glm::vec2>& from = meshes[i].furtherUvs[set];
-            for (std::size_t vertex = 0; vertex < from.size(); ++vertex)
-                first[vertex * stride + set] = from[vertex];
-        }
+    MeshElements vertices;
+    for (const std::uint32_t mesh : order_) {
+        if (!meshes[mesh].furtherUvs.empty()) vertices.append(mesh, places_[mesh].vertexCount);
     }
-    furtherUvs_ = gl::Buffer::immutable("further texture coordinates", std::span<const glm::vec2>(uvs));
+    furtherUvs_ = bufferOf<glm::vec2>("further texture coordinates", vertices, 2 * furtherPairs_, access_,
+                                      [&](std::uint32_t mesh, std::size_t first, auto to) {
+                                          writeFurtherUvs(meshes[mesh], first, furtherPairs_, to);
+                                      });
 }
 
 GpuMeshes::Buffers GpuMeshes::reserve(std::uint64_t vertices, std::uint64_t indices, MeshPlace& place) {
@@ -213,14 +203,14 @@ GpuMeshes::Buffers GpuMeshes::reserve(std::uint64_t vertices, std::uint64_t indi
 }
 
 void GpuMeshes::write(const MeshPlace& place, const Mesh& mesh) {
-    std::vector<SurfaceVertex> surface;
-    appendSurface(mesh, surface);
+    std::vector<SurfaceVertex> surface(place.vertexCount);
+    writeSurface(mesh, 0, surface);
     const auto first = static_cast<std::size_t>(place.baseVertex);
     surface_.write(first, std::span<const SurfaceVertex>(surface));
     indices_.write(place.firstIndex, std::span<const std::uint32_t>(mesh.indices));
     if (hasDetail()) {
-        std::vector<DetailVertex> details;
-        appendDetails(mesh, details);
+        std::vector<DetailVertex> details(place.vertexCount);
+        writeDetails(mesh, 0, details);
         details_.write(first, std::span<const DetailVertex>(details));
     }
     settle();

@@ -137,7 +137,7 @@ class GpuMeshes {
     void write(const MeshPlace& place, const Mesh& mesh);
     void settle() const;
     void describeFurtherUvs(const gl::VertexArray& vertexArray, std::size_t firstVertex) const;
-    void uploadSurface(std::span<const Mesh> meshes, Access access);
+    void uploadSurface(std::span<const Mesh> meshes);
     void uploadDetail(std::span<const Mesh> meshes);
     void uploadFurtherUvs(std::span<const Mesh> meshes);
 
