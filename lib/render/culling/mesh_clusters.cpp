@@ -2,11 +2,7 @@
 
 #include "base/thread_pool.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace candela {
 
@@ -18,79 +14,6 @@ std::uint32_t clustersOf(std::uint32_t indexCount) {
     return (indexCount + clusterIndices - 1) / clusterIndices;
 }
 
-/// The vertices of a mesh and the triangles of a cluster.
-struct ClusterTriangles {
-    std::span<const glm::vec3> positions;
-    std::span<const std::uint32_t> indices;
-
-    const glm::vec3& corner(std::size_t i) const { return positions[indices[i]]; }
-};
-
-void boundPoints(const ClusterTriangles& triangles, layout::TriangleCluster& cluster) {
-    glm::vec3 low = triangles.corner(0), high = low;
-    for (std::size_t i = 1; i < triangles.indices.size(); ++i) {
-        low = glm::min(low, triangles.corner(i));
-        high = glm::max(high, triangles.corner(i));
-    }
-    const glm::vec3 center = low + 0.5f * (high - low);
-    double farthest2 = 0.0;
-    for (std::size_t i = 0; i < triangles.indices.size(); ++i) {
-        const glm::dvec3 way = glm::dvec3(triangles.corner(i)) - glm::dvec3(center);
-        farthest2 = std::max(farthest2, glm::dot(way, way));
-    }
-    for (int i = 0; i < 3; ++i) cluster.center[i] = center[i];
-    // A little more, for what the tests round.
-    cluster.radius = static_cast<float>(std::sqrt(farthest2) * 1.0001);
-}
-
-/// The normal, or zero where two corners are one: such a triangle covers nothing, however it is rounded.
-struct Facet {
-    glm::dvec3 normal{0.0};
-    double altitude = 0.0;
-};
-
-Facet facetOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    const glm::dvec3 ab = b - a, ac = c - a, bc = c - b;
-    const double shortest2 = std::min({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
-    if (shortest2 == 0.0) return {};
-    const glm::dvec3 doubled = glm::cross(ab, ac);
-    const double area = glm::length(doubled);
-    const double longest2 = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
-    return {area > 0.0 ? doubled / area : glm::dvec3(0.0, 0.0, 1.0), area / std::sqrt(longest2)};
-}
-
-void boundNormals(const ClusterTriangles& triangles, layout::TriangleCluster& cluster) {
-    Facet facets[layout::CLUSTER_TRIANGLES];
-    const std::size_t count = triangles.indices.size() / 3;
-    glm::dvec3 sum(0.0);
-    double altitude = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < count; ++i) {
-        facets[i] =
-            facetOf(triangles.corner(3 * i), triangles.corner(3 * i + 1), triangles.corner(3 * i + 2));
-        sum += facets[i].normal;
-        if (facets[i].normal != glm::dvec3(0.0)) altitude = std::min(altitude, facets[i].altitude);
-    }
-    const double length = glm::length(sum);
-    if (length == 0.0) return;
-    const glm::vec3 axis(sum / length);
-    double cosine = 1.0;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (facets[i].normal != glm::dvec3(0.0))
-            cosine = std::min(cosine, glm::dot(facets[i].normal, glm::dvec3(axis)));
-    }
-    for (int i = 0; i < 3; ++i) cluster.axis[i] = axis[i];
-    // A little less, for what the axis and the tests round.
-    cluster.cosine = std::max(static_cast<float>(cosine - 1.0e-5), 0.0f);
-    cluster.altitude = static_cast<float>(0.9999 * altitude);
-}
-
-layout::TriangleCluster boundsOf(const ClusterTriangles& triangles) {
-    layout::TriangleCluster cluster{};
-    boundPoints(triangles, cluster);
-    boundNormals(triangles, cluster);
-    return cluster;
-}
-
 }  // namespace
 
 /// Consecutive clusters of one part, for one thread.
@@ -99,7 +22,8 @@ struct MeshClusters::Task {
     std::uint32_t firstIndex, endIndex, firstCluster;
 };
 
-MeshClusters::MeshClusters(std::span<const Mesh> meshes) : parts_(meshes.size()) {
+MeshClusters::MeshClusters(std::span<const Mesh> meshes, const TriangleFilterKernel& kernel)
+    : kernel_(&kernel), parts_(meshes.size()) {
     std::vector<Task> tasks;
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -139,11 +63,8 @@ void MeshClusters::addTasks(std::span<const Part> parts, const MeshTriangles& me
 void MeshClusters::compute(std::span<const Task> tasks) {
     ThreadPool::shared()->run(tasks.size(), [&](std::size_t i, unsigned) {
         const Task& task = tasks[i];
-        layout::TriangleCluster* cluster = clusters_.data() + task.firstCluster;
-        for (std::uint32_t first = task.firstIndex; first < task.endIndex; first += clusterIndices) {
-            const std::uint32_t count = std::min(task.endIndex - first, clusterIndices);
-            *cluster++ = boundsOf({task.mesh.positions, task.mesh.indices.subspan(first, count)});
-        }
+        kernel_->bound({&task.mesh.positions.front().x, task.mesh.indices.data() + task.firstIndex,
+                        (task.endIndex - task.firstIndex) / 3, clusters_.data() + task.firstCluster});
     });
     ++version_;
 }

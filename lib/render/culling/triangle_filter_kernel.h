@@ -31,6 +31,14 @@ struct FilterTriangles {
 };
 constexpr int vertexFloats = 6;
 
+/// The clusters of consecutive triangles of a mesh.
+struct BoundClusters {
+    const float* positions;  ///< That of vertex 0, three numbers each.
+    const std::uint32_t* indices;
+    std::uint32_t count;  ///< Triangles.
+    layout::TriangleCluster* clusters;
+};
+
 /// The functions of one instruction set (shaders/shared/triangle_filter.h).
 struct TriangleFilterKernel {
     const char* name;
@@ -39,6 +47,8 @@ struct TriangleFilterKernel {
     /// Writes the indices of the triangles that may leave a trace, in their order. Returns how many indices
     /// those are.
     std::uint32_t (*filter)(const FilterTriangles& job);
+    /// Computes the bounds of clusters.
+    void (*bound)(const BoundClusters& job);
 };
 
 /// One for each instruction set that this build has and this processor runs, widest first.

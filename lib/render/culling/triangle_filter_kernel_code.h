@@ -5,6 +5,7 @@
 
 #include "render/culling/triangle_filter_kernel.h"
 
+#include "render/culling/cluster_kernel_code.h"
 #include "render/simd.h"
 
 namespace candela {
@@ -103,6 +104,7 @@ std::uint64_t cullClusters(const CullClusters& job) {
 }  // namespace
 
 extern const TriangleFilterKernel CANDELA_TRIANGLE_KERNEL;
-const TriangleFilterKernel CANDELA_TRIANGLE_KERNEL{CANDELA_KERNEL_NAME, cullClusters, filterTriangles};
+const TriangleFilterKernel CANDELA_TRIANGLE_KERNEL{CANDELA_KERNEL_NAME, cullClusters, filterTriangles,
+                                                   boundClusters};
 
 }  // namespace candela

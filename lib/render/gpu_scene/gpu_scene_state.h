@@ -20,6 +20,7 @@
 #include <candela/gpu_scene.h>
 
 #include <array>
+#include <future>
 #include <memory>
 #include <optional>
 #include <span>
@@ -138,6 +139,8 @@ struct GpuScene::State {
     std::unique_ptr<GpuEnvironment> environment;  ///< Null without one.
 
     NodeTransforms transforms;
+    /// Computed while the device's memory for `meshes` is allocated, on which one thread works as long.
+    std::future<MeshClusters> clustersToCome;
     GpuMeshes meshes;
     MeshClusters clusters;
     GpuImages images;

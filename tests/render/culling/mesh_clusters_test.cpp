@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string>
 
 namespace candela::test {
 namespace {
@@ -68,6 +69,47 @@ TEST(MeshClustersTest, boundsHoldTheirTriangles) {
     expectBounds(cluster, mesh, 0, mesh.indices.size());
     EXPECT_NEAR(cluster.axis[2], 1.0f, 1.0e-2f);
     EXPECT_NEAR(cluster.cosine, std::cos(0.5f), 1.0e-2f) << "the axis leans by what is missing of the ring";
+}
+
+// Also of clusters that are no whole vectors of triangles.
+TEST(MeshClustersTest, eachKernelBoundsClustersOfAllSizes) {
+    for (const TriangleFilterKernel* kernel : triangleFilterKernels()) {
+        for (std::uint32_t count = layout::CLUSTER_TRIANGLES; count <= 2 * layout::CLUSTER_TRIANGLES;
+             ++count) {
+            SCOPED_TRACE(std::string(kernel->name) + ", triangles: " + std::to_string(count));
+            const Mesh mesh = ring(count, 0.5f);
+            const MeshClusters clusters(std::span(&mesh, 1), *kernel);
+            const std::size_t end = mesh.indices.size();
+            for (std::size_t i = 0; i < clusters.clusters().size(); ++i) {
+                const std::size_t first = i * 3 * layout::CLUSTER_TRIANGLES;
+                expectBounds(clusters.clusters()[i], mesh, first,
+                             std::min<std::size_t>(first + 3 * layout::CLUSTER_TRIANGLES, end));
+            }
+        }
+    }
+}
+
+// They bound what is drawn at all: nothing of these is.
+TEST(MeshClustersTest, trianglesWithoutAnAreaHaveNoCone) {
+    Mesh mesh = ring(layout::CLUSTER_TRIANGLES, 0.5f);
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) mesh.indices[i + 1] = mesh.indices[i];
+    for (const TriangleFilterKernel* kernel : triangleFilterKernels()) {
+        const MeshClusters clusters(std::span(&mesh, 1), *kernel);
+        EXPECT_EQ(clusters.clusters().front().cosine, 0.0f) << kernel->name;
+        EXPECT_EQ(clusters.clusters().front().altitude, 0.0f) << kernel->name;
+    }
+}
+
+TEST(MeshClustersTest, trianglesOnALineHaveNoAltitude) {
+    Mesh mesh = ring(layout::CLUSTER_TRIANGLES, 0.5f);
+    mesh.positions[30] = {1.0f, 0.0f, 0.0f};
+    mesh.positions[31] = {2.0f, 0.0f, 0.0f};
+    mesh.positions[32] = {4.0f, 0.0f, 0.0f};
+    for (const TriangleFilterKernel* kernel : triangleFilterKernels()) {
+        const MeshClusters clusters(std::span(&mesh, 1), *kernel);
+        EXPECT_EQ(clusters.clusters().front().altitude, 0.0f) << kernel->name;
+        EXPECT_TRUE(std::isfinite(clusters.clusters().front().axis[2])) << kernel->name;
+    }
 }
 
 TEST(MeshClustersTest, normalsOfAllDirectionsHaveNoCone) {
