@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "buffers.h"
 
@@ -146,15 +147,11 @@ Elements findElements(const Document& document, const Checked& checked) {
             stride};
 }
 
-std::vector<std::uint8_t> denseElements(const Document& document, const Checked& checked) {
-    const Elements elements = findElements(document, checked);
+/// A copy of the elements, one after the other.
+std::vector<std::uint8_t> packedElements(const Elements& elements, const Checked& checked) {
     const std::uint64_t size = checked.elementSize, count = checked.accessor.count;
     std::vector<std::uint8_t> packed(size * count);
     if (!elements.first) return packed;
-    if (elements.stride == size) {
-        std::memcpy(packed.data(), elements.first, packed.size());
-        return packed;
-    }
     for (std::uint64_t i = 0; i < count; ++i) {
         std::memcpy(packed.data() + i * size, elements.first + i * elements.stride, size);
     }
@@ -198,25 +195,103 @@ void applySparse(const Document& document, const Checked& checked, std::vector<s
     }
 }
 
-std::vector<std::uint8_t> packedElements(const Document& document, const Checked& checked) {
-    std::vector<std::uint8_t> packed = denseElements(document, checked);
-    if (checked.accessor.sparse.isSparse) applySparse(document, checked, packed);
-    return packed;
+/// The elements of an accessor: where they lie in a buffer, or, of a sparse one, in memory of its own.
+struct StoredElements {
+    Elements elements;
+    std::vector<std::uint8_t> memory = {};
+};
+
+StoredElements storedElements(const Document& document, const Checked& checked) {
+    StoredElements stored{findElements(document, checked)};
+    if (!checked.accessor.sparse.isSparse) return stored;
+    stored.memory = packedElements(stored.elements, checked);
+    applySparse(document, checked, stored.memory);
+    stored.elements = {stored.memory.data(), checked.elementSize};
+    return stored;
 }
 
+/// Whether numbers of type Stored lie one after the other where they can be read as such.
 template <typename Stored>
-void toFloats(const std::vector<std::uint8_t>& packed, bool normalized, std::vector<float>& out) {
-    const float scale = normalized ? 1.0f / static_cast<float>(std::numeric_limits<Stored>::max()) : 1.0f;
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        Stored stored;
-        std::memcpy(&stored, packed.data() + i * sizeof(Stored), sizeof(Stored));
-        const float value = static_cast<float>(stored) * scale;
-        // The minimum has no positive counterpart and is -1 as well.
-        out[i] = normalized ? std::max(value, -1.0f) : value;
+bool areInPlace(const Elements& elements, const Checked& checked) {
+    const bool isAligned = reinterpret_cast<std::uintptr_t>(elements.first) % alignof(Stored) == 0;
+    return elements.first && isAligned && elements.stride == checked.elementSize;
+}
+
+/// Calls `visit` for each number of the elements, of `components` each, which are there.
+template <typename Stored, typename Visit>
+void forEachNumber(const Elements& elements, std::uint64_t count, int components, const Visit& visit) {
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const std::uint8_t* number = elements.first + i * elements.stride;
+        for (int c = 0; c < components; ++c, number += sizeof(Stored)) {
+            Stored stored;
+            std::memcpy(&stored, number, sizeof(Stored));
+            visit(stored);
+        }
     }
 }
 
-void requireFinite(const std::vector<float>& numbers, int components, const Checked& checked) {
+/// The numbers of the elements as they are, where they are if they lie in a buffer as such.
+template <typename Stored>
+Numbers<Stored> plainNumbers(StoredElements&& stored, const Checked& checked, int components) {
+    const std::uint64_t count = checked.accessor.count * static_cast<std::uint64_t>(components);
+    const Elements& elements = stored.elements;
+    if (!elements.first) return Numbers(std::vector<Stored>(count));
+    if (stored.memory.empty() && areInPlace<Stored>(elements, checked))
+        return Numbers(std::span(reinterpret_cast<const Stored*>(elements.first), count));
+    std::vector<Stored> numbers;
+    numbers.reserve(count);
+    forEachNumber<Stored>(elements, checked.accessor.count, components,
+                          [&](Stored number) { numbers.push_back(number); });
+    return Numbers(std::move(numbers));
+}
+
+template <typename Stored>
+Numbers<float> toFloats(const Elements& elements, const Checked& checked, int components) {
+    std::vector<float> numbers(checked.accessor.count * static_cast<std::uint64_t>(components));
+    if (!elements.first) return Numbers(std::move(numbers));
+    // It means nothing for 32 bits.
+    const bool normalized = checked.accessor.normalized && sizeof(Stored) < 4;
+    const float scale = normalized ? 1.0f / static_cast<float>(std::numeric_limits<Stored>::max()) : 1.0f;
+    float* out = numbers.data();
+    forEachNumber<Stored>(elements, checked.accessor.count, components, [&](Stored stored) {
+        const float value = static_cast<float>(stored) * scale;
+        // The minimum has no positive counterpart and is -1 as well.
+        *out++ = normalized ? std::max(value, -1.0f) : value;
+    });
+    return Numbers(std::move(numbers));
+}
+
+Numbers<float> floatsOf(StoredElements&& stored, const Checked& checked, int components) {
+    const Elements& elements = stored.elements;
+    switch (checked.accessor.componentType) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return toFloats<std::int8_t>(elements, checked, components);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return toFloats<std::uint8_t>(elements, checked, components);
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return toFloats<std::int16_t>(elements, checked, components);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return toFloats<std::uint16_t>(elements, checked, components);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return toFloats<std::uint32_t>(elements, checked, components);
+        default:
+            return plainNumbers<float>(std::move(stored), checked, components);
+    }
+}
+
+template <typename Stored>
+Numbers<std::uint32_t> widened(const Elements& elements, const Checked& checked) {
+    std::vector<std::uint32_t> numbers;
+    numbers.reserve(checked.accessor.count);
+    if (!elements.first)
+        numbers.resize(checked.accessor.count);
+    else
+        forEachNumber<Stored>(elements, checked.accessor.count, 1,
+                              [&](Stored number) { numbers.push_back(number); });
+    return Numbers(std::move(numbers));
+}
+
+void requireFinite(std::span<const float> numbers, int components, const Checked& checked) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (std::isfinite(numbers[i])) continue;
         checked.fail("has a number in element " + std::to_string(i / static_cast<std::size_t>(components)) +
@@ -240,47 +315,33 @@ void checkAccessor(const Document& document, int accessor, int components, Encod
     const Checked checked = check(document, accessor, components, allowed, element);
     findElements(document, checked);
     // Whether the values of a sparse accessor fit is found out by applying them.
-    if (checked.accessor.sparse.isSparse) packedElements(document, checked);
+    if (checked.accessor.sparse.isSparse) storedElements(document, checked);
+}
+
+Numbers<float> findFloats(const Document& document, int accessor, int components, Encodings allowed,
+                          const std::string& element, Finiteness finiteness) {
+    const Checked checked = check(document, accessor, components, allowed, element);
+    Numbers<float> numbers = floatsOf(storedElements(document, checked), checked, components);
+    if (finiteness == Finiteness::required) requireFinite(numbers.view(), components, checked);
+    return numbers;
 }
 
 std::vector<float> readFloats(const Document& document, int accessor, int components, Encodings allowed,
                               const std::string& element, Finiteness finiteness) {
-    const Checked checked = check(document, accessor, components, allowed, element);
-    const std::vector<std::uint8_t> packed = packedElements(document, checked);
-    const bool normalized = checked.accessor.normalized;
-    std::vector<float> numbers(checked.accessor.count * static_cast<std::size_t>(components));
-    switch (checked.accessor.componentType) {
-        case TINYGLTF_COMPONENT_TYPE_BYTE:
-            toFloats<std::int8_t>(packed, normalized, numbers);
-            break;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            toFloats<std::uint8_t>(packed, normalized, numbers);
-            break;
-        case TINYGLTF_COMPONENT_TYPE_SHORT:
-            toFloats<std::int16_t>(packed, normalized, numbers);
-            break;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            toFloats<std::uint16_t>(packed, normalized, numbers);
-            break;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-            toFloats<std::uint32_t>(packed, false, numbers);
-            break;
-        default:
-            std::memcpy(numbers.data(), packed.data(), packed.size());
-            break;
-    }
-    if (finiteness == Finiteness::required) requireFinite(numbers, components, checked);
-    return numbers;
+    return findFloats(document, accessor, components, allowed, element, finiteness).take();
 }
 
-std::vector<std::uint32_t> readIndices(const Document& document, int accessor, const std::string& element) {
+Numbers<std::uint32_t> findIndices(const Document& document, int accessor, const std::string& element) {
     const Checked checked = check(document, accessor, 1, indexEncodings, element);
-    const std::vector<std::uint8_t> packed = packedElements(document, checked);
-    std::vector<std::uint32_t> indices(checked.accessor.count);
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        indices[i] = unsignedAt(packed.data(), i, checked.elementSize);
+    StoredElements stored = storedElements(document, checked);
+    switch (checked.elementSize) {
+        case 1:
+            return widened<std::uint8_t>(stored.elements, checked);
+        case 2:
+            return widened<std::uint16_t>(stored.elements, checked);
+        default:
+            return plainNumbers<std::uint32_t>(std::move(stored), checked, 1);
     }
-    return indices;
 }
 
 }  // namespace candela_plugins::gltf

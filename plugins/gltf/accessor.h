@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "document.h"
+#include "numbers.h"
 
 namespace candela_plugins::gltf {
 
@@ -46,13 +47,18 @@ void requireAccessor(const Document& document, int accessor, const std::string& 
 void checkAccessor(const Document& document, int accessor, int components, Encodings allowed,
                    const std::string& element);
 
-/// The numbers of an accessor, element after element. Integers become the floating-point numbers they stand
+/// The numbers of an accessor, element after element, where they are in the document if they lie there as
+/// such. Integers become the floating-point numbers they stand
 /// for: normalised ones f = c / max, and max(c / max, -1) where signed (glTF 2.0, 3.11). Throws `Failure` for
 /// `element` as `checkAccessor`, and when a number is not finite.
+Numbers<float> findFloats(const Document& document, int accessor, int components, Encodings allowed,
+                          const std::string& element, Finiteness finiteness = Finiteness::required);
+
+/// The same in memory of their own.
 std::vector<float> readFloats(const Document& document, int accessor, int components, Encodings allowed,
                               const std::string& element, Finiteness finiteness = Finiteness::required);
 
-/// The numbers of a SCALAR accessor of unsigned integers. Throws `Failure` for `element` as `readFloats`.
-std::vector<std::uint32_t> readIndices(const Document& document, int accessor, const std::string& element);
+/// The numbers of a SCALAR accessor of unsigned integers. Throws `Failure` for `element` as `findFloats`.
+Numbers<std::uint32_t> findIndices(const Document& document, int accessor, const std::string& element);
 
 }  // namespace candela_plugins::gltf

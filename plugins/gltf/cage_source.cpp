@@ -186,7 +186,8 @@ class SourceReader {
     }
 
     std::vector<std::uint32_t> cornersOf(const Part& part, std::uint32_t vertices) const {
-        std::vector<std::uint32_t> corners = readCorners(document_, part.primitive, vertices, part.element);
+        std::vector<std::uint32_t> corners =
+            findCorners(document_, part.primitive, vertices, part.element).take();
         requireCornersBelow(vertices, corners, part.element);
         return corners;
     }

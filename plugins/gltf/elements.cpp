@@ -34,21 +34,22 @@ const Elements& elementsOf(int mode) {
     return mode == TINYGLTF_MODE_POINTS ? points : lines;
 }
 
-std::vector<std::uint32_t> readElements(const Document& document, const tinygltf::Primitive& primitive,
-                                        std::uint32_t vertices, const Host& host,
-                                        const std::string& element) {
+Numbers<std::uint32_t> readElements(const Document& document, const tinygltf::Primitive& primitive,
+                                    std::uint32_t vertices, const Host& host, const std::string& element) {
     const Elements& elements = elementsOf(primitive.mode);
-    std::vector<std::uint32_t> corners = readCorners(document, primitive, vertices, element);
+    Numbers<std::uint32_t> corners = findCorners(document, primitive, vertices, element);
     const bool isList = primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == TINYGLTF_MODE_LINE;
     const std::size_t surplus = isList ? corners.size() % elements.corners : 0;
     if (surplus > 0 && surplus < corners.size()) {
-        corners.resize(corners.size() - surplus);
+        corners.edit().resize(corners.size() - surplus);
         host.note(CANDELA_NOTE_MISSING, element,
                   std::string("corners beyond the last whole ") + elements.name + ": left out");
     }
-    if (primitive.mode == TINYGLTF_MODE_POINTS) return corners;
-    return hasTriangles(primitive.mode) ? triangulate(primitive.mode, std::move(corners), element)
-                                        : linesOf(primitive.mode, std::move(corners), element);
+    const bool isWholeList = isList && corners.size() % elements.corners == 0;
+    if (isWholeList || primitive.mode == TINYGLTF_MODE_POINTS) return corners;
+    return Numbers(hasTriangles(primitive.mode)
+                       ? triangulate(primitive.mode, std::move(corners).take(), element)
+                       : linesOf(primitive.mode, std::move(corners).take(), element));
 }
 
 }  // namespace candela_plugins::gltf

@@ -8,6 +8,7 @@
 
 #include "../common/host.h"
 #include "document.h"
+#include "numbers.h"
 
 namespace candela_plugins::gltf {
 
@@ -24,8 +25,8 @@ const Elements& elementsOf(int mode);
 /// The indices of the triangles, lines or points of a primitive with these vertices. They may name vertices
 /// that do not exist. Corners beyond the last whole element of a list are left out with a note. Throws
 /// `Failure` for `element` when there are too few.
-std::vector<std::uint32_t> readElements(const Document& document, const tinygltf::Primitive& primitive,
-                                        std::uint32_t vertices, const Host& host, const std::string& element);
+Numbers<std::uint32_t> readElements(const Document& document, const tinygltf::Primitive& primitive,
+                                    std::uint32_t vertices, const Host& host, const std::string& element);
 
 /// Keeps the elements of which all vertices are usable.
 template <typename IsUsable>

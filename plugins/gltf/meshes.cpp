@@ -48,15 +48,17 @@ class Part {
              const VertexKey& key, const Deformers& deformers, const std::string& element) {
         const VertexRange range =
             rangeOf(document, key, look.slots, deformers, elementsOf(primitive.mode).name, element);
-        const std::vector<std::uint32_t> drawn = drawnIndices(document, primitive, range, element);
+        Numbers<std::uint32_t> drawn = drawnIndices(document, primitive, range, element);
         const std::size_t first = indices_.size();
         if (first + drawn.size() > std::numeric_limits<std::uint32_t>::max()) {
             throw Failure{element, "makes more than 4294967295 indices"};
         }
-        for (const std::uint32_t corner : drawn) indices_.push_back(range.first + corner);
         const auto submesh = static_cast<std::uint32_t>(submeshes_.size());
         submeshes_.push_back(
             {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(drawn.size()), look.material});
+        if (range.first != 0)
+            for (std::uint32_t& corner : drawn.edit()) corner += range.first;
+        indices_.append(std::move(drawn));
         for (const VariantMaterial& variant : look.variants)
             variantMaterials_.push_back({submesh, variant.variant, variant.material});
         topologies_.push_back(elementsOf(primitive.mode).topology);
@@ -136,7 +138,7 @@ class Part {
             throw Failure{element, "makes more than 4294967295 vertices"};
         }
         Streams read = readStreams(document, accessors, slots, count, name, element);
-        for (std::size_t s = 0; s < streamCount; ++s) append(std::move(read[s]), streams_[s]);
+        for (std::size_t s = 0; s < streamCount; ++s) streams_[s].append(std::move(read[s]));
         const auto appendAll = [](auto& all, const auto& more) {
             all.insert(all.end(), more.begin(), more.end());
         };
@@ -154,7 +156,7 @@ class Part {
                         std::size_t count, const char* name, const std::string& element) {
         Streams read;
         for (std::size_t s = 0; s < streamCount; ++s) {
-            if (accessors[s] == zeros) read[s].resize(count * componentsOf(s));
+            if (accessors[s] == zeros) read[s] = Numbers(std::vector<float>(count * componentsOf(s)));
             if (accessors[s] < 0) continue;
             read[s] = readStream(document, s, accessors[s], attributeOf(s, slots), count, element);
             if (s == position) noteBrokenVertices(read[s], name, element);
@@ -167,46 +169,39 @@ class Part {
     }
 
     /// `positions` are those of the vertices that are added next.
-    void noteBrokenVertices(std::vector<float>& positions, const char* name, const std::string& element) {
+    void noteBrokenVertices(Numbers<float>& positions, const char* name, const std::string& element) {
         constexpr float maxCoordinate = 1e9f;  // the host's
-        bool broken = false;
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            if (std::abs(positions[i]) <= maxCoordinate) continue;
-            positions[i] = 0.0f;
+        const auto isUsable = [](float coordinate) { return std::abs(coordinate) <= maxCoordinate; };
+        if (std::all_of(positions.view().begin(), positions.view().end(), isUsable)) return;
+        std::vector<float>& coordinates = positions.edit();
+        for (std::size_t i = 0; i < coordinates.size(); ++i) {
+            if (isUsable(coordinates[i])) continue;
+            coordinates[i] = 0.0f;
             brokenVertices_.insert(vertexCount_ + static_cast<std::uint32_t>(i / 3));
-            broken = true;
         }
-        if (!broken) return;
         host_.note(CANDELA_NOTE_MISSING, element,
                    std::string(name) + "s with a vertex that is not finite or beyond 1e9: left out");
     }
 
-    static void append(std::vector<float>&& from, std::vector<float>& to) {
-        if (to.empty()) {
-            to = std::move(from);
-        } else {
-            to.insert(to.end(), from.begin(), from.end());
-        }
-    }
-
     /// The indices of the triangles, lines or points whose vertices exist and are finite.
-    std::vector<std::uint32_t> drawnIndices(const Document& document, const tinygltf::Primitive& primitive,
-                                            const VertexRange& range, const std::string& element) const {
+    Numbers<std::uint32_t> drawnIndices(const Document& document, const tinygltf::Primitive& primitive,
+                                        const VertexRange& range, const std::string& element) const {
         const Elements& elements = elementsOf(primitive.mode);
         const std::string name = elements.name;
-        std::vector<std::uint32_t> drawn = readElements(document, primitive, range.count, host_, element);
+        Numbers<std::uint32_t> drawn = readElements(document, primitive, range.count, host_, element);
         const auto exists = [&](std::uint32_t vertex) { return vertex < range.count; };
-        if (!std::all_of(drawn.begin(), drawn.end(), exists)) {
-            keepElements(drawn, elements, exists);
+        if (!std::all_of(drawn.view().begin(), drawn.view().end(), exists)) {
+            keepElements(drawn.edit(), elements, exists);
             host_.note(CANDELA_NOTE_MISSING, element, name + "s with a vertex that does not exist: left out");
         }
         if (!brokenVertices_.empty()) {
-            keepElements(drawn, elements, [&](std::uint32_t vertex) {
+            keepElements(drawn.edit(), elements, [&](std::uint32_t vertex) {
                 return !brokenVertices_.contains(range.first + vertex);
             });
         }
         if (!drawn.empty()) return drawn;
-        requireCornersBelow(range.count, readCorners(document, primitive, range.count, element), element);
+        requireCornersBelow(range.count, findCorners(document, primitive, range.count, element).view(),
+                            element);
         throw Failure{element + ", attribute POSITION",
                       "no " + name + " has vertices that are finite and within 1e9"};
     }
@@ -215,7 +210,7 @@ class Part {
     Streams streams_;
     std::uint32_t vertexCount_ = 0;
     std::set<std::uint32_t> brokenVertices_;  ///< Of all vertices: those that are not finite.
-    std::vector<std::uint32_t> indices_;
+    Numbers<std::uint32_t> indices_;
     std::vector<candela_submesh> submeshes_;
     std::vector<candela_variant_material> variantMaterials_;
     std::vector<candela_topology> topologies_;  ///< Of the submeshes.

@@ -46,13 +46,19 @@ void checkAttribute(const Document& document, int accessor, const std::string& a
     requireCount(document, accessor, vertices, where);
 }
 
-std::vector<float> readAttribute(const Document& document, int accessor, const std::string& attribute,
-                                 const AttributeForm& form, std::size_t vertices, const std::string& element,
-                                 Finiteness finiteness) {
+Numbers<float> findAttribute(const Document& document, int accessor, const std::string& attribute,
+                             const AttributeForm& form, std::size_t vertices, const std::string& element,
+                             Finiteness finiteness) {
     const std::string where = attributeName(element, attribute);
     requireCount(document, accessor, vertices, where);
     const Encodings allowed = allowedEncodings(document, form);
-    return readFloats(document, accessor, static_cast<int>(form.components), allowed, where, finiteness);
+    return findFloats(document, accessor, static_cast<int>(form.components), allowed, where, finiteness);
+}
+
+std::vector<float> readAttribute(const Document& document, int accessor, const std::string& attribute,
+                                 const AttributeForm& form, std::size_t vertices, const std::string& element,
+                                 Finiteness finiteness) {
+    return findAttribute(document, accessor, attribute, form, vertices, element, finiteness).take();
 }
 
 VertexAccessors vertexAccessors(const tinygltf::Primitive& primitive) {
@@ -132,18 +138,16 @@ void limitAbsentElements(Document& document) {
     }
 }
 
-std::vector<std::uint32_t> readCorners(const Document& document, const tinygltf::Primitive& primitive,
-                                       std::uint32_t vertices, const std::string& element) {
+Numbers<std::uint32_t> findCorners(const Document& document, const tinygltf::Primitive& primitive,
+                                   std::uint32_t vertices, const std::string& element) {
     const int accessor = accessorOf(primitive, indicesAttribute);
-    if (accessor < 0) {
-        std::vector<std::uint32_t> corners(vertices);
-        std::iota(corners.begin(), corners.end(), 0u);
-        return corners;
-    }
-    return readIndices(document, accessor, element + ", indices");
+    if (accessor >= 0) return findIndices(document, accessor, element + ", indices");
+    std::vector<std::uint32_t> corners(vertices);
+    std::iota(corners.begin(), corners.end(), 0u);
+    return Numbers(std::move(corners));
 }
 
-void requireCornersBelow(std::uint32_t vertices, const std::vector<std::uint32_t>& corners,
+void requireCornersBelow(std::uint32_t vertices, std::span<const std::uint32_t> corners,
                          const std::string& element) {
     const std::string where = element + ", indices";
     for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,11 @@ void checkAttribute(const Document& document, int accessor, const std::string& a
 
 /// The numbers of an attribute, vertex after vertex. Throws `Failure` as `checkAttribute`, and unless they
 /// are finite where that is required.
+Numbers<float> findAttribute(const Document& document, int accessor, const std::string& attribute,
+                             const AttributeForm& form, std::size_t vertices, const std::string& element,
+                             Finiteness finiteness = Finiteness::required);
+
+/// The same in memory of their own.
 std::vector<float> readAttribute(const Document& document, int accessor, const std::string& attribute,
                                  const AttributeForm& form, std::size_t vertices, const std::string& element,
                                  Finiteness finiteness = Finiteness::required);
@@ -64,11 +70,11 @@ VertexAccessors vertexAccessors(const tinygltf::Primitive& primitive);
 void limitAbsentElements(Document& document);
 
 /// The vertices that a primitive names, in its order: its indices, or all its vertices.
-std::vector<std::uint32_t> readCorners(const Document& document, const tinygltf::Primitive& primitive,
-                                       std::uint32_t vertices, const std::string& element);
+Numbers<std::uint32_t> findCorners(const Document& document, const tinygltf::Primitive& primitive,
+                                   std::uint32_t vertices, const std::string& element);
 
 /// Throws `Failure` for `element` when a corner is not below `vertices`.
-void requireCornersBelow(std::uint32_t vertices, const std::vector<std::uint32_t>& corners,
+void requireCornersBelow(std::uint32_t vertices, std::span<const std::uint32_t> corners,
                          const std::string& element);
 
 /// Whether primitives of this glTF mode are triangles: TRIANGLES, TRIANGLE_STRIP or TRIANGLE_FAN.

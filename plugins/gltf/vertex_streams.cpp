@@ -18,7 +18,7 @@ constexpr std::array<StreamForm, uv0> forms{{{"POSITION", positionForm},
                                              {"COLOR_0", {4, fractions, fractions}}}};
 constexpr AttributeForm rgbForm{3, fractions, fractions};
 
-std::vector<float> withAlpha(const std::vector<float>& rgb) {
+std::vector<float> withAlpha(std::span<const float> rgb) {
     std::vector<float> rgba(rgb.size() / 3 * 4, 1.0f);
     for (std::size_t i = 0; i < rgb.size() / 3; ++i) std::copy_n(&rgb[i * 3], 3, &rgba[i * 4]);
     return rgba;
@@ -55,23 +55,21 @@ const AttributeForm& formOf(const Document& document, std::size_t stream, int ac
     return rgb ? rgbForm : forms[stream].form;
 }
 
-std::vector<float> readStream(const Document& document, std::size_t stream, int accessor,
-                              const std::string& attribute, std::size_t vertices,
-                              const std::string& element) {
+Numbers<float> readStream(const Document& document, std::size_t stream, int accessor,
+                          const std::string& attribute, std::size_t vertices, const std::string& element) {
     const AttributeForm& form = formOf(document, stream, accessor);
-    std::vector<float> numbers =
-        readAttribute(document, accessor, attribute, form, vertices, element, Finiteness::any);
-    return &form == &rgbForm ? withAlpha(numbers) : numbers;
+    Numbers<float> numbers =
+        findAttribute(document, accessor, attribute, form, vertices, element, Finiteness::any);
+    return &form == &rgbForm ? Numbers(withAlpha(numbers.view())) : numbers;
 }
 
-bool replaceNotFinite(std::vector<float>& numbers, float replacement) {
-    bool replaced = false;
-    for (float& number : numbers) {
-        if (std::isfinite(number)) continue;
-        number = replacement;
-        replaced = true;
+bool replaceNotFinite(Numbers<float>& numbers, float replacement) {
+    const auto isFinite = [](float number) { return std::isfinite(number); };
+    if (std::all_of(numbers.view().begin(), numbers.view().end(), isFinite)) return false;
+    for (float& number : numbers.edit()) {
+        if (!isFinite(number)) number = replacement;
     }
-    return replaced;
+    return true;
 }
 
 }  // namespace candela_plugins::gltf

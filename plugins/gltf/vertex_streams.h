@@ -15,7 +15,7 @@ namespace candela_plugins::gltf {
 enum Stream : std::size_t { position, normal, tangent, color, uv0, streamCount = uv0 + maxUvSlots };
 
 /// Numbers, vertex after vertex.
-using Streams = std::array<std::vector<float>, streamCount>;
+using Streams = std::array<Numbers<float>, streamCount>;
 
 /// The accessor of each stream, or one of these where a primitive has none.
 using Accessors = std::array<int, streamCount>;
@@ -39,10 +39,10 @@ Accessors accessorsOf(const tinygltf::Primitive& primitive, const UvSlots& slots
 const AttributeForm& formOf(const Document& document, std::size_t stream, int accessor);
 
 /// The numbers of a stream. Those that are not finite are kept. Throws `Failure` as `readAttribute`.
-std::vector<float> readStream(const Document& document, std::size_t stream, int accessor,
-                              const std::string& attribute, std::size_t vertices, const std::string& element);
+Numbers<float> readStream(const Document& document, std::size_t stream, int accessor,
+                          const std::string& attribute, std::size_t vertices, const std::string& element);
 
 /// Returns whether a number was not finite.
-bool replaceNotFinite(std::vector<float>& numbers, float replacement);
+bool replaceNotFinite(Numbers<float>& numbers, float replacement);
 
 }  // namespace candela_plugins::gltf

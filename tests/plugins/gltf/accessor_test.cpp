@@ -100,6 +100,42 @@ TEST(Accessor, followsStrideAndOffset) {
     EXPECT_EQ(mesh.uv0, (Vectors2{{0.1f, 0.2f}, {0.3f, 0.4f}, {0.5f, 0.6f}}));
 }
 
+TEST(Accessor, readsNumbersThatAreNotAligned) {
+    Bytes uvs = bytesOf<float>({0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f}),
+          indices = bytesOf<std::uint32_t>({2, 0, 1});
+    uvs.insert(uvs.begin(), 1, 99);
+    indices.insert(indices.begin(), 2, 99);
+    GltfFile file;
+    addTriangle(file);
+    file.addAccessor(file.addView(uvs), "VEC2", 5126, 3, R"("byteOffset":1)");
+    file.addAccessor(file.addView(indices), "SCALAR", 5125, 3, R"("byteOffset":2)");
+    file.addMeshNode(R"("attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2},"indices":3)");
+    const candela::Mesh mesh = meshOf(file);
+    EXPECT_EQ(mesh.uv0, (Vectors2{{0.1f, 0.2f}, {0.3f, 0.4f}, {0.5f, 0.6f}}));
+    EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{2, 0, 1}));
+}
+
+// What a primitive has in the buffer is changed for it alone.
+TEST(Accessor, primitivesShareWhatIsChangedForOne) {
+    GltfFile file;
+    addTriangle(file);
+    const float far = 2e9f;
+    const int broken = file.addData<float>("VEC3", {0, 0, 0, far, 0, 0, 0, 1, 0, 1, 1, 0});
+    const int normals = file.addData<float>("VEC3", {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
+    const int indices = file.addData<std::uint32_t>("SCALAR", {0, 2, 3, 0, 1, 2});
+    const auto primitive = [&](int positions) {
+        return R"({"attributes":{"POSITION":)" + std::to_string(positions) + R"(,"NORMAL":)" +
+               std::to_string(normals) + R"(},"indices":)" + std::to_string(indices) + "}";
+    };
+    const int whole = file.addData<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
+    file.add("meshes", R"({"primitives":[)" + primitive(broken) + "," + primitive(whole) + "]}");
+    file.add("nodes", R"({"mesh":0})");
+    const candela::Mesh mesh = meshOf(file);
+    EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 2, 3, 4, 6, 7, 4, 5, 6}));
+    EXPECT_EQ(mesh.positions[1], glm::vec3(0.0f)) << "what is broken is left out";
+    EXPECT_EQ(mesh.positions[5], glm::vec3(1, 0, 0));
+}
+
 TEST(Accessor, theLastElementOfAStrideNeedsNoPadding) {
     // 3 elements of 2 bytes at a stride of 4: the view ends with the last element, at byte 10.
     GltfFile file;
