@@ -262,7 +262,8 @@ std::string setupJson(const BenchOptions& options) {
         {"brdf", candela::toString(options.brdf)},
         {"view", options.view.value_or("")},
     };
-    if (const char* set = std::getenv("CANDELA_INSTRUCTION_SET")) setup["instruction_set"] = set;
+    const char* set = std::getenv("CANDELA_INSTRUCTION_SET");
+    if (set != nullptr && *set != '\0') setup["instruction_set"] = set;
     if (options.environment.source != EnvironmentOption::Source::own)
         setup["environment"] = toString(options.environment);
     return setup.dump();

@@ -27,6 +27,7 @@ class Frame;
 /// context is not current on the calling thread, and (badInput) after a move.
 class CANDELA_API Renderer {
   public:
+    /// Throws `Error` (environment) when `CANDELA_INSTRUCTION_SET` names none that this processor runs.
     explicit Renderer(const Context& context);
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;

@@ -66,10 +66,10 @@ float filteredRoughness(float roughness, vec3 normal) {
     return widens(variance, alpha2) ? sqrt(sqrt(min(alpha2 + variance, 1.0))) : roughness;
 }
 
-// The code of that roughness, where `code` is that of `roughness`.
+// The code of that roughness, where `code` is that of `roughness`. Rounding never makes it less.
 uint filteredRoughnessCode(float roughness, uint code, vec3 normal) {
     float variance = normalVariance(normal), alpha2 = alpha2Of(roughness);
-    return widens(variance, alpha2) ? packAlpha2(min(alpha2 + variance, 1.0)) : code;
+    return widens(variance, alpha2) ? max(packAlpha2(min(alpha2 + variance, 1.0)), code) : code;
 }
 
 void writeWords(GBufferWords words) {

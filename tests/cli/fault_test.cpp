@@ -41,6 +41,7 @@ TEST(Fault, SceneFileIsBroken) {
     EXPECT_EQ(folder.names(), (Names{"broken.glb", "broken.gltf", "empty.gltf"}));
 }
 
+#if defined(__x86_64__)
 TEST(Fault, UnknownInstructionSetListsThoseOfTheProcessor) {
     const TemporaryFolder folder;
     const CommandResult result =
@@ -50,6 +51,7 @@ TEST(Fault, UnknownInstructionSetListsThoseOfTheProcessor) {
                 "\"sse9\" names no instruction set; expected \"baseline\"");
     EXPECT_EQ(folder.names(), Names{});
 }
+#endif
 
 TEST(Fault, NoPluginTakesTheScene) {
     const TemporaryFolder folder;

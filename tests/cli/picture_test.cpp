@@ -59,7 +59,7 @@ TEST_F(Picture, PlazaIsDrawnIntoTheDefaultFile) {
 TEST_F(Picture, IsTheSameOnNarrowerInstructionSets) {
     const auto draw = [&](const std::string& set) {
         expectSuccess(
-            runCommand({"plaza:256", "-o", "test.exr", "--size", "96x54", "--samples", "2", "--quiet"},
+            runCommand({"plaza:256", "-o", "test.exr", "--size", "96x54", "--device", "software", "--quiet"},
                        {.folder = folder.path(), .environment = {"CANDELA_INSTRUCTION_SET=" + set}}));
         return readExr(folder / "test.exr").channels;
     };
@@ -75,7 +75,8 @@ TEST_F(Picture, IsTheSameOnNarrowerInstructionSets) {
     // order.
     EXPECT_LE(difference, 1.0e-5 * sum);
 #if defined(__x86_64__)
-    EXPECT_NE(widest, narrowest) << "the baseline has no fused products, so that last bits differ";
+    // The baseline has no fused products, so that last bits differ.
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) EXPECT_NE(widest, narrowest);
 #endif
 }
 

@@ -86,6 +86,24 @@ TEST_F(SpecularAntialiasingTest, curvedSurfacesAreWidenedByTheirNormals) {
     }
 }
 
+// The code of a widened roughness is that of an approximate root, which may lie below the code of the
+// roughness.
+TEST_F(SpecularAntialiasingTest, noRoughnessBecomesLess) {
+    constexpr int side = 16;
+    for (int step = 1; step <= 40; ++step) {
+        // By 4e-4 and 4e-3 of alpha²: less than half a step of the code.
+        const float roughness = 0.025f * static_cast<float>(step), alpha = roughness * roughness;
+        for (const float spread : {1.2f * side * alpha * 0.01f, 4.0f * side * alpha * 0.01f}) {
+            const Scene scene = sceneOf(spreadSquare(spread), metal(roughness));
+            const AovReader on = drawnSurfaces(scene, true, side), off = drawnSurfaces(scene, false, side);
+            for (int i = 0; i < side * side; ++i)
+                ASSERT_GE(on.scalar("roughness", i % side, i / side),
+                          off.scalar("roughness", i % side, i / side))
+                    << roughness << ", " << spread;
+        }
+    }
+}
+
 /// A square of 2 m with bumps: as many sine waves along each side, whose slope is at most `slope`.
 Mesh bumpySquare(int waves, float slope) {
     constexpr int pointsPerWave = 10;

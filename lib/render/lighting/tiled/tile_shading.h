@@ -261,7 +261,7 @@ inline void putRadiance(const TileFrame& frame, const BlockPixels& pixels, int l
     }
 }
 
-/// Nothing lights a square of `size` pixels.
+/// Writes 0 to a square of `size` pixels that nothing lights. Where radiance is added, it stays as it is.
 inline void leaveUnlit(const TileFrame& frame, int left, int bottom, int size) {
     if (frame.loadRadiance) return;
     const int width = frame.width - left < size ? frame.width - left : size;
