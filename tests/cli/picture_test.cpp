@@ -76,7 +76,9 @@ TEST_F(Picture, IsTheSameOnNarrowerInstructionSets) {
     EXPECT_LE(difference, 1.0e-5 * sum);
 #if defined(__x86_64__)
     // The baseline has no fused products, so that last bits differ.
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) EXPECT_NE(widest, narrowest);
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        EXPECT_NE(widest, narrowest);
+    }
 #endif
 }
 
