@@ -140,7 +140,8 @@ struct OcclusionReport {
 class CANDELA_API GpuScene {
   public:
     /// Uploads. Throws `Error`: badInput when the scene breaks a rule of `validate`, an option is out of its
-    /// range or the subdivider rejects a cage; limit that names what does not fit the device.
+    /// range or the subdivider rejects a cage; limit that names what does not fit the device; environment as
+    /// the constructor of `Renderer` does.
     GpuScene(const Context& context, const Scene& scene, const GpuSceneOptions& options = {});
     /// The same, and frees the pixels of each image of the scene as soon as they are uploaded, so that pixels
     /// and textures of all images are not in memory together. The images of `scene` have no pixels then, also

@@ -8,8 +8,8 @@
 namespace candela {
 
 /// Has the system back memory that is written next by large pages, cleared on all cores, where it is large
-/// enough for them: the page faults of small pages, one after the other, take longer than the copy. Does
-/// nothing where the system has no large pages.
+/// enough for them: the page faults of small pages, one after the other, take longer than the copy. Where the
+/// system refuses large pages, small ones are touched; does nothing where it knows no such advice.
 void requestLargePages(void* memory, std::size_t bytes);
 
 /// Reserves room for an array of up to many millions of elements that is filled next.

@@ -140,6 +140,7 @@ Buffer Buffer::filled(const char* label, const Layout& layout, const Fill& fill)
         const std::size_t bytes = std::min(part, size - offset);
         staging.write(bytes, [&](std::span<std::byte> to) { fill(offset, to); });
         buffer.copyFrom(staging.name(), 0, offset, bytes);
+        glFlush();  // Copies while the next part is written, and lets go of memory that drivers rename.
     }
     return buffer;
 }

@@ -247,8 +247,8 @@ inline Floats lookUp(const float* table, Ints index) {
 #endif
 }
 
-/// table[2 index] and table[2 index + 1] in each lane. The time of a gather goes by the number of its
-/// elements, not by their size. Where no lane differs, as in a background, there is none.
+/// table[2 index] and table[2 index + 1] in each lane. The time of a gather depends on the number of its
+/// elements, not on their size. Where no lane differs, as in a background, there is none.
 inline void lookUpPairs(const float* table, Ints index, Floats& first, Floats& second) {
     if (laneBits(index != index[0]) == 0) {
         first = splat(table[2 * index[0]]);

@@ -52,8 +52,9 @@ void MeshClusters::addTasks(std::span<const Part> parts, const MeshTriangles& me
                             std::vector<Task>& tasks) {
     constexpr std::uint32_t clustersPerTask = 32, step = clustersPerTask * clusterIndices;
     for (const Part& part : parts) {
-        for (std::uint32_t first = 0; first < part.indexCount; first += step) {
-            const std::uint32_t end = std::min(first + step, part.indexCount);
+        std::uint32_t end = 0;
+        for (std::uint32_t first = 0; first < part.indexCount; first = end) {
+            end = first + std::min(step, part.indexCount - first);
             tasks.push_back({mesh, part.firstIndex + first, part.firstIndex + end,
                              part.firstCluster + first / clusterIndices});
         }

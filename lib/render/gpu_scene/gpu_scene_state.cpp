@@ -14,6 +14,7 @@
 #include "scene/validate/scene_rules.h"
 
 #include <candela/error.h>
+#include <candela/threads.h>
 
 #include <algorithm>
 #include <bit>
@@ -67,6 +68,11 @@ GpuMeshes::Detail meshDetail(const Scene& scene, const GpuSceneOptions& options)
     return options.vertexDetail == VertexDetail::always ? GpuMeshes::Detail::everything : detailOf(scene);
 }
 
+/// On another thread, where parallel work may have one and there is one to be had.
+std::launch besideThisThread() {
+    return threadCount() > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
+}
+
 }  // namespace
 
 void GpuScene::State::requireIndex(const char* kind, std::uint32_t index, std::size_t count) {
@@ -95,8 +101,7 @@ GpuScene::State::State(const Context& context, const Scene& scene, std::span<Ima
       imageSlots("image", scene.images.size()),
       lightSlots("light", scene.lights.size()),
       transforms(sceneState),
-      clustersToCome(std::async(std::launch::async | std::launch::deferred,
-                                [&scene] { return MeshClusters(scene.meshes); })),
+      clustersToCome(std::async(besideThisThread(), [&scene] { return MeshClusters(scene.meshes); })),
       meshes(scene.meshes, meshDetail(scene, options),
              context.isSoftware() ? GpuMeshes::Access::deviceAndCpu : GpuMeshes::Access::device),
       clusters(clustersToCome.get()),
